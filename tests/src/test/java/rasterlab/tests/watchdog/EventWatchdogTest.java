@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JDialog;
+import org.joml.Matrix4d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,10 +32,13 @@ import org.junit.platform.launcher.TestExecutionListener;
 import org.junit.platform.launcher.TestIdentifier;
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
 import org.junit.platform.launcher.core.LauncherFactory;
-import rasterlab.app.opengl.software.SoftwarePainter;
-import rasterlab.app.opengl.state.GlChoice;
-import rasterlab.app.opengl.state.GlFrame;
-import rasterlab.app.opengl.state.Images;
+import rasterlab.engine.pipeline.triangle.Surface;
+import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.triangle.TriangleView;
+import rasterlab.engine.pipeline.triangle.VertexColors;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.shape.Torus;
+import rasterlab.engine.transform.GlMatrices;
 import rasterlab.tests.OwnDisplay;
 
 /** Each event here lasts until the watchdog has seen what it does. */
@@ -93,12 +97,16 @@ class EventWatchdogTest {
         assertTrue(fault.contains(Blame.READS.said()), fault);
     }
 
+    /** On one thread: with more, each waits for the others too. */
     @Test
     void listenerThatMakesAPictureIsBlamed() throws Exception {
-        GlChoice choice = GlChoice.first();
-        var frame = new GlFrame(choice, 640, 480, new Images().of(choice));
-        try (var painter = new SoftwarePainter()) {
-            String fault = fault(() -> painter.draw(frame, () -> false));
+        var mesh = Torus.ofTriangles(1, 0.45, 10_000).mesh();
+        var toEye = new Matrix4d().translate(0, 0, -4);
+        var view = new TriangleView(toEye, GlMatrices.perspective(45, 1, 1, 10));
+        var surface = new Surface.Smooth(VertexColors.own());
+        var out = new Raster(640, 640);
+        try (var pipeline = new TrianglePipeline(1)) {
+            String fault = fault(() -> pipeline.drawOn(0, mesh, view, surface, out, () -> false));
             assertTrue(fault.contains(Blame.WORKS.said()), fault);
         }
     }

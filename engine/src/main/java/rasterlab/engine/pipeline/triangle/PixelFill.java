@@ -16,6 +16,10 @@ final class PixelFill {
     private final Band band;
     private final PixelBatch batch;
     private final RowWeights weights = new RowWeights();
+
+    /** The triangle of a listed pixel. */
+    private final TinyScan listed = new TinyScan();
+
     private final RowLoops loops;
     private final float[][] values = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
@@ -101,64 +105,64 @@ final class PixelFill {
     }
 
     /**
-     * Pixels that a block lists one after the other from a place on, which has some. Returns the
-     * place after them.
-     *
-     * @param scan what the next triangle is put into
+     * Collects the pixels that a block lists from a place on, up to what is none or the end;
+     * returns that place.
      */
-    int few(TinyBlock block, TinyScan scan, int from) {
+    int addListed(TinyBlock block, int from) {
         float[] depth = testedDepth();
-        ScreenVertices v = block.vertices;
+        int start = band.depthStart;
         boolean early = blending.early();
         int place = from;
-        for (; place < block.length && block.kind(place) < TinyBlock.FEW; place++) {
+        for (; block.isPixel(place); place++) {
             if (batch.count == PixelBatch.SIZE) flush();
-            int triangle = block.triangle(place);
-            int cell = block.cell[block.pixel(place)];
-            float weightB = block.weightB[block.pixel(place)];
-            float weightC = block.weightC[block.pixel(place)];
-            float za = v.depth(block.a[triangle]);
-            float zb = v.depth(block.b[triangle]) - za;
-            float zc = v.depth(block.c[triangle]) - za;
-            float here = za + weightB * zb + weightC * zc;
-            if (!(here < depth[cell - band.depthStart])) continue;
-            if (early) depth[cell - band.depthStart] = here;
+            int pixel = block.pixel(place);
+            int cell = block.cell[pixel];
+            float here = block.depth(place);
+            if (!(here < depth[cell - start])) continue;
+            if (early) depth[cell - start] = here;
             else batch.depth[batch.count] = here;
             batch.cell[batch.count] = cell;
-            batch.weightB[batch.count] = weightB;
-            batch.weightC[batch.count++] = weightC;
-            scan.takeCorners(block, triangle);
-            interpolateLast(scan, v, block.corner(triangle, 2));
+            batch.weightB[batch.count] = block.weightB[pixel];
+            batch.weightC[batch.count++] = block.weightC[pixel];
+            interpolateLast(block, block.triangle(place));
         }
         return place;
     }
 
     /**
-     * {@link #interpolate} for the last pixel alone: that it is one, not a few, costs less than a
-     * loop whose length nobody foresees.
+     * {@link #interpolate} for the last pixel alone: to find again what two pixels of a triangle
+     * share costs less than a loop whose length nobody foresees, or than to keep it.
      */
-    private void interpolateLast(Scan scan, ScreenVertices v, int third) {
+    private void interpolateLast(TinyBlock block, int triangle) {
         int i = batch.count - 1;
         float weightB = batch.weightB[i];
         float weightC = batch.weightC[i];
-        float qa = v.nearness(scan.a);
-        float qb = v.nearness(scan.b);
-        float qc = v.nearness(scan.c);
-        batch.fromBehind[i] = scan.fromBehind;
-        fromBehind |= scan.fromBehind;
-        boolean slopes = batch.slopes.wanted();
+        ScreenVertices v = block.vertices;
+        float[] numbers = v.values;
+        int atA = v.at(block.a[triangle]);
+        int atB = v.at(block.b[triangle]);
+        int atC = v.at(block.c[triangle]);
+        float qa = v.nearness(block.a[triangle]);
+        float qb = v.nearness(block.b[triangle]);
+        float qc = v.nearness(block.c[triangle]);
+        batch.fromBehind[i] = block.fromBehind[triangle] != 0;
+        fromBehind |= batch.fromBehind[i];
         for (int k = 0; k < firstFlat; k++) {
-            float a = v.attribute(k, scan.a) * (affine[k] ? 1 : qa);
-            float b = v.attribute(k, scan.b) * (affine[k] ? 1 : qb) - a;
-            float c = v.attribute(k, scan.c) * (affine[k] ? 1 : qc) - a;
+            float a = numbers[atA + k] * (affine[k] ? 1 : qa);
+            float b = numbers[atB + k] * (affine[k] ? 1 : qb) - a;
+            float c = numbers[atC + k] * (affine[k] ? 1 : qc) - a;
             values[k][i] = a + weightB * b + weightC * c;
-            if (slopes) put(k, a, b, c);
         }
         if (divides) batch.nearness[i] = qa + weightB * (qb - qa) + weightC * (qc - qa);
-        for (int k = firstFlat; k < count; k++) values[k][i] = v.attribute(k, third);
-        if (!slopes) return;
-        if (divides) put(firstFlat, qa, qb - qa, qc - qa);
-        batch.slopes.endRun(scan, frame, corners, firstFlat, batch.count);
+        for (int k = firstFlat; k < count; k++)
+            values[k][i] = v.attribute(k, block.corner(triangle, 2));
+        if (batch.slopes.wanted()) endRun(block, triangle);
+    }
+
+    private void endRun(TinyBlock block, int triangle) {
+        listed.takeCorners(block, triangle);
+        findCorners(listed, block.vertices);
+        batch.slopes.endRun(listed, frame, corners, firstFlat, batch.count);
     }
 
     /** Returns false, and does nothing, where the triangle's rows have to be found. */

@@ -27,7 +27,10 @@ interface RowLoops {
     /** Whether small triangles, where there are many, are found faster in blocks. */
     boolean findsInBlocks();
 
-    /** Finds the small triangles of a block, which pixels they own, and which are not small. */
+    /**
+     * Finds the small triangles of a block and which pixels they own. Only where {@link
+     * #findsInBlocks}.
+     */
     void find(TinyBlock block, Band band);
 
     /** Finds the pixels of a small triangle and draws them, with a division for each. */

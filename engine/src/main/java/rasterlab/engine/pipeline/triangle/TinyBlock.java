@@ -15,10 +15,10 @@ final class TinyBlock {
     /** The most triangles. */
     static final int SIZE = 1 << SIZE_BITS;
 
-    /** The most pixels of a box that are listed one by one, row by row. */
-    static final int FEW = 4;
+    /** Boxes with so many pixels or less have them listed one by one, row by row. */
+    private static final int FEW = TinyScan.FEW;
 
-    /** What is listed beside pixels 0 to {@link #FEW} − 1 of a box: a box with more of them. */
+    /** What is listed beside pixels 0 to {@link TinyScan#FEW} − 1: a box with more of them. */
     static final int BOX = FEW;
 
     /** And a triangle that is not small. */
@@ -29,7 +29,7 @@ final class TinyBlock {
 
     static final int CODE_OF_LARGE = CODE_OF_BOX + 1;
 
-    /** For each code what is listed, and how much of it counts. */
+    /** From FEW·code on, what is listed for a code, times SIZE; HOW_MANY of it counts. */
     private static final int[] KINDS = new int[(CODE_OF_LARGE + 1) * FEW];
 
     private static final int[] HOW_MANY = new int[CODE_OF_LARGE + 1];
@@ -93,7 +93,10 @@ final class TinyBlock {
     final int[] ownB = new int[SIZE];
     final int[] ownC = new int[SIZE];
 
-    /** Which pixels of a box with few are owned, a bit for each; or one of the two above. */
+    /**
+     * Which pixels of a box with few are owned, a bit for each; else {@link #CODE_OF_BOX} or {@link
+     * #CODE_OF_LARGE}.
+     */
     final int[] code = new int[SIZE];
 
     /** Of a box with few pixels, at k·SIZE + i for triangle i: the cell of pixel k. */
@@ -105,17 +108,20 @@ final class TinyBlock {
     final float[] weightC = new float[FEW * SIZE];
 
     /** What there is to draw, {@code kind · SIZE + triangle}. */
-    private final int[] listed = new int[(SIZE + 1) * FEW];
+    private final int[] listed = new int[SIZE * FEW];
 
     /** How many are listed. */
     int length;
 
     private int[] corners;
     private int first;
+
+    /** A vertex that clipping made is kept as its complement ~v, which is v ^ −1. */
     private int complement;
 
     /**
-     * Takes triangles of the mesh or such that clipping made, as many as there is room for.
+     * Takes the next triangles until there is no room or one is of the other kind: of the mesh, or
+     * made by clipping.
      *
      * @param from the first one's number in the chunk
      * @param end the number after the last that there is
@@ -143,7 +149,7 @@ final class TinyBlock {
         y[triangle] = (int) (place >> Integer.SIZE);
     }
 
-    /** The vertex that is corner k of a triangle in the mesh, 0 to 2. */
+    /** Corner k, 0 to 2, in the mesh's order: a vertex of {@link #vertices}. */
     int corner(int triangle, int k) {
         return corners[3 * (first + triangle) + k] ^ complement;
     }
@@ -169,8 +175,23 @@ final class TinyBlock {
         return listed[place] & SIZE - 1;
     }
 
+    /** Whether a pixel is listed at a place, which may be the list's end. */
+    boolean isPixel(int place) {
+        return place < length && listed[place] < BOX * SIZE;
+    }
+
     /** Where the listed pixel has its cell and weights. */
     int pixel(int place) {
         return listed[place];
+    }
+
+    /** The depth of the listed pixel. */
+    float depth(int place) {
+        int triangle = triangle(place);
+        int pixel = pixel(place);
+        float za = vertices.depth(a[triangle]);
+        float zb = vertices.depth(b[triangle]) - za;
+        float zc = vertices.depth(c[triangle]) - za;
+        return za + weightB[pixel] * zb + weightC[pixel] * zc;
     }
 }

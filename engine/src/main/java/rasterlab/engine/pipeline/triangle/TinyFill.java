@@ -67,28 +67,45 @@ final class TinyFill {
     }
 
     /**
-     * Pixels that a block lists one after the other from a place on, which has some. Returns the
-     * place after them.
+     * Draws the pixels that a block lists from a place on, up to what is none or the end; returns
+     * that place.
      */
-    static int few(Band band, TinyBlock block, int from) {
+    static int listed(Band band, TinyBlock block, int from) {
         int[] argb = band.argb;
         float[] depth = band.depth;
         int start = band.depthStart;
-        ScreenVertices v = block.vertices;
         int place = from;
-        for (; place < block.length && block.kind(place) < TinyBlock.FEW; place++) {
+        for (; block.isPixel(place); place++) {
             int triangle = block.triangle(place);
-            int a = block.a[triangle];
-            int b = block.b[triangle];
-            int c = block.c[triangle];
-            int cell = block.cell[block.pixel(place)];
-            float weightB = block.weightB[block.pixel(place)];
-            float weightC = block.weightC[block.pixel(place)];
-            float za = v.depth(a);
-            float here = za + weightB * (v.depth(b) - za) + weightC * (v.depth(c) - za);
+            int pixel = block.pixel(place);
+            int cell = block.cell[pixel];
+            float here = block.depth(place);
             if (!(here < depth[cell - start])) continue;
             depth[cell - start] = here;
-            argb[cell] = color(v, a, b, c, weightB, weightC);
+            argb[cell] =
+                    color(
+                            block.vertices,
+                            block.a[triangle],
+                            block.b[triangle],
+                            block.c[triangle],
+                            block.weightB[pixel],
+                            block.weightC[pixel]);
+        }
+        return place;
+    }
+
+    /** The same, each triangle in the colour of its third corner. */
+    static int listedFlat(Band band, TinyBlock block, int from) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
+        int place = from;
+        for (; block.isPixel(place); place++) {
+            int cell = block.cell[block.pixel(place)];
+            float here = block.depth(place);
+            if (!(here < depth[cell - start])) continue;
+            depth[cell - start] = here;
+            argb[cell] = FlatFill.argb(block.vertices, block.corner(block.triangle(place), 2));
         }
         return place;
     }
@@ -111,29 +128,6 @@ final class TinyFill {
                 red + shareB * (rgb[atB] - red) + shareC * (rgb[atC] - red),
                 green + shareB * (rgb[atB + 1] - green) + shareC * (rgb[atC + 1] - green),
                 blue + shareB * (rgb[atB + 2] - blue) + shareC * (rgb[atC + 2] - blue));
-    }
-
-    /** As {@link #few(Band, TinyBlock, int)}, each triangle in the colour of its third corner. */
-    static int flat(Band band, TinyBlock block, int from) {
-        int[] argb = band.argb;
-        float[] depth = band.depth;
-        int start = band.depthStart;
-        ScreenVertices v = block.vertices;
-        int place = from;
-        for (; place < block.length && block.kind(place) < TinyBlock.FEW; place++) {
-            int triangle = block.triangle(place);
-            int cell = block.cell[block.pixel(place)];
-            float za = v.depth(block.a[triangle]);
-            float zb = v.depth(block.b[triangle]) - za;
-            float zc = v.depth(block.c[triangle]) - za;
-            float weightB = block.weightB[block.pixel(place)];
-            float weightC = block.weightC[block.pixel(place)];
-            float here = za + weightB * zb + weightC * zc;
-            if (!(here < depth[cell - start])) continue;
-            depth[cell - start] = here;
-            argb[cell] = FlatFill.argb(v, block.corner(triangle, 2));
-        }
-        return place;
     }
 
     static void flat(Band band, TinyScan scan, ScreenVertices v, int color) {

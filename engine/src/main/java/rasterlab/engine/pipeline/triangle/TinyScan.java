@@ -12,6 +12,12 @@ final class TinyScan extends Scan {
     /** The widest and highest box, in pixels. */
     static final int SIDE = 8;
 
+    /**
+     * A box with so many pixels or less has few: no more than five, so that three columns have one
+     * row.
+     */
+    static final int FEW = 4;
+
     /** The most centres in a box. */
     static final int MOST = SIDE * SIDE;
 

@@ -25,6 +25,9 @@ import rasterlab.engine.transform.GlMatrices;
 class SurfacesTest {
     private static final TriangleMesh TORUS = Torus.ofTriangles(1, 0.45, 5_000).mesh();
 
+    /** Of more triangles than the picture has pixels. */
+    private static final TriangleMesh CROWDED = Torus.ofTriangles(1, 0.45, 40_000).mesh();
+
     /** The near plane and a plane of the user cut the torus. */
     private static final TriangleView VIEW =
             new TriangleView(
@@ -56,16 +59,17 @@ class SurfacesTest {
     @ValueSource(ints = {1, 2, 3})
     void isTheSameInAnyNumberOfLanes(int threads) {
         EightLanes.assumeThere();
-        for (Surface surface : LitSurfaces.all()) {
-            var one = new DepthRaster(160, 100);
-            var eight = new DepthRaster(160, 100);
-            try (var plain = new TrianglePipeline(1, Lanes.ONE);
-                    var vectors = new TrianglePipeline(threads, Lanes.EIGHT)) {
-                plain.drawOn(7, TORUS, VIEW, surface, one, () -> false);
-                vectors.drawOn(7, TORUS, VIEW, surface, eight, () -> false);
+        for (TriangleMesh mesh : List.of(TORUS, CROWDED))
+            for (Surface surface : LitSurfaces.all()) {
+                var one = new DepthRaster(160, 100);
+                var eight = new DepthRaster(160, 100);
+                try (var plain = new TrianglePipeline(1, Lanes.ONE);
+                        var vectors = new TrianglePipeline(threads, Lanes.EIGHT)) {
+                    plain.drawOn(7, mesh, VIEW, surface, one, () -> false);
+                    vectors.drawOn(7, mesh, VIEW, surface, eight, () -> false);
+                }
+                EightLanes.assertSame(one, eight, surface.toString());
             }
-            EightLanes.assertSame(one, eight, surface.toString());
-        }
     }
 
     /** All into one picture, as a scene of several bodies is drawn. */
@@ -79,8 +83,10 @@ class SurfacesTest {
             FrameBytes.assertNoneInLaterFrames(
                     lanes,
                     () -> {
-                        for (int k = 0; k < surfaces.size(); k++)
+                        for (int k = 0; k < surfaces.size(); k++) {
                             pipeline.drawOn(7, TORUS, VIEW, surfaces.get(k), out, () -> false);
+                            pipeline.drawOn(7, CROWDED, VIEW, surfaces.get(k), out, () -> false);
+                        }
                     });
         }
     }

@@ -2,6 +2,8 @@ package rasterlab.engine.pipeline.triangle;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -11,6 +13,7 @@ import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
+import org.junit.jupiter.api.Test;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.EightLanes;
 
@@ -30,9 +33,12 @@ class TinyBlockTest {
     private String seed;
 
     @BeforeEach
-    void placeTriangles(RepetitionInfo repetition) {
+    void needEight() {
         EightLanes.assumeThere();
         eight = RowLoops.of(Lanes.EIGHT);
+    }
+
+    private void placeTriangles(RepetitionInfo repetition) {
         seed = "seed " + repetition.getCurrentRepetition();
         random = new Random(repetition.getCurrentRepetition());
         mesh.begin(3 * TRIANGLES, 0);
@@ -49,25 +55,31 @@ class TinyBlockTest {
 
     /** In the band and the picture or across their ends, some large, some on whole pixels. */
     private void place(ScreenVertices v, int first) {
-        int reach = 1 << random.nextInt(random.nextInt(10) == 0 ? 14 : 4);
+        int reach = 1 << random.nextInt(random.nextInt(10) == 0 ? 18 : 4);
         int step = random.nextInt(3) == 0 ? Subpixels.ONE : 1;
+        boolean longest = random.nextInt(20) == 0;
         do {
             int x = random.nextInt(WIDTH * Subpixels.ONE);
             int y = (TOP + random.nextInt(TriangleScan.ROWS)) * Subpixels.ONE;
             for (int k = first; k < first + 3; k++)
                 v.put(k, near(x, reach, step), near(y, reach, step), 0, 0);
-        } while (twiceArea(v, first) == 0 || isBeside(v, first));
+            if (longest) stretch(v, first);
+        } while (TwiceArea.of(v, first) == 0 || isBeside(v, first));
+    }
+
+    /** To a box of the longest side that is small, or a step more. */
+    private void stretch(ScreenVertices v, int first) {
+        int side = TinyScan.WIDEST + random.nextInt(2);
+        int across = random.nextBoolean() ? side : 0;
+        int x = v.x(first);
+        int y = v.y(first);
+        v.put(first + 1, x + across, y + side - across, 0, 0);
+        v.put(first + 2, x + random.nextInt(side), y + random.nextInt(side), 0, 0);
     }
 
     private int near(int middle, int reach, int step) {
         int steps = reach * Subpixels.ONE / 4;
         return (middle + random.nextInt(2 * steps + 1) - steps) / step * step;
-    }
-
-    private static long twiceArea(ScreenVertices v, int a) {
-        long bx = v.x(a + 1) - v.x(a);
-        long by = v.y(a + 1) - v.y(a);
-        return bx * (v.y(a + 2) - v.y(a)) - by * (v.x(a + 2) - v.x(a));
     }
 
     /** No triangle is sorted into a band that its box does not touch. */
@@ -81,8 +93,17 @@ class TinyBlockTest {
                         <= Math.max(TOP, Subpixels.firstPixel(top));
     }
 
+    @Test
+    void isDoneWhereMoreThanEveryFifthPixelHasATriangle() {
+        assertTrue(RowLoops.of(Lanes.EIGHT).findsInBlocks(), "with eight lanes");
+        assertFalse(RowLoops.of(Lanes.ONE).findsInBlocks(), "with one lane");
+        assertFalse(BandStage.isDense(100, 500), "100 in 500");
+        assertTrue(BandStage.isDense(101, 500), "101 in 500");
+    }
+
     @RepeatedTest(40)
-    void findsWhatIsFoundOneByOne() {
+    void findsWhatIsFoundOneByOne(RepetitionInfo repetition) {
+        placeTriangles(repetition);
         int[] seen = new int[TinyBlock.LARGE + 1];
         int next = 0;
         while (next < TRIANGLES) {
@@ -94,7 +115,7 @@ class TinyBlockTest {
                 listed.add(block.kind(place) * TinyBlock.SIZE + block.triangle(place));
             var wanted = new ArrayList<Integer>();
             for (int i = 0; i < block.count; i++)
-                for (int kind : compare(i, seed + ", triangle " + (next + i))) {
+                for (int kind : compare(i, next + i)) {
                     wanted.add(kind * TinyBlock.SIZE + i);
                     seen[kind]++;
                 }
@@ -107,16 +128,24 @@ class TinyBlockTest {
     }
 
     /** Returns what should be listed of the triangle. */
-    private List<Integer> compare(int i, String what) {
-        int a = block.corner(i, 0);
-        if (!expected.load(block.vertices, a, block.corner(i, 1), block.corner(i, 2), band))
+    private List<Integer> compare(int i, int triangle) {
+        String what = seed + ", triangle " + triangle;
+        int[] corner = Arrays.copyOfRange(chunk.corners, 3 * triangle, 3 * triangle + 3);
+        boolean made = corner[0] < 0;
+        for (int k = 0; k < 3; k++) {
+            if (made) corner[k] = ~corner[k];
+            assertEquals(corner[k], block.corner(i, k), what);
+        }
+        ScreenVertices vertices = made ? chunk.clipped : mesh;
+        assertSame(vertices, block.vertices, what);
+        if (!expected.load(vertices, corner[0], corner[1], corner[2], band))
             return List.of(TinyBlock.LARGE);
         var actual = new TinyScan();
         actual.take(block, i);
         assertEquals(numbers(expected), numbers(actual), what);
         assertEquals(expected.inverseArea, actual.inverseArea, what);
         assertEquals(expected.fromBehind, actual.fromBehind, what);
-        if (expected.columns * expected.rows > TinyBlock.FEW) return List.of(TinyBlock.BOX);
+        if (expected.columns * expected.rows > TinyScan.FEW) return List.of(TinyBlock.BOX);
         return comparePixels(i, what);
     }
 

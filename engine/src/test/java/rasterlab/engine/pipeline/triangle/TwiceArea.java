@@ -8,7 +8,14 @@ final class TwiceArea {
     private TwiceArea() {}
 
     static long of(ScreenVertices v) {
-        return (long) (v.x(1) - v.x(0)) * (v.y(2) - v.y(0))
-                - (long) (v.x(2) - v.x(0)) * (v.y(1) - v.y(0));
+        return of(v, 0);
+    }
+
+    /**
+     * @param a the first of its three vertices
+     */
+    static long of(ScreenVertices v, int a) {
+        return (long) (v.x(a + 1) - v.x(a)) * (v.y(a + 2) - v.y(a))
+                - (long) (v.x(a + 2) - v.x(a)) * (v.y(a + 1) - v.y(a));
     }
 }

@@ -182,7 +182,7 @@ final class VectorLoops implements RowLoops {
             ScreenVertices v,
             boolean early,
             PixelBatch batch) {
-        boolean few = scan.columns * scan.rows <= BandStage.FEW;
+        boolean few = scan.columns * scan.rows <= TinyScan.FEW;
         if (few || !early || scan.left + LANES > width)
             plain.collect(depth, depthStart, width, scan, v, early, batch);
         else tiny.collect(depth, depthStart, width, scan, v, batch);

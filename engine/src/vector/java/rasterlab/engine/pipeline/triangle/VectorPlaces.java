@@ -25,7 +25,7 @@ final class VectorPlaces {
     /** Whole numbers below 2²³ are the lowest bits of a float that this is added to. */
     private static final float ROUND = SmoothFill.ROUND;
 
-    private static final int ROUND_BITS = Float.floatToRawIntBits(ROUND);
+    static final int ROUND_BITS = Float.floatToRawIntBits(ROUND);
 
     /** Of each place its row and column, {@code row · WIDEST + column}. */
     private final int[] places = new int[PixelBatch.ROOM];
@@ -80,8 +80,8 @@ final class VectorPlaces {
             IntVector column = place.and(RowDepth.WIDEST - 1);
             IntVector row = place.lanewise(VectorOperators.LSHR, COLUMN_BITS);
             row.mul(width).add(column).add(first).intoArray(cells, before + i);
-            FloatVector right = column.or(ROUND_BITS).reinterpretAsFloats().sub(ROUND);
-            FloatVector down = row.or(ROUND_BITS).reinterpretAsFloats().sub(ROUND);
+            FloatVector right = floats(column);
+            FloatVector down = floats(row);
             down.mul(at.downB)
                     .add(at.cornerB)
                     .add(right.mul(at.rightB))
@@ -94,5 +94,10 @@ final class VectorPlaces {
                     .intoArray(weightsC, before + i);
         }
         batch.count = before + count;
+    }
+
+    /** Numbers from 0 to 2²³ − 1. */
+    private static FloatVector floats(IntVector numbers) {
+        return numbers.or(ROUND_BITS).reinterpretAsFloats().sub(ROUND);
     }
 }

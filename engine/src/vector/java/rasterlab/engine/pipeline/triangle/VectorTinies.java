@@ -6,22 +6,18 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The small triangles of a {@link TinyBlock}, eight at a time, each as {@link TinyScan#load} finds
- * it. One per thread.
+ * The small triangles of a {@link TinyBlock}, eight at a time, each as {@link TinyScan#load} and
+ * {@link TinyScan#look} find it. One per thread.
  *
  * <p>Several loops, as {@link VectorLoops} explains. Of a triangle that is not small numbers may
- * overflow: nobody reads them.
+ * overflow, and only {@link TinyBlock#code} is read: what that depends on does not, since corners
+ * are below 2²⁴.
  */
 final class VectorTinies {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
     private static final int LANES = INTS.length();
     private static final int SIGN = Integer.SIZE - 1;
-
-    /** Whole numbers below 2²³ are the lowest bits of a float that this is added to. */
-    private static final float ROUND = SmoothFill.ROUND;
-
-    private static final int ROUND_BITS = Float.floatToRawIntBits(ROUND);
 
     /** −1 where a side of the box is too long for a small triangle, else 0. */
     private final int[] tooWide = new int[TinyBlock.SIZE];
@@ -45,7 +41,7 @@ final class VectorTinies {
         numbersInLanes(n, t);
         stepsInLanes(n, t);
         edgesInLanes(n, t);
-        for (int k = 0; k < TinyBlock.FEW; k++) {
+        for (int k = 0; k < TinyScan.FEW; k++) {
             pixelsInLanes(n, t, k, band.width);
             ownedInLanes(n, t, k);
             weightsInLanes(n, t, k * TinyBlock.SIZE);
@@ -64,8 +60,8 @@ final class VectorTinies {
     /**
      * The box's first column and how many it has, from the corners' x; or its rows, from their y.
      *
-     * @param least of the picture or the band
-     * @param end that after their last
+     * @param least the picture's first column, or the band's first row
+     * @param end the one after its last
      */
     private static void sidesInLanes(
             int n,
@@ -97,8 +93,7 @@ final class VectorTinies {
     private void boxesInLanes(int n, TinyBlock t, int width) {
         for (int i = 0; i < n; i += LANES) {
             ints(t.top, i).mul(width).add(ints(t.left, i)).intoArray(t.at, i);
-            IntVector few =
-                    negative(ints(t.columns, i).mul(ints(t.rows, i)).sub(TinyBlock.FEW + 1));
+            IntVector few = negative(ints(t.columns, i).mul(ints(t.rows, i)).sub(TinyScan.FEW + 1));
             few.not()
                     .and(TinyBlock.CODE_OF_BOX)
                     .or(ints(tooWide, i).or(ints(tooHigh, i)).and(TinyBlock.CODE_OF_LARGE))
@@ -124,12 +119,7 @@ final class VectorTinies {
             by.lanewise(VectorOperators.XOR, y).intoArray(t.by, i);
             cx.lanewise(VectorOperators.XOR, x).intoArray(t.cx, i);
             cy.lanewise(VectorOperators.XOR, y).intoArray(t.cy, i);
-            FloatVector size =
-                    area.lanewise(VectorOperators.XOR, turned)
-                            .sub(turned)
-                            .or(ROUND_BITS)
-                            .reinterpretAsFloats()
-                            .sub(ROUND);
+            FloatVector size = floats(area.lanewise(VectorOperators.XOR, turned).sub(turned));
             FloatVector.broadcast(FLOATS, 1).div(size).intoArray(t.inverseArea, i);
         }
     }
@@ -151,19 +141,19 @@ final class VectorTinies {
             IntVector by = ints(t.by, i);
             IntVector cx = ints(t.cx, i);
             IntVector cy = ints(t.cy, i);
-            pixels(by.sub(cy)).intoArray(t.stepA, i);
-            pixels(cy).intoArray(t.stepB, i);
-            pixels(by).neg().intoArray(t.stepC, i);
-            pixels(cx.sub(bx)).intoArray(t.downA, i);
-            pixels(cx).neg().intoArray(t.downB, i);
-            pixels(bx).intoArray(t.downC, i);
+            timesPixel(by.sub(cy)).intoArray(t.stepA, i);
+            timesPixel(cy).intoArray(t.stepB, i);
+            timesPixel(by).neg().intoArray(t.stepC, i);
+            timesPixel(cx.sub(bx)).intoArray(t.downA, i);
+            timesPixel(cx).neg().intoArray(t.downB, i);
+            timesPixel(bx).intoArray(t.downC, i);
             owned(cx.neg(), cy.neg()).intoArray(t.ownB, i);
             owned(bx, by).intoArray(t.ownC, i);
         }
     }
 
-    /** So many steps for each pixel. */
-    private static IntVector pixels(IntVector number) {
+    /** A number times the steps of a pixel. */
+    private static IntVector timesPixel(IntVector number) {
         return number.lanewise(VectorOperators.LSHL, Subpixels.BITS);
     }
 
@@ -180,8 +170,8 @@ final class VectorTinies {
             IntVector by = ints(t.by, i);
             IntVector cx = ints(t.cx, i);
             IntVector cy = ints(t.cy, i);
-            IntVector px = pixels(ints(t.left, i)).sub(ints(t.ax, i));
-            IntVector py = pixels(ints(t.top, i)).sub(ints(t.ay, i));
+            IntVector px = timesPixel(ints(t.left, i)).sub(ints(t.ax, i));
+            IntVector py = timesPixel(ints(t.top, i)).sub(ints(t.ay, i));
             IntVector dx = cx.sub(bx);
             IntVector dy = cy.sub(by);
             dx.mul(py.sub(by)).sub(dy.mul(px.sub(bx))).add(owned(dx, dy)).intoArray(t.rowA, i);
@@ -244,7 +234,7 @@ final class VectorTinies {
     }
 
     /** Numbers from 0 to 2²³ − 1. */
-    private static FloatVector floats(IntVector number) {
-        return number.or(ROUND_BITS).reinterpretAsFloats().sub(ROUND);
+    private static FloatVector floats(IntVector numbers) {
+        return numbers.or(VectorPlaces.ROUND_BITS).reinterpretAsFloats().sub(SmoothFill.ROUND);
     }
 }
