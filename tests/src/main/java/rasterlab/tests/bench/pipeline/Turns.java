@@ -20,11 +20,12 @@ final class Turns {
      *
      * @param turns how many turns each way has
      * @param warmUpSeconds how long each way runs before: of 6, on a quiet machine, the compiler
-     *     has done with what is run most
+     *     has done with what is run most; of 12 where it shares the only core
      */
     record Length(int turns, double warmUpSeconds) {
         static Length of(boolean quick) {
-            return quick ? new Length(3, 2) : new Length(10, 6);
+            int alone = Runtime.getRuntime().availableProcessors() == 1 ? 2 : 1;
+            return quick ? new Length(3, 2 * alone) : new Length(10, 6 * alone);
         }
 
         /** As many times the turns after the same warm-up. */
