@@ -24,8 +24,8 @@ final class Turns {
      */
     record Length(int turns, double warmUpSeconds) {
         static Length of(boolean quick) {
-            int alone = Runtime.getRuntime().availableProcessors() == 1 ? 2 : 1;
-            return quick ? new Length(3, 2 * alone) : new Length(10, 6 * alone);
+            int times = Runtime.getRuntime().availableProcessors() == 1 ? 2 : 1;
+            return quick ? new Length(3, 2 * times) : new Length(10, 6 * times);
         }
 
         /** As many times the turns after the same warm-up. */
