@@ -1,19 +1,29 @@
 package rasterlab.engine.pipeline.triangle;
 
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 
 /**
  * Threads that share out numbered items of work; the caller's thread is one of them.
  *
- * <p>Between two tasks a thread looks for work for some microseconds before it sleeps. Nothing is
- * allocated.
+ * <p>The caller waits for items, not for threads: one that wakes when all is taken holds up nobody.
+ * Between two tasks a thread looks for work for a moment before it sleeps. Nothing is allocated.
  */
 final class WorkerTeam implements AutoCloseable {
     /** The most threads. */
     static final int MOST = 256;
 
-    /** Looks for work before a thread sleeps, about 20 µs. */
-    private static final int SPINS = 2000;
+    /** How long a thread looks for what it waits for before it sleeps. */
+    private static final long PATIENCE_NANOS = 100_000;
+
+    /** Looks without a look at the clock. */
+    private static final int LOOKS = 32;
+
+    private static final int NONE = -1;
 
     /** What is shared out. */
     interface Task {
@@ -23,14 +33,23 @@ final class WorkerTeam implements AutoCloseable {
         void run(int item, int worker);
     }
 
+    /** The one of worker k at place k; the caller's, at 0, is not kept. */
     private final Thread[] threads;
-    private final AtomicInteger nextItem = new AtomicInteger();
-    private final AtomicInteger busy = new AtomicInteger();
-    private final Object bell = new Object();
-    private volatile int round;
+
+    /** 1 for each worker that sleeps or is about to. */
+    private final AtomicIntegerArray asleep;
+
+    private final AtomicInteger untaken = new AtomicInteger();
+    private final AtomicInteger undone = new AtomicInteger();
     private volatile boolean closed;
+    private final BooleanSupplier allDone = () -> undone.get() == 0;
+    private final BooleanSupplier workOrEnd = () -> untaken.get() > 0 || closed;
+    private volatile Thread waitingCaller;
     private volatile Throwable failure;
+
+    /** Both stay as they are while an item is undone. */
     private Task task;
+
     private int items;
 
     /**
@@ -40,17 +59,24 @@ final class WorkerTeam implements AutoCloseable {
         if (size < 1 || size > MOST)
             throw new IllegalArgumentException(
                     "threads must be from 1 to %d, got %d".formatted(MOST, size));
-        threads = new Thread[size - 1];
-        for (int k = 0; k < threads.length; k++) {
-            int worker = k + 1;
+        threads = new Thread[size];
+        asleep = new AtomicIntegerArray(size);
+        for (int k = 1; k < size; k++) {
+            int worker = k;
             threads[k] = new Thread(() -> serve(worker), "rasterlab-pipeline-" + worker);
             threads[k].setDaemon(true);
-            threads[k].start();
         }
+        for (int k = 1; k < size; k++) threads[k].start();
     }
 
+    /** Number of threads, the caller's included. */
     int size() {
-        return threads.length + 1;
+        return threads.length;
+    }
+
+    /** All but the caller's. */
+    Stream<Thread> threads() {
+        return Arrays.stream(threads).skip(1);
     }
 
     /**
@@ -62,20 +88,22 @@ final class WorkerTeam implements AutoCloseable {
         task = newTask;
         items = count;
         failure = null;
-        nextItem.set(0);
-        busy.set(threads.length);
-        ring();
+        undone.set(count);
+        untaken.set(count);
         takeItems(0);
-        for (int spin = 0; spin < SPINS && busy.get() > 0; spin++) Thread.onSpinWait();
-        if (busy.get() > 0) awaitOthers();
+        if (!comesSoon(allDone)) awaitOthers();
         rethrow();
     }
 
-    private void ring() {
-        synchronized (bell) {
-            round++;
-            bell.notifyAll();
-        }
+    private static boolean comesSoon(BooleanSupplier here) {
+        long start = System.nanoTime();
+        do
+            for (int look = 0; look < LOOKS; look++) {
+                if (here.getAsBoolean()) return true;
+                Thread.onSpinWait();
+            }
+        while (System.nanoTime() - start < PATIENCE_NANOS);
+        return false;
     }
 
     private void rethrow() {
@@ -84,52 +112,79 @@ final class WorkerTeam implements AutoCloseable {
     }
 
     private void takeItems(int worker) {
-        try {
-            for (int item; (item = nextItem.getAndIncrement()) < items; ) task.run(item, worker);
-        } catch (RuntimeException | Error thrown) {
-            failure = thrown;
-            nextItem.set(items);
+        int item = take();
+        if (item == NONE) return;
+        wakeNext(worker);
+        do {
+            try {
+                task.run(item, worker);
+            } catch (RuntimeException | Error thrown) {
+                failure = thrown;
+                leave(untaken.getAndSet(0));
+            }
+            leave(1);
+            item = take();
+        } while (item != NONE);
+    }
+
+    /** The next item, or {@link #NONE}; who has one may read what the round is about. */
+    private int take() {
+        int left = untaken.get();
+        while (left > 0) {
+            if (untaken.compareAndSet(left, left - 1)) return items - left;
+            left = untaken.get();
         }
+        return NONE;
+    }
+
+    /** So many items are done or given up. */
+    private void leave(int count) {
+        if (undone.addAndGet(-count) > 0) return;
+        Thread caller = waitingCaller;
+        if (caller != null) LockSupport.unpark(caller);
+    }
+
+    /**
+     * Wakes up to two others, who wake two each: of many threads none spends long on it.
+     *
+     * <p>Those of worker k are 2k + 1 and 2k + 2, as in a heap.
+     */
+    private void wakeNext(int worker) {
+        int end = Math.min(2 * worker + 3, Math.min(threads.length, items));
+        for (int next = 2 * worker + 1; next < end && untaken.get() > 0; next++) wake(next);
+    }
+
+    private void wake(int worker) {
+        if (asleep.get(worker) == 1 && asleep.compareAndSet(worker, 1, 0))
+            LockSupport.unpark(threads[worker]);
     }
 
     /** An interruption is kept for the caller: a frame is never left half done by it. */
     private void awaitOthers() {
         boolean interrupted = false;
-        synchronized (bell) {
-            while (busy.get() > 0)
-                try {
-                    bell.wait();
-                } catch (InterruptedException e) {
-                    interrupted = true;
-                }
+        waitingCaller = Thread.currentThread();
+        while (undone.get() > 0) {
+            LockSupport.park(this);
+            interrupted |= Thread.interrupted();
         }
+        waitingCaller = null;
         if (interrupted) Thread.currentThread().interrupt();
     }
 
     private void serve(int worker) {
-        int seen = 0;
-        while (awaitRound(seen)) {
-            seen++;
-            takeItems(worker);
-            if (busy.decrementAndGet() == 0)
-                synchronized (bell) {
-                    bell.notifyAll();
-                }
-        }
+        while (awaitItems(worker)) takeItems(worker);
     }
 
     /** Returns false when the team is closed. */
-    private boolean awaitRound(int seen) {
-        for (int spin = 0; spin < SPINS && round == seen; spin++) Thread.onSpinWait();
-        if (round == seen && !closed)
-            synchronized (bell) {
-                while (round == seen && !closed)
-                    try {
-                        bell.wait();
-                    } catch (InterruptedException e) {
-                        return false;
-                    }
+    private boolean awaitItems(int worker) {
+        if (!comesSoon(workOrEnd)) {
+            asleep.set(worker, 1);
+            while (!workOrEnd.getAsBoolean() && asleep.get(worker) == 1) {
+                LockSupport.park(this);
+                Thread.interrupted(); // Else no park would last; what ends a worker is closing.
             }
+            asleep.set(worker, 0);
+        }
         return !closed;
     }
 
@@ -137,6 +192,6 @@ final class WorkerTeam implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        ring();
+        for (int k = 1; k < threads.length; k++) LockSupport.unpark(threads[k]);
     }
 }

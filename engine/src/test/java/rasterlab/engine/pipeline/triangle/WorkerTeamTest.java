@@ -1,0 +1,186 @@
+package rasterlab.engine.pipeline.triangle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.concurrent.BrokenBarrierException;
+import java.util.concurrent.CyclicBarrier;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+@Timeout(value = 1, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class WorkerTeamTest {
+    private static final int ROUNDS = 2000;
+
+    @ParameterizedTest(name = "{0} threads, {1} items: an item is left out, or done twice")
+    @CsvSource({"1,0", "1,7", "2,1", "2,100", "7,0", "7,3", "7,1000", "16,23"})
+    void eachItemIsDoneOnce(int threads, int items) {
+        var done = new AtomicIntegerArray(items);
+        try (var team = new WorkerTeam(threads)) {
+            for (int round = 1; round <= ROUNDS; round++) {
+                team.run((item, worker) -> done.incrementAndGet(item), items);
+                for (int item = 0; item < items; item++)
+                    assertEquals(round, done.get(item), "item " + item);
+            }
+        }
+    }
+
+    @Test
+    void noTwoThreadsHaveOneNumberAtOneTime() {
+        int threads = 7;
+        var inUse = new AtomicIntegerArray(threads);
+        var twice = new AtomicInteger();
+        try (var team = new WorkerTeam(threads)) {
+            for (int round = 0; round < ROUNDS; round++)
+                team.run(
+                        (item, worker) -> {
+                            if (inUse.getAndSet(worker, 1) != 0) twice.incrementAndGet();
+                            Thread.onSpinWait();
+                            inUse.set(worker, 0);
+                        },
+                        50);
+        }
+        assertEquals(0, twice.get());
+    }
+
+    @ParameterizedTest(name = "{0} threads: one that sleeps is not woken for an item of its own")
+    @ValueSource(ints = {2, 3, 4, 8, 13, 32})
+    void allThatSleepAreWokenWhereThereIsWorkForAll(int threads) {
+        try (var team = new WorkerTeam(threads)) {
+            for (int round = 0; round < 3; round++) {
+                awaitSleep(team);
+                allAtOnce(team);
+            }
+        }
+    }
+
+    @Test
+    void whoWaitsForLongItemsIsWokenByTheLastOne() {
+        try (var team = new WorkerTeam(2)) {
+            for (int round = 0; round < 20; round++) {
+                var caller = Thread.currentThread();
+                var done = new AtomicInteger();
+                var both = new CyclicBarrier(2);
+                team.run(
+                        (item, worker) -> {
+                            await(both);
+                            if (worker > 0) awaitState(caller, Thread.State.WAITING);
+                            done.incrementAndGet();
+                        },
+                        2);
+                assertEquals(2, done.get());
+            }
+        }
+    }
+
+    @Test
+    void whatAnItemThrowsComesOutWhenNobodyWorksAnyMore() {
+        try (var team = new WorkerTeam(4)) {
+            for (int round = 0; round < ROUNDS; round++) {
+                var thrown = new IllegalStateException("broken");
+                var working = new AtomicInteger();
+                var caught =
+                        assertThrows(
+                                IllegalStateException.class,
+                                () ->
+                                        team.run(
+                                                (item, worker) -> {
+                                                    working.incrementAndGet();
+                                                    for (int k = 0; k < 20; k++)
+                                                        Thread.onSpinWait();
+                                                    working.decrementAndGet();
+                                                    if (item == 5) throw thrown;
+                                                },
+                                                1000));
+                assertSame(thrown, caught);
+                assertEquals(0, working.get());
+            }
+            allAtOnce(team);
+        }
+    }
+
+    @Test
+    void interruptionIsKeptAndLeavesNothingOut() {
+        try (var team = new WorkerTeam(2)) {
+            var caller = Thread.currentThread();
+            var done = new AtomicInteger();
+            var both = new CyclicBarrier(2);
+            team.run(
+                    (item, worker) -> {
+                        await(both);
+                        if (worker > 0) {
+                            awaitState(caller, Thread.State.WAITING);
+                            caller.interrupt();
+                            awaitState(caller, Thread.State.WAITING);
+                        }
+                        done.incrementAndGet();
+                    },
+                    2);
+            assertEquals(2, done.get());
+            assertTrue(Thread.interrupted());
+        }
+    }
+
+    @Test
+    void closedTeamHasNoThreads() throws InterruptedException {
+        var team = new WorkerTeam(5);
+        awaitSleep(team);
+        allAtOnce(team);
+        var threads = team.threads().toList();
+        assertEquals(4, threads.size());
+        team.close();
+        for (Thread thread : threads) {
+            thread.join();
+            assertFalse(thread.isAlive());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, 0, 257})
+    void refusesNumbersOfThreadsByTheirValue(int threads) {
+        var refused = assertThrows(IllegalArgumentException.class, () -> new WorkerTeam(threads));
+        assertEquals("threads must be from 1 to 256, got " + threads, refused.getMessage());
+    }
+
+    /** An item for each thread, none of which ends before all have begun. */
+    private static void allAtOnce(WorkerTeam team) {
+        var all = new CyclicBarrier(team.size());
+        var workers = new AtomicIntegerArray(team.size());
+        team.run(
+                (item, worker) -> {
+                    await(all);
+                    workers.set(worker, 1);
+                },
+                team.size());
+        int[] expected = new int[team.size()];
+        Arrays.fill(expected, 1);
+        for (int k = 0; k < expected.length; k++) assertEquals(1, workers.get(k), "worker " + k);
+    }
+
+    private static void await(CyclicBarrier barrier) {
+        try {
+            barrier.await(20, TimeUnit.SECONDS);
+        } catch (InterruptedException | BrokenBarrierException | TimeoutException e) {
+            throw new AssertionError("not all threads came", e);
+        }
+    }
+
+    private static void awaitSleep(WorkerTeam team) {
+        team.threads().forEach(thread -> awaitState(thread, Thread.State.WAITING));
+    }
+
+    private static void awaitState(Thread thread, Thread.State state) {
+        while (thread.getState() != state) Thread.onSpinWait();
+    }
+}
