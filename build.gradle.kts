@@ -43,7 +43,7 @@ subprojects {
         timeout = java.time.Duration.ofSeconds(1500)
         // Without these the engine computes one number at a time, with them eight.
         jvmArgs("@${rootDir}/engine/vector-options")
-        // One thread is enough to collect what tests leave, and two processes share the cores.
+        // One thread is enough to collect what tests leave.
         jvmArgs("-XX:+UseSerialGC")
     }
 }

@@ -14,8 +14,8 @@ import rasterlab.engine.scene.TriangleMesh;
  * their vertices by blocks, pixels by bands of 32 rows, the fullest first; each stage begins when
  * the one before has ended; where a triangle may be clipped, which needs all of its vertices, the
  * second comes third. A chunk is sorted into bands by one thread and a band drawn by one thread in
- * the mesh's order, so no result depends on which thread was first. After the first frame nothing
- * is allocated until a larger mesh or picture comes.
+ * the mesh's order, so no result depends on which thread was first. Once each thread has drawn a
+ * band nothing is allocated until a larger mesh or picture comes.
  */
 public final class TrianglePipeline implements AutoCloseable {
     private static final float[] NOT_KEPT = {};
@@ -53,10 +53,11 @@ public final class TrianglePipeline implements AutoCloseable {
      * @throws IllegalStateException where there are not so many lanes
      */
     public TrianglePipeline(int threads, Lanes lanes) {
-        team = new WorkerTeam(threads);
+        WorkerTeam.checkSize(threads);
         workers = new Worker[threads];
         for (int k = 0; k < threads; k++)
             workers[k] = new Worker(new VertexStage(lanes), new Binner(), new BandStage(lanes));
+        team = new WorkerTeam(threads);
     }
 
     /** Number of threads, the caller's included. */

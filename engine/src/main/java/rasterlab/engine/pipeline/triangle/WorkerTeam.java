@@ -1,11 +1,11 @@
 package rasterlab.engine.pipeline.triangle;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Stream;
 
 /**
  * Threads that share out numbered items of work; the caller's thread is one of them.
@@ -17,7 +17,10 @@ final class WorkerTeam implements AutoCloseable {
     /** The most threads. */
     static final int MOST = 256;
 
-    /** How long a thread looks for what it waits for before it sleeps. */
+    /**
+     * How long a thread looks for what it waits for before it sleeps: about two wakings, so that it
+     * stays awake between the stages of a frame.
+     */
     private static final long PATIENCE_NANOS = 100_000;
 
     /** Looks without a look at the clock. */
@@ -33,21 +36,25 @@ final class WorkerTeam implements AutoCloseable {
         void run(int item, int worker);
     }
 
-    /** The one of worker k at place k; the caller's, at 0, is not kept. */
+    /** Worker k is at place k; the caller, worker 0, is not kept. */
     private final Thread[] threads;
 
     /** 1 for each worker that sleeps or is about to. */
     private final AtomicIntegerArray asleep;
 
+    /** Items that nobody has; below 0 where several threads asked for one at once. */
     private final AtomicInteger untaken = new AtomicInteger();
+
+    /** Items that nobody has told to be done: never fewer than are untaken. */
     private final AtomicInteger undone = new AtomicInteger();
+
     private volatile boolean closed;
     private final BooleanSupplier allDone = () -> undone.get() == 0;
     private final BooleanSupplier workOrEnd = () -> untaken.get() > 0 || closed;
     private volatile Thread waitingCaller;
     private volatile Throwable failure;
 
-    /** Both stay as they are while an item is undone. */
+    /** Stays as it is while an item is undone, and so do the items. */
     private Task task;
 
     private int items;
@@ -56,9 +63,7 @@ final class WorkerTeam implements AutoCloseable {
      * @param size number of threads, the caller's included
      */
     WorkerTeam(int size) {
-        if (size < 1 || size > MOST)
-            throw new IllegalArgumentException(
-                    "threads must be from 1 to %d, got %d".formatted(MOST, size));
+        checkSize(size);
         threads = new Thread[size];
         asleep = new AtomicIntegerArray(size);
         for (int k = 1; k < size; k++) {
@@ -69,37 +74,44 @@ final class WorkerTeam implements AutoCloseable {
         for (int k = 1; k < size; k++) threads[k].start();
     }
 
-    /** Number of threads, the caller's included. */
+    static void checkSize(int size) {
+        if (size < 1 || size > MOST)
+            throw new IllegalArgumentException(
+                    "threads must be from 1 to %d, got %d".formatted(MOST, size));
+    }
+
     int size() {
         return threads.length;
     }
 
-    /** All but the caller's. */
-    Stream<Thread> threads() {
-        return Arrays.stream(threads).skip(1);
+    /** The threads of workers 1 and up. */
+    List<Thread> workers() {
+        return Arrays.asList(threads).subList(1, threads.length);
     }
 
     /**
      * Runs items 0 to {@code count} − 1 and returns when all are done.
      *
      * @throws RuntimeException what an item threw; the rest may be left out then
+     * @throws IllegalStateException where the team is closed
      */
     void run(Task newTask, int count) {
+        if (closed) throw new IllegalStateException("the threads have ended");
         task = newTask;
         items = count;
         failure = null;
-        undone.set(count);
+        undone.set(count); // First: a thread that comes late from an earlier task may take at once.
         untaken.set(count);
         takeItems(0);
         if (!comesSoon(allDone)) awaitOthers();
         rethrow();
     }
 
-    private static boolean comesSoon(BooleanSupplier here) {
+    private static boolean comesSoon(BooleanSupplier condition) {
         long start = System.nanoTime();
         do
             for (int look = 0; look < LOOKS; look++) {
-                if (here.getAsBoolean()) return true;
+                if (condition.getAsBoolean()) return true;
                 Thread.onSpinWait();
             }
         while (System.nanoTime() - start < PATIENCE_NANOS);
@@ -109,37 +121,38 @@ final class WorkerTeam implements AutoCloseable {
     private void rethrow() {
         if (failure instanceof RuntimeException thrown) throw thrown;
         if (failure instanceof Error thrown) throw thrown;
+        if (failure != null) throw new IllegalStateException(failure);
     }
 
+    /** What is done is told once, at the end: fewer of all threads' writes to one place. */
     private void takeItems(int worker) {
         int item = take();
         if (item == NONE) return;
         wakeNext(worker);
+        int done = 0;
         do {
             try {
                 task.run(item, worker);
-            } catch (RuntimeException | Error thrown) {
+            } catch (Throwable thrown) {
                 failure = thrown;
-                leave(untaken.getAndSet(0));
+                done += Math.max(0, untaken.getAndSet(0));
             }
-            leave(1);
+            done++;
             item = take();
         } while (item != NONE);
+        tell(done);
     }
 
     /** The next item, or {@link #NONE}; who has one may read what the round is about. */
     private int take() {
-        int left = untaken.get();
-        while (left > 0) {
-            if (untaken.compareAndSet(left, left - 1)) return items - left;
-            left = untaken.get();
-        }
-        return NONE;
+        if (untaken.get() <= 0) return NONE;
+        int left = untaken.getAndDecrement();
+        return left > 0 ? items - left : NONE;
     }
 
     /** So many items are done or given up. */
-    private void leave(int count) {
-        if (undone.addAndGet(-count) > 0) return;
+    private void tell(int done) {
+        if (undone.addAndGet(-done) > 0) return;
         Thread caller = waitingCaller;
         if (caller != null) LockSupport.unpark(caller);
     }

@@ -1,18 +1,18 @@
 package rasterlab.engine.pipeline.triangle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
+import java.io.IOException;
 import java.util.concurrent.BrokenBarrierException;
 import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -51,7 +51,7 @@ class WorkerTeamTest {
                         },
                         50);
         }
-        assertEquals(0, twice.get());
+        assertEquals(0, twice.get(), "items begun while their worker had another");
     }
 
     @ParameterizedTest(name = "{0} threads: one that sleeps is not woken for an item of its own")
@@ -122,6 +122,7 @@ class WorkerTeamTest {
                         if (worker > 0) {
                             awaitState(caller, Thread.State.WAITING);
                             caller.interrupt();
+                            awaitTrue("the interruption is taken", () -> !caller.isInterrupted());
                             awaitState(caller, Thread.State.WAITING);
                         }
                         done.incrementAndGet();
@@ -133,20 +134,53 @@ class WorkerTeamTest {
     }
 
     @Test
-    void closedTeamHasNoThreads() throws InterruptedException {
-        var team = new WorkerTeam(5);
-        awaitSleep(team);
-        allAtOnce(team);
-        var threads = team.threads().toList();
-        assertEquals(4, threads.size());
-        team.close();
-        for (Thread thread : threads) {
-            thread.join();
-            assertFalse(thread.isAlive());
+    void interruptedWorkersGoOnWorking() {
+        try (var team = new WorkerTeam(4)) {
+            awaitSleep(team);
+            team.workers().forEach(Thread::interrupt);
+            allAtOnce(team);
+            awaitSleep(team);
+            allAtOnce(team);
         }
     }
 
-    @ParameterizedTest
+    @Test
+    void closedTeamHasNoThreadsAndRefusesWork() {
+        var team = new WorkerTeam(5);
+        awaitSleep(team);
+        allAtOnce(team);
+        awaitSleep(team);
+        assertEquals(4, team.workers().size());
+        team.close();
+        for (Thread thread : team.workers()) awaitState(thread, Thread.State.TERMINATED);
+        assertThrows(IllegalStateException.class, () -> team.run((item, worker) -> {}, 1));
+    }
+
+    @Test
+    void whatNoTaskMayThrowComesOutAsACause() {
+        var thrown = new IOException("checked");
+        try (var team = new WorkerTeam(2)) {
+            var both = new CyclicBarrier(2);
+            var caught =
+                    assertThrows(
+                            IllegalStateException.class,
+                            () ->
+                                    team.run(
+                                            (item, worker) -> {
+                                                await(both);
+                                                if (worker > 0) throwUnchecked(thrown);
+                                            },
+                                            2));
+            assertSame(thrown, caught.getCause());
+        }
+    }
+
+    @SuppressWarnings("unchecked")
+    private static <T extends Throwable> void throwUnchecked(Throwable thrown) throws T {
+        throw (T) thrown;
+    }
+
+    @ParameterizedTest(name = "{0} threads are not refused")
     @ValueSource(ints = {-1, 0, 257})
     void refusesNumbersOfThreadsByTheirValue(int threads) {
         var refused = assertThrows(IllegalArgumentException.class, () -> new WorkerTeam(threads));
@@ -163,9 +197,7 @@ class WorkerTeamTest {
                     workers.set(worker, 1);
                 },
                 team.size());
-        int[] expected = new int[team.size()];
-        Arrays.fill(expected, 1);
-        for (int k = 0; k < expected.length; k++) assertEquals(1, workers.get(k), "worker " + k);
+        for (int k = 0; k < team.size(); k++) assertEquals(1, workers.get(k), "worker " + k);
     }
 
     private static void await(CyclicBarrier barrier) {
@@ -177,10 +209,19 @@ class WorkerTeamTest {
     }
 
     private static void awaitSleep(WorkerTeam team) {
-        team.threads().forEach(thread -> awaitState(thread, Thread.State.WAITING));
+        team.workers().forEach(thread -> awaitState(thread, Thread.State.WAITING));
     }
 
     private static void awaitState(Thread thread, Thread.State state) {
-        while (thread.getState() != state) Thread.onSpinWait();
+        awaitTrue(thread.getName() + " is " + state, () -> thread.getState() == state);
+    }
+
+    private static void awaitTrue(String what, BooleanSupplier condition) {
+        long start = System.nanoTime();
+        while (!condition.getAsBoolean()) {
+            if (System.nanoTime() - start > TimeUnit.SECONDS.toNanos(20))
+                throw new AssertionError("not within 20 s: " + what);
+            Thread.onSpinWait();
+        }
     }
 }
