@@ -7,9 +7,12 @@ import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
 
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
+import java.awt.event.InvocationEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.lang.ref.WeakReference;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -151,7 +154,7 @@ class EventWatchdogTest {
     @Test
     void longEventIsPrintedWithItsPlace() throws Exception {
         try (var watch = Watch.begin()) {
-            var stays = new ArrayList<Stay>();
+            var stays = new ArrayList<LongStay>();
             while (stays.isEmpty()) {
                 EventQueue.invokeAndWait(() -> count(new Stay[1]));
                 stays.addAll(watch.takeLongStays());
@@ -167,6 +170,29 @@ class EventWatchdogTest {
     private static void count(Stay[] sink) {
         var stay = new Stay(new ActionEvent("", 0, ""), Optional.empty());
         while (stay.age() < 4 * Watch.LONG_NANOS) sink[0] = stay;
+    }
+
+    @Test
+    void longEventLetsItsSourceGo() throws Exception {
+        try (var watch = Watch.begin()) {
+            var source = new WeakReference<>(postLongEvent());
+            EventQueue.invokeAndWait(() -> {}); // The long one has run to its end.
+            while (source.get() != null) {
+                if (Thread.interrupted()) throw new InterruptedException("the source is held");
+                System.gc();
+            }
+            assertTrue(
+                    watch.takeLongStays().stream()
+                            .anyMatch(stay -> stay.nanos() > Watch.LONG_NANOS));
+        }
+    }
+
+    private static Object postLongEvent() {
+        var source = new Object();
+        Toolkit.getDefaultToolkit()
+                .getSystemEventQueue()
+                .postEvent(new InvocationEvent(source, () -> count(new Stay[1])));
+        return source;
     }
 
     /** A test of watching runs beside the watch of the whole run. */

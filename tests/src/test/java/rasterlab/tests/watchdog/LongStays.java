@@ -11,9 +11,9 @@ final class LongStays {
     private LongStays() {}
 
     /** Empty where there is none. */
-    static String text(String test, List<Stay> stays) {
+    static String text(String test, List<LongStay> stays) {
         if (stays.isEmpty()) return "";
-        List<List<Stay>> alike =
+        List<List<LongStay>> alike =
                 stays.stream()
                         .collect(Collectors.groupingBy(each -> each.name() + each.place()))
                         .values()
@@ -27,11 +27,11 @@ final class LongStays {
                 + rest;
     }
 
-    private static long longest(List<Stay> stays) {
-        return stays.stream().mapToLong(Stay::nanos).max().orElseThrow();
+    private static long longest(List<LongStay> stays) {
+        return stays.stream().mapToLong(LongStay::nanos).max().orElseThrow();
     }
 
-    private static String line(List<Stay> alike) {
+    private static String line(List<LongStay> alike) {
         return "  %d ms%s: %s, mostly at %s"
                 .formatted(
                         longest(alike) / 1_000_000,

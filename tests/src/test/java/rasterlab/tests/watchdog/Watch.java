@@ -20,7 +20,7 @@ final class Watch implements AutoCloseable {
     private final WatchedQueue queue = WatchedQueue.installed();
     private final Thread looker = new Thread(this::run, "event watchdog");
     private List<String> faults = new ArrayList<>();
-    private List<Stay> longStays = new ArrayList<>();
+    private List<LongStay> longStays = new ArrayList<>();
     private volatile boolean closed;
 
     private Watch() {}
@@ -53,8 +53,9 @@ final class Watch implements AutoCloseable {
     /** On the event thread. */
     void ended(Stay stay) {
         if (stay.nanos() <= LONG_NANOS) return;
+        var longStay = new LongStay(stay.name(), stay.nanos(), stay.place());
         synchronized (this) {
-            longStays.add(stay);
+            longStays.add(longStay);
         }
     }
 
@@ -75,8 +76,8 @@ final class Watch implements AutoCloseable {
     }
 
     /** Stays longer than 50 ms since the last call, in the order in which they ended. */
-    synchronized List<Stay> takeLongStays() {
-        List<Stay> found = longStays;
+    synchronized List<LongStay> takeLongStays() {
+        List<LongStay> found = longStays;
         longStays = new ArrayList<>();
         return found;
     }
