@@ -86,27 +86,47 @@ class WorkerTeamTest {
 
     @Test
     void whatAnItemThrowsComesOutWhenNobodyWorksAnyMore() {
-        try (var team = new WorkerTeam(4)) {
-            for (int round = 0; round < ROUNDS; round++) {
+        var caller = Thread.currentThread();
+        try (var team = new WorkerTeam(2)) {
+            for (int round = 0; round < 20; round++) {
                 var thrown = new IllegalStateException("broken");
-                var working = new AtomicInteger();
+                var both = new CyclicBarrier(2);
+                var ended = new AtomicInteger();
                 var caught =
                         assertThrows(
                                 IllegalStateException.class,
                                 () ->
                                         team.run(
                                                 (item, worker) -> {
-                                                    working.incrementAndGet();
-                                                    for (int k = 0; k < 20; k++)
-                                                        Thread.onSpinWait();
-                                                    working.decrementAndGet();
-                                                    if (item == 5) throw thrown;
+                                                    await(both);
+                                                    if (worker == 0) throw thrown;
+                                                    awaitState(caller, Thread.State.WAITING);
+                                                    ended.incrementAndGet();
                                                 },
-                                                1000));
+                                                2));
                 assertSame(thrown, caught);
-                assertEquals(0, working.get());
+                assertEquals(1, ended.get());
             }
-            allAtOnce(team);
+        }
+    }
+
+    @Test
+    void whatIsLeftOutAfterAFailureIsNotDoneInTheNextTask() {
+        int items = 1000;
+        try (var team = new WorkerTeam(4)) {
+            for (int round = 0; round < ROUNDS; round++) {
+                assertThrows(
+                        IllegalStateException.class,
+                        () ->
+                                team.run(
+                                        (item, worker) -> {
+                                            if (item == 5) throw new IllegalStateException();
+                                        },
+                                        items));
+                var done = new AtomicInteger();
+                team.run((item, worker) -> done.incrementAndGet(), items);
+                assertEquals(items, done.get());
+            }
         }
     }
 
