@@ -13,6 +13,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,18 +68,16 @@ class WorkerTeamTest {
 
     @Test
     void whoWaitsForLongItemsIsWokenByTheLastOne() {
+        var caller = Thread.currentThread();
         try (var team = new WorkerTeam(2)) {
             for (int round = 0; round < 20; round++) {
-                var caller = Thread.currentThread();
                 var done = new AtomicInteger();
-                var both = new CyclicBarrier(2);
-                team.run(
-                        (item, worker) -> {
-                            await(both);
+                onEach(
+                        team,
+                        worker -> {
                             if (worker > 0) awaitState(caller, Thread.State.WAITING);
                             done.incrementAndGet();
-                        },
-                        2);
+                        });
                 assertEquals(2, done.get());
             }
         }
@@ -87,24 +86,19 @@ class WorkerTeamTest {
     @Test
     void whatAnItemThrowsComesOutWhenNobodyWorksAnyMore() {
         var caller = Thread.currentThread();
+        var thrown = new IllegalStateException("broken");
         try (var team = new WorkerTeam(2)) {
             for (int round = 0; round < 20; round++) {
-                var thrown = new IllegalStateException("broken");
-                var both = new CyclicBarrier(2);
                 var ended = new AtomicInteger();
-                var caught =
-                        assertThrows(
-                                IllegalStateException.class,
-                                () ->
-                                        team.run(
-                                                (item, worker) -> {
-                                                    await(both);
-                                                    if (worker == 0) throw thrown;
-                                                    awaitState(caller, Thread.State.WAITING);
-                                                    ended.incrementAndGet();
-                                                },
-                                                2));
-                assertSame(thrown, caught);
+                IntConsumer item =
+                        worker -> {
+                            if (worker == 0) throw thrown;
+                            awaitState(caller, Thread.State.WAITING);
+                            ended.incrementAndGet();
+                        };
+                assertSame(
+                        thrown,
+                        assertThrows(IllegalStateException.class, () -> onEach(team, item)));
                 assertEquals(1, ended.get());
             }
         }
@@ -132,13 +126,12 @@ class WorkerTeamTest {
 
     @Test
     void interruptionIsKeptAndLeavesNothingOut() {
+        var caller = Thread.currentThread();
+        var done = new AtomicInteger();
         try (var team = new WorkerTeam(2)) {
-            var caller = Thread.currentThread();
-            var done = new AtomicInteger();
-            var both = new CyclicBarrier(2);
-            team.run(
-                    (item, worker) -> {
-                        await(both);
+            onEach(
+                    team,
+                    worker -> {
                         if (worker > 0) {
                             awaitState(caller, Thread.State.WAITING);
                             caller.interrupt();
@@ -146,8 +139,7 @@ class WorkerTeamTest {
                             awaitState(caller, Thread.State.WAITING);
                         }
                         done.incrementAndGet();
-                    },
-                    2);
+                    });
             assertEquals(2, done.get());
             assertTrue(Thread.interrupted());
         }
@@ -179,18 +171,12 @@ class WorkerTeamTest {
     @Test
     void whatNoTaskMayThrowComesOutAsACause() {
         var thrown = new IOException("checked");
+        IntConsumer item =
+                worker -> {
+                    if (worker > 0) throwUnchecked(thrown);
+                };
         try (var team = new WorkerTeam(2)) {
-            var both = new CyclicBarrier(2);
-            var caught =
-                    assertThrows(
-                            IllegalStateException.class,
-                            () ->
-                                    team.run(
-                                            (item, worker) -> {
-                                                await(both);
-                                                if (worker > 0) throwUnchecked(thrown);
-                                            },
-                                            2));
+            var caught = assertThrows(IllegalStateException.class, () -> onEach(team, item));
             assertSame(thrown, caught.getCause());
         }
     }
@@ -207,16 +193,20 @@ class WorkerTeamTest {
         assertEquals("threads must be from 1 to 256, got " + threads, refused.getMessage());
     }
 
-    /** An item for each thread, none of which ends before all have begun. */
-    private static void allAtOnce(WorkerTeam team) {
+    /** Each thread has one item, and has begun it before any goes on. */
+    private static void onEach(WorkerTeam team, IntConsumer item) {
         var all = new CyclicBarrier(team.size());
-        var workers = new AtomicIntegerArray(team.size());
         team.run(
-                (item, worker) -> {
+                (number, worker) -> {
                     await(all);
-                    workers.set(worker, 1);
+                    item.accept(worker);
                 },
                 team.size());
+    }
+
+    private static void allAtOnce(WorkerTeam team) {
+        var workers = new AtomicIntegerArray(team.size());
+        onEach(team, worker -> workers.set(worker, 1));
         for (int k = 0; k < team.size(); k++) assertEquals(1, workers.get(k), "worker " + k);
     }
 
