@@ -1,18 +1,14 @@
 package rasterlab.engine.spline;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
+import java.math.BigInteger;
 import rasterlab.contract.Curve;
 
 /**
- * Points of a curve to {@value #DIGITS} digits, each kind by its own definition: Bernstein's
- * polynomials, Hermite's conditions, the pyramid of Barry and Goldman, the recursion of Cox and de
- * Boor.
+ * Points of a curve, rounded once, each kind by its own definition: Bernstein's polynomials,
+ * Hermite's conditions, the pyramid of Barry and Goldman, the recursion of Cox and de Boor.
  */
 final class ExactCurve {
-    private static final int DIGITS = 60;
-    private static final MathContext PRECISE = new MathContext(DIGITS);
-    private static final BigDecimal ONE = BigDecimal.ONE;
+    private static final Dyadic ONE = Dyadic.of(1);
 
     private final Curve curve;
 
@@ -21,86 +17,84 @@ final class ExactCurve {
     }
 
     double x(double t) {
-        return value(curve.x(), new BigDecimal(t)).doubleValue();
+        return value(curve.x(), Dyadic.of(t));
     }
 
     double y(double t) {
-        return value(curve.y(), new BigDecimal(t)).doubleValue();
+        return value(curve.y(), Dyadic.of(t));
     }
 
-    private BigDecimal value(double[] points, BigDecimal t) {
-        BigDecimal place = t.multiply(BigDecimal.valueOf(curve.spans()));
-        int span = Math.min(place.intValue(), curve.spans() - 1);
-        BigDecimal u = place.subtract(BigDecimal.valueOf(span));
+    private double value(double[] points, Dyadic t) {
+        Dyadic place = t.times(Dyadic.of(curve.spans()));
+        int span = Math.min(place.floor(), curve.spans() - 1);
+        Dyadic u = place.minus(Dyadic.of(span));
         return switch (curve.kind()) {
-            case BEZIER -> bernstein(points, u);
-            case HERMITE -> hermite(points, u);
-            case CATMULL_ROM -> pyramid(points, span, u);
+            case BEZIER -> bernstein(points, u).toDouble();
+            case HERMITE -> hermite(points, u).toDouble();
+            case CATMULL_ROM -> pyramid(points, span, u).toDouble();
             case B_SPLINE -> deBoor(points, span, u);
         };
     }
 
-    private static BigDecimal bernstein(double[] points, BigDecimal u) {
+    /** Σ C(n, i)·uⁱ·(1 − u)ⁿ⁻ⁱ·pᵢ; 1 − u is multiplied in term by term. */
+    private static Dyadic bernstein(double[] points, Dyadic u) {
         int n = points.length - 1;
-        BigDecimal rest = ONE.subtract(u);
-        BigDecimal sum = BigDecimal.ZERO;
-        BigDecimal choices = ONE;
+        Dyadic rest = ONE.minus(u);
+        Dyadic sum = Dyadic.ZERO;
+        Dyadic power = ONE;
+        BigInteger choices = BigInteger.ONE;
         for (int i = 0; i <= n; i++) {
-            BigDecimal weight = u.pow(i, PRECISE).multiply(rest.pow(n - i, PRECISE), PRECISE);
-            sum = sum.add(new BigDecimal(points[i]).multiply(weight).multiply(choices), PRECISE);
-            choices =
-                    choices.multiply(BigDecimal.valueOf(n - i))
-                            .divide(BigDecimal.valueOf(i + 1), PRECISE);
+            sum = sum.times(rest).plus(Dyadic.of(points[i]).times(choices).times(power));
+            power = power.times(u);
+            choices = choices.multiply(BigInteger.valueOf(n - i)).divide(BigInteger.valueOf(i + 1));
         }
         return sum;
     }
 
     /** Start + slope·u and what is left to the end and its slope: c·u² + d·u²·(u − 1). */
-    private static BigDecimal hermite(double[] points, BigDecimal u) {
-        BigDecimal start = new BigDecimal(points[0]);
-        BigDecimal slope = new BigDecimal(points[2]);
-        BigDecimal c = new BigDecimal(points[1]).subtract(start).subtract(slope);
-        BigDecimal d = new BigDecimal(points[3]).subtract(slope).subtract(c.add(c));
-        BigDecimal square = u.multiply(u);
-        return start.add(slope.multiply(u))
-                .add(c.multiply(square))
-                .add(d.multiply(square).multiply(u.subtract(ONE)));
+    private static Dyadic hermite(double[] points, Dyadic u) {
+        Dyadic start = Dyadic.of(points[0]);
+        Dyadic slope = Dyadic.of(points[2]);
+        Dyadic c = Dyadic.of(points[1]).minus(start).minus(slope);
+        Dyadic d = Dyadic.of(points[3]).minus(slope).minus(c.plus(c));
+        Dyadic square = u.times(u);
+        return start.plus(slope.times(u))
+                .plus(c.times(square))
+                .plus(d.times(square).times(u.minus(ONE)));
     }
 
     /** Straight lines through neighbours, blended, at knots −1, 0, 1, 2; u runs from 0 to 1. */
-    private static BigDecimal pyramid(double[] points, int span, BigDecimal u) {
-        var row = new BigDecimal[4];
-        for (int i = 0; i < 4; i++) row[i] = new BigDecimal(points[span + i]);
-        lines(row, 3, 1, u, -1);
-        lines(row, 2, 2, u, -1);
-        lines(row, 1, 1, u, 0);
+    private static Dyadic pyramid(double[] points, int span, Dyadic u) {
+        var row = new Dyadic[4];
+        for (int i = 0; i < 4; i++) row[i] = Dyadic.of(points[span + i]);
+        lines(row, 3, ONE, u, -1);
+        lines(row, 2, Dyadic.of(0.5), u, -1);
+        lines(row, 1, ONE, u, 0);
         return row[0];
     }
 
-    private static void lines(BigDecimal[] row, int count, int width, BigDecimal u, int first) {
+    private static void lines(Dyadic[] row, int count, Dyadic perWidth, Dyadic u, int first) {
         for (int i = 0; i < count; i++) {
-            BigDecimal share =
-                    u.subtract(BigDecimal.valueOf(first + i))
-                            .divide(BigDecimal.valueOf(width), PRECISE);
-            row[i] = row[i].add(share.multiply(row[i + 1].subtract(row[i])));
+            Dyadic share = u.minus(Dyadic.of(first + i)).times(perWidth);
+            row[i] = row[i].plus(share.times(row[i + 1].minus(row[i])));
         }
     }
 
     /** Cubic basis functions at whole knots; the one of point i lives on knots i to i + 4. */
-    private static BigDecimal deBoor(double[] points, int span, BigDecimal u) {
-        BigDecimal place = u.add(BigDecimal.valueOf(3));
-        BigDecimal sum = BigDecimal.ZERO;
+    private static double deBoor(double[] points, int span, Dyadic u) {
+        Dyadic place = u.plus(Dyadic.of(3));
+        Dyadic sum = Dyadic.ZERO;
         for (int i = 0; i < 4; i++)
-            sum = sum.add(new BigDecimal(points[span + i]).multiply(basis(i, 3, place)));
-        return sum;
+            sum = sum.plus(Dyadic.of(points[span + i]).times(basis(i, 3, place)));
+        return sum.dividedBy(3 * 2);
     }
 
-    private static BigDecimal basis(int knot, int degree, BigDecimal place) {
-        BigDecimal in = place.subtract(BigDecimal.valueOf(knot));
-        if (degree == 0) return knot == 3 ? ONE : BigDecimal.ZERO;
-        BigDecimal out = BigDecimal.valueOf(knot + degree + 1).subtract(place);
-        return in.multiply(basis(knot, degree - 1, place))
-                .add(out.multiply(basis(knot + 1, degree - 1, place)))
-                .divide(BigDecimal.valueOf(degree), PRECISE);
+    /** The basis function, times each degree that the recursion divides by. */
+    private static Dyadic basis(int knot, int degree, Dyadic place) {
+        if (degree == 0) return knot == 3 ? ONE : Dyadic.ZERO;
+        Dyadic in = place.minus(Dyadic.of(knot));
+        Dyadic out = Dyadic.of(knot + degree + 1).minus(place);
+        return in.times(basis(knot, degree - 1, place))
+                .plus(out.times(basis(knot + 1, degree - 1, place)));
     }
 }

@@ -8,6 +8,10 @@ import rasterlab.contract.SplineEnds;
 final class ExactMonotone {
     private static final int DIGITS = 60;
     private static final MathContext PRECISE = new MathContext(DIGITS);
+
+    /** Digits enough to round to a double; more make that slow. */
+    private static final MathContext READABLE = new MathContext(25);
+
     private static final BigDecimal TWO = BigDecimal.valueOf(2);
     private static final BigDecimal THREE = BigDecimal.valueOf(3);
 
@@ -44,19 +48,20 @@ final class ExactMonotone {
     double[] values() {
         var values = new double[problem.at().length];
         for (int i = 0; i < values.length; i++)
-            values[i] = value(new BigDecimal(problem.at()[i])).doubleValue();
+            values[i] = value(problem.at()[i]).round(READABLE).doubleValue();
         return values;
     }
 
     /** The four Hermite functions, each times what it blends. */
-    private BigDecimal value(BigDecimal place) {
-        BigDecimal at = place;
-        boolean outside = at.compareTo(x[0]) < 0 || at.compareTo(x[last]) > 0;
-        if (kind == SplineEnds.Kind.PERIODIC && outside) {
+    private BigDecimal value(double place) {
+        BigDecimal at = new BigDecimal(place);
+        boolean outside = place < problem.x()[0] || place > problem.x()[last];
+        boolean folds = kind == SplineEnds.Kind.PERIODIC && outside;
+        if (folds) {
             BigDecimal rest = at.subtract(x[0]).remainder(x[last].subtract(x[0]));
             at = (rest.signum() < 0 ? x[last] : x[0]).add(rest);
         }
-        int i = problem.piece(at.doubleValue());
+        int i = problem.piece(folds ? at.doubleValue() : place);
         BigDecimal h = width(i);
         BigDecimal t = at.subtract(x[i]).divide(h, PRECISE);
         BigDecimal u = BigDecimal.ONE.subtract(t);

@@ -18,6 +18,10 @@ import rasterlab.contract.SplineEnds;
 final class ExactSpline {
     private static final int DIGITS = 100;
     private static final MathContext PRECISE = new MathContext(DIGITS);
+
+    /** Digits enough to round to a double; more make that slow. */
+    private static final MathContext READABLE = new MathContext(25);
+
     private static final int VALUE = Integer.MAX_VALUE;
 
     private final SplineProblem problem;
@@ -25,6 +29,8 @@ final class ExactSpline {
     private final BigDecimal[] width;
     private final BigDecimal[] secant;
     private final BigDecimal[] curvature;
+    private final BigDecimal[] slope;
+    private final BigDecimal[] third;
 
     /**
      * @param problem its knots increase and all its numbers are finite
@@ -39,6 +45,13 @@ final class ExactSpline {
             secant[i] = y(i + 1).subtract(y(i)).divide(width[i], PRECISE);
         }
         curvature = solved(rows());
+        slope = new BigDecimal[pieces];
+        third = new BigDecimal[pieces];
+        for (int i = 0; i < pieces; i++) {
+            BigDecimal sum = curvature[i].multiply(number(2)).add(curvature[i + 1]);
+            slope[i] = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
+            third[i] = curvature[i + 1].subtract(curvature[i]).divide(width[i], PRECISE);
+        }
     }
 
     /** The values at all places of the problem, each rounded once. */
@@ -49,25 +62,25 @@ final class ExactSpline {
     }
 
     private double value(double place) {
-        BigDecimal at = new BigDecimal(place);
-        if (problem.ends().kind() == SplineEnds.Kind.PERIODIC) at = wrapped(at);
-        int i = problem.piece(at.doubleValue());
+        boolean folds = problem.ends().kind() == SplineEnds.Kind.PERIODIC && outside(place);
+        BigDecimal at = folds ? folded(place) : new BigDecimal(place);
+        int i = problem.piece(folds ? at.doubleValue() : place);
         BigDecimal s = at.subtract(x(i));
-        BigDecimal sum = curvature[i].multiply(number(2)).add(curvature[i + 1]);
-        BigDecimal b = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
-        BigDecimal c = curvature[i].divide(number(2), PRECISE);
-        BigDecimal d =
-                curvature[i + 1]
-                        .subtract(curvature[i])
-                        .divide(width[i].multiply(number(6)), PRECISE);
-        return y(i).add(s.multiply(b.add(s.multiply(c.add(s.multiply(d), PRECISE), PRECISE))))
+        BigDecimal bend =
+                curvature[i]
+                        .divide(number(2), PRECISE)
+                        .add(s.multiply(third[i]).divide(number(6), PRECISE));
+        return y(i).add(s.multiply(slope[i].add(s.multiply(bend, PRECISE))), READABLE)
                 .doubleValue();
     }
 
-    private BigDecimal wrapped(BigDecimal at) {
-        if (at.compareTo(x(0)) >= 0 && at.compareTo(x(pieces)) <= 0) return at;
+    private boolean outside(double place) {
+        return place < problem.x()[0] || place > problem.x()[pieces];
+    }
+
+    private BigDecimal folded(double place) {
         BigDecimal period = x(pieces).subtract(x(0));
-        BigDecimal rest = at.subtract(x(0)).remainder(period);
+        BigDecimal rest = new BigDecimal(place).subtract(x(0)).remainder(period);
         return x(0).add(rest.signum() < 0 ? rest.add(period) : rest);
     }
 

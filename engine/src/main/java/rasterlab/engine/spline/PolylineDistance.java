@@ -1,17 +1,24 @@
 package rasterlab.engine.spline;
 
+import java.awt.geom.Rectangle2D;
+
 /**
  * The largest distance of one polyline's points from another polyline.
  *
  * <p>Both run from start to end of one curve, so the nearest segment is looked for a little ahead
  * of the last one first; only where that is farther than allowed, and than the worst so far, all
- * segments are tried.
+ * segments are tried but those in runs whose box is farther than what is found.
  */
 final class PolylineDistance {
     private static final int AHEAD = 4;
 
+    /** Segments of one run. */
+    private static final int RUN = 32;
+
     private final Polyline to;
+    private final int last;
     private final double allowed;
+    private final Rectangle2D.Double[] boxes;
     private int near;
     private double worst;
 
@@ -21,11 +28,20 @@ final class PolylineDistance {
     PolylineDistance(Polyline to, double allowed) {
         this.to = to;
         this.allowed = allowed;
+        last = Math.max(0, to.size() - 2);
+        boxes = new Rectangle2D.Double[last / RUN + 1];
+        for (int run = 0; run < boxes.length; run++) boxes[run] = boxOf(run);
+    }
+
+    private Rectangle2D.Double boxOf(int run) {
+        var box = new Rectangle2D.Double(to.x(run * RUN), to.y(run * RUN), 0, 0);
+        int end = Math.min((run + 1) * RUN, to.size() - 1);
+        for (int i = run * RUN + 1; i <= end; i++) box.add(to.x(i), to.y(i));
+        return box;
     }
 
     /** Takes one more point and returns the largest distance so far. */
     double add(double x, double y) {
-        int last = Math.max(0, to.size() - 2);
         double nearest = Double.POSITIVE_INFINITY;
         int from = Math.max(0, near - 1);
         for (int i = from; i <= Math.min(last, near + AHEAD); i++) {
@@ -35,22 +51,36 @@ final class PolylineDistance {
                 near = i;
             }
         }
-        if (nearest > Math.max(allowed, worst)) nearest = nearestOfAll(x, y, last);
+        if (nearest > Math.max(allowed, worst)) nearest = nearestOfAll(x, y, nearest);
         worst = Math.max(worst, nearest);
         return worst;
     }
 
-    /** The least distance, or any that is no larger than the worst one so far. */
-    private double nearestOfAll(double x, double y, int last) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i <= last && nearest > worst; i++) {
-            double distance = fromSegment(x, y, i);
-            if (distance < nearest) {
-                nearest = distance;
-                near = i;
+    /**
+     * The least distance, or any that is no larger than the worst one so far.
+     *
+     * @param found the distance from some segment
+     */
+    private double nearestOfAll(double x, double y, double found) {
+        double nearest = found;
+        for (int run = 0; run < boxes.length && nearest > worst; run++) {
+            if (fromBox(x, y, boxes[run]) > nearest) continue;
+            int end = Math.min(last, (run + 1) * RUN - 1);
+            for (int i = run * RUN; i <= end; i++) {
+                double distance = fromSegment(x, y, i);
+                if (distance < nearest) {
+                    nearest = distance;
+                    near = i;
+                }
             }
         }
         return nearest;
+    }
+
+    private static double fromBox(double x, double y, Rectangle2D.Double box) {
+        double dx = Math.max(0, Math.max(box.x - x, x - box.getMaxX()));
+        double dy = Math.max(0, Math.max(box.y - y, y - box.getMaxY()));
+        return Math.hypot(dx, dy);
     }
 
     private double fromSegment(double x, double y, int i) {

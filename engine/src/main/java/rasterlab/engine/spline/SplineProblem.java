@@ -1,5 +1,6 @@
 package rasterlab.engine.spline;
 
+import java.util.Arrays;
 import rasterlab.contract.SplineEnds;
 
 /**
@@ -22,9 +23,9 @@ public record SplineProblem(double[] x, double[] y, SplineEnds ends, double[] at
 
     /** The piece that {@code place} lies in; the first or the last where it lies outside. */
     public int piece(double place) {
-        int piece = 0;
-        while (piece < x.length - 2 && place >= x[piece + 1]) piece++;
-        return piece;
+        int found = Arrays.binarySearch(x, place);
+        int below = found >= 0 ? found : -found - 2;
+        return Math.max(0, Math.min(below, x.length - 2));
     }
 
     @Override
