@@ -3,12 +3,10 @@ package rasterlab.app.shell;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
-import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
@@ -16,9 +14,6 @@ import rasterlab.app.canvas.Settling;
 
 /** Paints components without a window, with or without a display. */
 public final class OffscreenPainter {
-    /** Layouts that depend on their width (wrapped chips and texts) settle within this many. */
-    private static final int LAYOUTS = 4;
-
     /** What is drawn in the background may then be painted in the background. */
     private static final int ROUNDS = 2;
 
@@ -60,23 +55,7 @@ public final class OffscreenPainter {
 
     private static void layOut(JComponent component, int width, int height) {
         component.setSize(width, height);
-        int layouts = 0;
-        while (layouts < LAYOUTS && hasMovedParts(component)) layouts++;
-    }
-
-    /** Lays out once; whether that has moved anything, so that once more may move more. */
-    private static boolean hasMovedParts(Container container) {
-        List<Rectangle> before = places(container);
-        container.invalidate();
-        container.doLayout();
-        boolean moved = !before.equals(places(container));
-        for (Component child : container.getComponents())
-            if (child instanceof Container inner) moved |= hasMovedParts(inner);
-        return moved;
-    }
-
-    private static List<Rectangle> places(Container container) {
-        return Stream.of(container.getComponents()).map(Component::getBounds).toList();
+        SettledLayout.of(component);
     }
 
     private static List<Settling> settling(Container container) {
