@@ -55,6 +55,11 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
         return components % 2 == 1 || mode == Mode.DECAL;
     }
 
+    /** Whether nothing is seen of an opaque surface's colours. */
+    public boolean hidesSurface() {
+        return mode == Mode.REPLACE || mode == Mode.DECAL && components == 3;
+    }
+
     /** Each channel rounded to the nearest level. */
     public int combine(int surface, int texel) {
         int alpha = alpha(surface >>> 24, texel >>> 24);

@@ -8,6 +8,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 
@@ -84,6 +85,20 @@ class TextureEnvironmentTest {
             var modulate = new TextureEnvironment(Mode.MODULATE, components, 0);
             int surface = random.nextInt();
             assertEquals(surface, modulate.combine(surface, -1));
+        }
+    }
+
+    /** Of an opaque surface alone: alpha may come from it. */
+    @ParameterizedTest(name = "{0}: a surface that shows through is said to be hidden, or not")
+    @EnumSource
+    void surfaceIsHiddenWhereItsColourChangesNothing(Mode mode) {
+        int texel = 0x80B03060;
+        for (int components = mode == Mode.DECAL ? 3 : 1; components <= 4; components++) {
+            var environment = new TextureEnvironment(mode, components, 0x7F402010);
+            boolean same =
+                    environment.combine(0xFF102030, texel)
+                            == environment.combine(0xFFF0C0A0, texel);
+            assertEquals(same, environment.hidesSurface(), components + " components");
         }
     }
 }

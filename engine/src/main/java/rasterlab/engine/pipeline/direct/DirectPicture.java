@@ -10,6 +10,7 @@ import rasterlab.engine.pipeline.direct.Batches.Batch;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
 import rasterlab.engine.pipeline.surface.LitPixels;
+import rasterlab.engine.pipeline.surface.TexelPixels;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
 import rasterlab.engine.pipeline.triangle.Blending;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
@@ -103,14 +104,17 @@ public final class DirectPicture implements AutoCloseable {
         boolean perPixel = look.light() == DirectLook.Light.PIXELS;
         if (opaque && !perPixel && laid.isEmpty()) return vertices;
         PixelColors light = perPixel ? new LitPixels(lighting, false) : new ColoredPixels();
-        PixelColors colours = laid.map(l -> textured(look, l, light)).orElse(light);
+        PixelColors colours = laid.map(l -> textured(look, l, light, opaque)).orElse(light);
         return new Surface.PerPixel(colours)
                 .over(vertices)
                 .with(opaque ? Blending.OPAQUE : Blending.GLASS);
     }
 
-    private static PixelColors textured(DirectLook look, LaidTexture laid, PixelColors light) {
+    private static PixelColors textured(
+            DirectLook look, LaidTexture laid, PixelColors light, boolean opaque) {
         var sampler = new TextureSampler(laid.texture(), laid.alongS(), laid.alongT());
+        if (opaque && laid.environment().hidesSurface())
+            return new TexelPixels(sampler, look.filter());
         return new TexturedPixels(sampler, look.filter(), laid.environment(), light);
     }
 

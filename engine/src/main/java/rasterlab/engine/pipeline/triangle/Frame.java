@@ -80,6 +80,12 @@ final class Frame {
         return attributeCount > 0 && isColor(attribute[attributeCount - 1]);
     }
 
+    /** Whether anything depends on where vertices and normals lie in eye space. */
+    boolean needsEye() {
+        return hasColors()
+                || attributeCount > 0 && attribute[0].compareTo(VertexQuantity.NORMAL_Z) <= 0;
+    }
+
     static boolean isColor(VertexQuantity quantity) {
         return quantity.compareTo(VertexQuantity.RED) >= 0;
     }

@@ -67,7 +67,7 @@ final class VertexStage {
         block.count = end - from;
         take(frame.mesh, VertexQuantity.X, from);
         putDepths(frame, from);
-        toEye(frame, from);
+        if (frame.needsEye()) toEye(frame, from);
         putPlaces(frame, from);
         if (frame.hasColors()) color(frame, from);
     }

@@ -14,16 +14,20 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.texture.TextureEnvironment;
+import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
@@ -98,6 +102,37 @@ class DirectPictureTest {
                 "pipeline: face 0 is transparent; with shading tone or a depth cue only other methods,"
                         + " such as zfloat, mix it",
                 refusal.getMessage());
+    }
+
+    @ParameterizedTest(name = "{0}: light or another texel is seen where texels hide the surface")
+    @EnumSource(names = {"REPLACE", "DECAL"})
+    void textureThatHidesTheSurfaceIsTheRaysPicture(Mode mode) {
+        Scene globe = Scenes.named("globe").with(finish -> finish.with(laid(finish, mode)));
+        for (String shading : LIT) {
+            var request = request(globe, "pipeline", shading, "perspective");
+            double share = wrongShare(request.withVisibility("raycast"), request, answers(request));
+            assertTrue(share <= ALLOWED, () -> shading + ": share of wrong pixels: " + share);
+        }
+    }
+
+    @ParameterizedTest(name = "{0}: glass under texels is opaque")
+    @EnumSource(names = {"REPLACE", "DECAL"})
+    void glassUnderATextureThatHidesItsColourStaysGlass(Mode mode) {
+        Scene quad =
+                Scenes.named("textured-quad")
+                        .with(finish -> glass(0xFFFFFF).with(laid(finish, mode)));
+        var request = request(quad, "pipeline", "gouraud", "perspective");
+        double share = wrongShare(request.withVisibility("painter"), request, (x, y) -> false);
+        assertTrue(share <= ALLOWED, () -> "share of wrong pixels: " + share);
+    }
+
+    private static LaidTexture laid(Finish finish, Mode mode) {
+        LaidTexture laid = finish.texture().orElseThrow();
+        return new LaidTexture(
+                laid.texture(),
+                laid.alongS(),
+                laid.alongT(),
+                TextureEnvironment.of(mode, laid.texture()));
     }
 
     /** Two panes one behind the other, the nearer one listed first. */

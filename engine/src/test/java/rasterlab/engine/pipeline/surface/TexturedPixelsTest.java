@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.surface;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -9,8 +10,10 @@ import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
+import rasterlab.engine.pipeline.triangle.PixelColors;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.triangle.TriangleView;
@@ -67,7 +70,7 @@ class TexturedPixelsTest {
                 DetailLevel.squaredStep(slope[0], slope[1], slope[2], slope[3], 64, 64));
     }
 
-    private static int[] draw(TexturedPixels pixels) {
+    private static int[] draw(PixelColors pixels) {
         var out = new DepthRaster(WIDTH, HEIGHT);
         var view =
                 new TriangleView(
@@ -169,6 +172,17 @@ class TexturedPixelsTest {
                     assertNear(expected, argb[y * WIDTH + x], 6, Wrap.REPEAT, y * WIDTH + x);
                 }
         }
+    }
+
+    @ParameterizedTest(name = "{0}: texels alone are not those that replace colours")
+    @EnumSource
+    void texelsAloneAreThoseThatReplaceColours(TextureFilter filter) {
+        var sampler = new TextureSampler(WAVES, Wrap.REPEAT, Wrap.MIRRORED);
+        var alone = new TexelPixels(sampler, filter);
+        assertArrayEquals(draw(pixels(sampler, filter)), draw(alone));
+        var turned =
+                new TextureMatrix(new Matrix4d(1, 0, 0, 0.1, 0, 1, 0, 0.2, 0, 0, 1, 0, 0, 0, 0, 4));
+        assertArrayEquals(draw(pixels(sampler, filter).moved(turned)), draw(alone.moved(turned)));
     }
 
     static Stream<TextureFilter> filters() {
