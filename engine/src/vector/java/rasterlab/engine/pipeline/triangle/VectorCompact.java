@@ -22,7 +22,7 @@ final class VectorCompact {
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
     /** The numbers of a box's columns. */
-    private static final float[] COLUMNS = columns();
+    static final float[] COLUMNS = columns();
 
     /** An opaque colour's highest bits, above those of its red. */
     static final int OPAQUE = 0xFF000000;
@@ -54,10 +54,7 @@ final class VectorCompact {
     int find(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
         int columns = RowDepth.columns(scan);
         int first = scan.top * width + scan.boxLeft - depthStart;
-        depthsInLanes(depth, width, first, scan, at, columns);
-        places.count = 0;
-        for (int column = 0; column < columns; column += LANES)
-            places.listInLanes(drawn, column, columns, scan.rows, column);
+        places.findInLanes(depth, width, first, scan, at, columns);
         return places.count;
     }
 

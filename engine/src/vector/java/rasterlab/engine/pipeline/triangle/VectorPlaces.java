@@ -15,6 +15,9 @@ final class VectorPlaces {
     private static final int LANES = INTS.length();
     private static final int COLUMN_BITS = Integer.numberOfTrailingZeros(RowDepth.WIDEST);
 
+    private static final IntVector WHOLE_NUMBERS =
+            IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
+
     /** A bit for each lane. */
     private static final IntVector BITS =
             IntVector.fromArray(INTS, new int[] {1, 2, 4, 8, 16, 32, 64, 128}, 0);
@@ -60,6 +63,61 @@ final class VectorPlaces {
                     .add(row * RowDepth.WIDEST + column)
                     .intoArray(places, listed);
             listed += Integer.bitCount(set);
+        }
+        count = listed;
+    }
+
+    /**
+     * Lists the places that are owned and nearer than what was there, and keeps their depths, as
+     * {@link VectorCompact} finds them; a loop of its own for the list would have another end.
+     *
+     * @param first the place in {@code depth} of the box's first pixel
+     * @param columns {@link RowDepth#columns}, all in the picture
+     */
+    void findInLanes(
+            float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
+        float cornerZ = at.cornerZ;
+        float downZ = at.downZ;
+        int rows = scan.rows;
+        int[] list = places;
+        int listed = 0;
+        IntVector downA = IntVector.broadcast(INTS, (int) scan.downA);
+        IntVector downB = IntVector.broadcast(INTS, (int) scan.downB);
+        IntVector downC = IntVector.broadcast(INTS, (int) scan.downC);
+        for (int column = 0; column < columns; column += LANES) {
+            IntVector numbers = WHOLE_NUMBERS.add(column);
+            IntVector edgesA = numbers.mul((int) scan.stepA).add((int) scan.rowA);
+            IntVector edgesB = numbers.mul((int) scan.stepB).add((int) scan.rowB);
+            IntVector edgesC = numbers.mul((int) scan.stepC).add((int) scan.rowC);
+            FloatVector depths =
+                    FloatVector.fromArray(FLOATS, VectorCompact.COLUMNS, column).mul(at.stepZ);
+            float down = 0;
+            for (int row = 0; row < rows; row++) {
+                int cell = first + column + row * width;
+                FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
+                FloatVector here = depths.add(cornerZ + down * downZ);
+                down += 1;
+                IntVector nearer =
+                        edgesA.or(edgesB)
+                                .or(edgesC)
+                                .not()
+                                .and(here.sub(there).reinterpretAsInts())
+                                .lanewise(VectorOperators.ASHR, Integer.SIZE - 1);
+                edgesA = edgesA.add(downA);
+                edgesB = edgesB.add(downB);
+                edgesC = edgesC.add(downC);
+                int set = nearer.and(BITS).reduceLanes(VectorOperators.ADD);
+                IntVector.fromArray(INTS, LANES_OF, set * LANES)
+                        .add(row * RowDepth.WIDEST + column)
+                        .intoArray(list, listed);
+                listed += Integer.bitCount(set);
+                IntVector before = there.reinterpretAsInts();
+                before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
+                        .and(nearer)
+                        .lanewise(VectorOperators.XOR, before)
+                        .reinterpretAsFloats()
+                        .intoArray(depth, cell);
+            }
         }
         count = listed;
     }
