@@ -36,8 +36,7 @@ class SettledLayoutTest {
     @Test
     void partThatWantsAnotherHeightOnceItIsNarrowGetsIt() {
         var wrapped = new Wrapped();
-        var inner = new JPanel(new BorderLayout());
-        inner.add(wrapped, BorderLayout.NORTH);
+        JPanel inner = around(wrapped);
         var outer = new JPanel(new BorderLayout());
         outer.add(inner, BorderLayout.NORTH);
         settle(outer, 20, 500);
@@ -70,7 +69,7 @@ class SettledLayoutTest {
         below.add(filled);
         settle(below, 20, 460); // What the first pass leaves it.
         var outer = new JPanel(new BorderLayout());
-        outer.add(new Wrapped(), BorderLayout.NORTH);
+        outer.add(around(new Wrapped()), BorderLayout.NORTH);
         outer.add(below);
         settle(outer, 20, 500);
         assertEquals(new Dimension(20, 420), below.getSize());
@@ -89,6 +88,12 @@ class SettledLayoutTest {
         restless.add(new JPanel());
         settle(restless, 10, 10);
         assertTrue(restless.getComponent(0).getX() > 1, "laid out once more");
+    }
+
+    private static JPanel around(Wrapped wrapped) {
+        var around = new JPanel(new BorderLayout());
+        around.add(wrapped, BorderLayout.NORTH);
+        return around;
     }
 
     private static void settle(Container container, int width, int height) {
