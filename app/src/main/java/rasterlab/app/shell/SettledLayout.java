@@ -16,6 +16,7 @@ import java.util.stream.Stream;
  * depends on a width (wrapped chips and texts) may then want another height.
  */
 final class SettledLayout {
+    /** Parts that depend on their width rest after so many passes, and others would never. */
     private static final int PASSES = 4;
 
     private final Map<Container, Dimension> laidOutAt = new IdentityHashMap<>();
@@ -26,9 +27,11 @@ final class SettledLayout {
     /** The component has its size already. */
     static void of(Container container) {
         var layout = new SettledLayout();
-        for (int pass = 0; pass < PASSES && layout.movesParts(container); pass++) {}
+        int passes = 1;
+        while (layout.movesParts(container) && passes < PASSES) passes++;
     }
 
+    /** Lays out what is new, resized or unsettled; whether anything in it has moved. */
     private boolean movesParts(Container container) {
         boolean moved = false;
         boolean resized = !container.getSize().equals(laidOutAt.get(container));

@@ -39,6 +39,7 @@ class SettledLayoutTest {
         JPanel inner = around(wrapped);
         var outer = new JPanel(new BorderLayout());
         outer.add(inner, BorderLayout.NORTH);
+        inner.setSize(20, 40); // Only the part in it moves in the first pass.
         settle(outer, 20, 500);
         assertEquals(new Dimension(20, 80), wrapped.getSize());
         assertEquals(new Dimension(20, 80), inner.getSize());
@@ -55,7 +56,6 @@ class SettledLayoutTest {
         both.add(moves);
         settle(rests, 30, 30);
         rests.layouts = 0;
-        rests.setSize(30, 30);
         moves.setSize(20, 100);
         settle(both, 100, 100);
         assertEquals(1, rests.layouts);
@@ -87,7 +87,7 @@ class SettledLayoutTest {
                 };
         restless.add(new JPanel());
         settle(restless, 10, 10);
-        assertTrue(restless.getComponent(0).getX() > 1, "laid out once more");
+        assertEquals(4, restless.getComponent(0).getX(), "layouts");
     }
 
     private static JPanel around(Wrapped wrapped) {

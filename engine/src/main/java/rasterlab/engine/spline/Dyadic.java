@@ -3,17 +3,17 @@ package rasterlab.engine.spline;
 import java.math.BigInteger;
 
 /**
- * A whole number over a power of two. Every finite double is one, and so are sums and products, so
- * nothing is rounded on the way.
+ * The number over/2^places. Every finite double is one, and so are sums and products, so nothing is
+ * rounded on the way. Equal numbers may be unequal records: 2/2¹ and 1/2⁰.
  *
  * @param over any whole number
- * @param places the power of two that it is divided by
+ * @param places below 0 where the number is a multiple of a power of two
  */
 record Dyadic(BigInteger over, int places) {
     static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
 
-    /** A double has 53; with so many more, what is cut off hardly ever decides its last one. */
-    private static final int DIGITS = 128;
+    /** More than the 53 of a double and one for the half between two of them. */
+    private static final int BITS = 128;
 
     /**
      * @throws IllegalArgumentException if {@code value} is not finite
@@ -58,11 +58,19 @@ record Dyadic(BigInteger over, int places) {
         return dividedBy(1);
     }
 
-    /** The quotient, rounded to a double. */
+    /**
+     * The quotient, rounded once to a double of normal size. Of what is cut off only whether it is
+     * 0 counts, and that the last bit tells.
+     *
+     * @param divisor above 0
+     */
     double dividedBy(int divisor) {
-        int shift = over.bitLength() - DIGITS;
-        BigInteger digits = shift > 0 ? over.shiftRight(shift) : over.shiftLeft(-shift);
-        double quotient = digits.divide(BigInteger.valueOf(divisor)).doubleValue();
-        return Math.scalb(quotient, shift - places);
+        BigInteger size = over.abs();
+        int shift = size.bitLength() - BITS;
+        BigInteger first = shift > 0 ? size.shiftRight(shift) : size.shiftLeft(-shift);
+        BigInteger[] quotient = first.divideAndRemainder(BigInteger.valueOf(divisor));
+        boolean more = quotient[1].signum() > 0 || size.getLowestSetBit() < shift;
+        BigInteger bits = more ? quotient[0].setBit(0) : quotient[0];
+        return Math.scalb(over.signum() * bits.doubleValue(), shift - places);
     }
 }

@@ -4,13 +4,15 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import rasterlab.contract.SplineEnds;
 
-/** The monotone cubic of Fritsch and Carlson to {@value #DIGITS} digits, slow and plain. */
+/**
+ * The monotone cubic of Fritsch and Carlson, computed to {@value #DIGITS} digits, slow and plain.
+ */
 final class ExactMonotone {
     private static final int DIGITS = 60;
     private static final MathContext PRECISE = new MathContext(DIGITS);
 
-    /** Digits enough to round to a double; more make that slow. */
-    private static final MathContext READABLE = new MathContext(25);
+    /** A value has these before it becomes a double: of more that is slow. */
+    private static final MathContext FOR_DOUBLE = new MathContext(25);
 
     private static final BigDecimal TWO = BigDecimal.valueOf(2);
     private static final BigDecimal THREE = BigDecimal.valueOf(3);
@@ -48,7 +50,7 @@ final class ExactMonotone {
     double[] values() {
         var values = new double[problem.at().length];
         for (int i = 0; i < values.length; i++)
-            values[i] = value(problem.at()[i]).round(READABLE).doubleValue();
+            values[i] = value(problem.at()[i]).round(FOR_DOUBLE).doubleValue();
         return values;
     }
 

@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import rasterlab.contract.SplineEnds;
 
 /**
- * The cubic spline to {@value #DIGITS} digits, slow and plain.
+ * The cubic spline, computed to {@value #DIGITS} digits, slow and plain.
  *
  * <p>The unknowns are the second derivatives M at the knots, the equations {@code h[i−1]·M[i−1] +
  * 2·(h[i−1] + h[i])·M[i] + h[i]·M[i+1] = 6·(δ[i] − δ[i−1])} and those of the ends, each kept as a
@@ -19,8 +19,8 @@ final class ExactSpline {
     private static final int DIGITS = 100;
     private static final MathContext PRECISE = new MathContext(DIGITS);
 
-    /** Digits enough to round to a double; more make that slow. */
-    private static final MathContext READABLE = new MathContext(25);
+    /** A value has these before it becomes a double: of more that is slow. */
+    private static final MathContext FOR_DOUBLE = new MathContext(25);
 
     private static final int VALUE = Integer.MAX_VALUE;
 
@@ -29,7 +29,7 @@ final class ExactSpline {
     private final BigDecimal[] width;
     private final BigDecimal[] secant;
     private final BigDecimal[] curvature;
-    private final BigDecimal[] slope;
+    private final BigDecimal[] startSlope;
     private final BigDecimal[] third;
 
     /**
@@ -45,22 +45,23 @@ final class ExactSpline {
             secant[i] = y(i + 1).subtract(y(i)).divide(width[i], PRECISE);
         }
         curvature = solved(rows());
-        slope = new BigDecimal[pieces];
+        startSlope = new BigDecimal[pieces];
         third = new BigDecimal[pieces];
         for (int i = 0; i < pieces; i++) {
             BigDecimal sum = curvature[i].multiply(number(2)).add(curvature[i + 1]);
-            slope[i] = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
+            startSlope[i] = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
             third[i] = curvature[i + 1].subtract(curvature[i]).divide(width[i], PRECISE);
         }
     }
 
-    /** The values at all places of the problem, each rounded once. */
+    /** The values at all places of the problem. */
     double[] values() {
         var values = new double[problem.at().length];
         for (int i = 0; i < values.length; i++) values[i] = value(problem.at()[i]);
         return values;
     }
 
+    /** y + s·(slope + s·(M/2 + s·third/6)), s behind the piece's first knot. */
     private double value(double place) {
         boolean folds = problem.ends().kind() == SplineEnds.Kind.PERIODIC && outside(place);
         BigDecimal at = folds ? folded(place) : new BigDecimal(place);
@@ -70,7 +71,7 @@ final class ExactSpline {
                 curvature[i]
                         .divide(number(2), PRECISE)
                         .add(s.multiply(third[i]).divide(number(6), PRECISE));
-        return y(i).add(s.multiply(slope[i].add(s.multiply(bend, PRECISE))), READABLE)
+        return y(i).add(s.multiply(startSlope[i].add(s.multiply(bend, PRECISE))), FOR_DOUBLE)
                 .doubleValue();
     }
 

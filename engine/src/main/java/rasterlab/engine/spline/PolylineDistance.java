@@ -1,7 +1,5 @@
 package rasterlab.engine.spline;
 
-import java.awt.geom.Rectangle2D;
-
 /**
  * The largest distance of one polyline's points from another polyline.
  *
@@ -18,7 +16,10 @@ final class PolylineDistance {
     private final Polyline to;
     private final int last;
     private final double allowed;
-    private final Rectangle2D.Double[] boxes;
+
+    /** Of each run xmin, ymin, xmax, ymax. */
+    private final double[][] boxes;
+
     private int near;
     private double worst;
 
@@ -29,14 +30,19 @@ final class PolylineDistance {
         this.to = to;
         this.allowed = allowed;
         last = Math.max(0, to.size() - 2);
-        boxes = new Rectangle2D.Double[last / RUN + 1];
-        for (int run = 0; run < boxes.length; run++) boxes[run] = boxOf(run);
+        boxes = new double[last / RUN + 1][];
+        for (int run = 0; run < boxes.length; run++) boxes[run] = boxOf(run * RUN);
     }
 
-    private Rectangle2D.Double boxOf(int run) {
-        var box = new Rectangle2D.Double(to.x(run * RUN), to.y(run * RUN), 0, 0);
-        int end = Math.min((run + 1) * RUN, to.size() - 1);
-        for (int i = run * RUN + 1; i <= end; i++) box.add(to.x(i), to.y(i));
+    private double[] boxOf(int first) {
+        double[] box = {to.x(first), to.y(first), to.x(first), to.y(first)};
+        int end = Math.min(first + RUN, to.size() - 1);
+        for (int i = first + 1; i <= end; i++) {
+            box[0] = Math.min(box[0], to.x(i));
+            box[1] = Math.min(box[1], to.y(i));
+            box[2] = Math.max(box[2], to.x(i));
+            box[3] = Math.max(box[3], to.y(i));
+        }
         return box;
     }
 
@@ -77,9 +83,9 @@ final class PolylineDistance {
         return nearest;
     }
 
-    private static double fromBox(double x, double y, Rectangle2D.Double box) {
-        double dx = Math.max(0, Math.max(box.x - x, x - box.getMaxX()));
-        double dy = Math.max(0, Math.max(box.y - y, y - box.getMaxY()));
+    private static double fromBox(double x, double y, double[] box) {
+        double dx = Math.max(0, Math.max(box[0] - x, x - box[2]));
+        double dy = Math.max(0, Math.max(box[1] - y, y - box[3]));
         return Math.hypot(dx, dy);
     }
 

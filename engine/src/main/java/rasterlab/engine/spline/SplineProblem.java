@@ -21,9 +21,12 @@ public record SplineProblem(double[] x, double[] y, SplineEnds ends, double[] at
         return 4 * (x.length - 1);
     }
 
-    /** The piece that {@code place} lies in; the first or the last where it lies outside. */
+    /**
+     * The piece that {@code place} lies in; the first or the last where it lies outside. The knots
+     * must increase.
+     */
     public int piece(double place) {
-        int found = Arrays.binarySearch(x, place);
+        int found = Arrays.binarySearch(x, place + 0.0);
         int below = found >= 0 ? found : -found - 2;
         return Math.max(0, Math.min(below, x.length - 2));
     }

@@ -58,10 +58,34 @@ class DyadicTest {
         assertEquals(value, Dyadic.of(value).times(BigInteger.valueOf(3)).dividedBy(3));
     }
 
+    @ParameterizedTest(name = "what is far beyond half a last place is lost: {0}")
+    @ValueSource(ints = {1, -1})
+    void leastBitDecidesWhatWouldBeATie(int sign) {
+        BigInteger tie = BigInteger.ONE.shiftLeft(200).setBit(147);
+        assertEquals(sign, new Dyadic(signed(sign, tie), 200).toDouble());
+        assertEquals(
+                sign * Math.nextUp(1.0), new Dyadic(signed(sign, tie.setBit(0)), 200).toDouble());
+    }
+
+    @ParameterizedTest(name = "what a division leaves is lost: {0}")
+    @ValueSource(ints = {1, -1})
+    void remainderDecidesWhatWouldBeATie(int sign) {
+        BigInteger tie = BigInteger.ONE.shiftLeft(125).setBit(72);
+        BigInteger thrice = tie.multiply(BigInteger.valueOf(3));
+        assertEquals(sign, new Dyadic(signed(sign, thrice), 125).dividedBy(3));
+        assertEquals(
+                sign * Math.nextUp(1.0),
+                new Dyadic(signed(sign, thrice.add(BigInteger.ONE)), 125).dividedBy(3));
+    }
+
+    private static BigInteger signed(int sign, BigInteger size) {
+        return size.multiply(BigInteger.valueOf(sign));
+    }
+
     @ParameterizedTest
-    @ValueSource(doubles = {0, 0.999999, 1, 2.5, 7, 8, 1e9})
-    void floorIsTheWholePart(double value) {
-        assertEquals((int) value, Dyadic.of(value).floor());
+    @ValueSource(doubles = {0, 0.999999, 1, 2.5, 7, 8, 1e9, -0.5, -1, -2.5})
+    void floorIsTheWholeNumberBelow(double value) {
+        assertEquals((int) Math.floor(value), Dyadic.of(value).floor());
     }
 
     @Property(tries = 100, edgeCases = EdgeCasesMode.MIXIN)

@@ -3,6 +3,7 @@ package rasterlab.engine.spline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Random;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -25,6 +26,20 @@ class PolylineDistanceTest {
                 if (largest > ALLOWED) assertEquals(largest, soFar, 1e-9, "seed " + seed);
             }
         }
+    }
+
+    @Test
+    void onePointIsMeasuredTo() {
+        var to = new Polyline(1);
+        to.point(3, 4);
+        assertEquals(5, new PolylineDistance(to, ALLOWED).add(0, 0));
+    }
+
+    @Test
+    void segmentsThatAreNoNumbersLeaveTheOthers() {
+        var to = new Polyline(80);
+        for (int i = 0; i < 60; i++) to.point(i >= 12 && i < 24 ? Double.NaN : i, 0);
+        assertEquals(2, new PolylineDistance(to, ALLOWED).add(30, 2));
     }
 
     private static Polyline wandering(Random random, double jump) {

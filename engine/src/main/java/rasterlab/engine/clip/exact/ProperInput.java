@@ -22,7 +22,7 @@ public final class ProperInput {
         return numbers.length % 2 == 0;
     }
 
-    /** Corners in whole numbers: all coordinates times one power of two. */
+    /** Corners in whole numbers, all coordinates times one power of two; equal neighbours once. */
     private static BigInteger[][] distinct(double[] xy) {
         BigInteger under = BigInteger.ONE;
         for (double coordinate : xy) under = under.max(Ratio.of(coordinate).under());

@@ -14,12 +14,12 @@ import rasterlab.engine.texture.TextureMatrix;
 import rasterlab.engine.texture.TextureSampler;
 
 /**
- * A texture alone, as on opaque surfaces whose colours it replaces: light is not computed.
+ * A texture alone, as on opaque surfaces whose colours it replaces: asks for no light.
  *
  * <p>The level of detail is chosen for each pixel, from the slopes of its texture coordinates.
  */
 public final class TexelPixels implements PixelColors {
-    static final Set<VertexQuantity> COORDINATES = EnumSet.of(TEXTURE_S, TEXTURE_T);
+    private static final Set<VertexQuantity> COORDINATES = EnumSet.of(TEXTURE_S, TEXTURE_T);
 
     private final TextureSampler sampler;
     private final TextureFilter filter;

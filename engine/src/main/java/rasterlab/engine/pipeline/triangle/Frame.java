@@ -80,7 +80,7 @@ final class Frame {
         return attributeCount > 0 && isColor(attribute[attributeCount - 1]);
     }
 
-    /** Whether anything depends on where vertices and normals lie in eye space. */
+    /** Whether any attribute comes from positions or normals in eye space; those are the first. */
     boolean needsEye() {
         return hasColors()
                 || attributeCount > 0 && attribute[0].compareTo(VertexQuantity.NORMAL_Z) <= 0;

@@ -41,6 +41,9 @@ class TexturedPixelsTest {
                             new int[] {0, 1, 2, 0, 2, 3})
                     .withTexture(new float[] {-2, 2.5f, 2.5f, -2}, new float[] {0, 0, 5, 5});
 
+    private static final TextureMatrix DIVIDING =
+            new TextureMatrix(new Matrix4d(1, 0, 0, 0.1, 0, 1, 0, 0.2, 0, 0, 1, 0, 0, 0, 0, 4));
+
     private static Texture waves() {
         int[] argb = new int[64 * 64];
         for (int i = 0; i < argb.length; i++) {
@@ -156,9 +159,7 @@ class TexturedPixelsTest {
         var matrix =
                 new TextureMatrix(
                         new Matrix4d(2, 0.5, 0, 0, 0.3, 3, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1));
-        var turned =
-                new TextureMatrix(new Matrix4d(1, 0, 0, 0.1, 0, 1, 0, 0.2, 0, 0, 1, 0, 0, 0, 0, 4));
-        for (var each : new TextureMatrix[] {matrix, turned}) {
+        for (var each : new TextureMatrix[] {matrix, DIVIDING}) {
             var sampler = new TextureSampler(WAVES, Wrap.REPEAT, Wrap.REPEAT);
             int[] argb = draw(pixels(sampler, filter).moved(each));
             for (int y = HEIGHT / 2 + 6; y < HEIGHT; y += 3)
@@ -180,9 +181,8 @@ class TexturedPixelsTest {
         var sampler = new TextureSampler(WAVES, Wrap.REPEAT, Wrap.MIRRORED);
         var alone = new TexelPixels(sampler, filter);
         assertArrayEquals(draw(pixels(sampler, filter)), draw(alone));
-        var turned =
-                new TextureMatrix(new Matrix4d(1, 0, 0, 0.1, 0, 1, 0, 0.2, 0, 0, 1, 0, 0, 0, 0, 4));
-        assertArrayEquals(draw(pixels(sampler, filter).moved(turned)), draw(alone.moved(turned)));
+        assertArrayEquals(
+                draw(pixels(sampler, filter).moved(DIVIDING)), draw(alone.moved(DIVIDING)));
     }
 
     static Stream<TextureFilter> filters() {

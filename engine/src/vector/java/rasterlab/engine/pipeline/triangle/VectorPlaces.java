@@ -6,8 +6,8 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The places in a triangle's box whose pixels are drawn, listed without a branch, which nobody
- * could foresee, and added to a batch. One per thread.
+ * The places in a triangle's box whose pixels are drawn, found or taken as found, listed without a
+ * branch, which nobody could foresee, and added to a batch. One per thread.
  */
 final class VectorPlaces {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -46,21 +46,19 @@ final class VectorPlaces {
     }
 
     /**
-     * Lists places of eight columns.
+     * Lists the places of a box of eight columns.
      *
-     * @param drawn row by row −1 or 0, {@code stride} numbers for a row
-     * @param from where the first row's begin
-     * @param column the first one
+     * @param drawn row by row eight numbers, −1 or 0
      */
-    void listInLanes(int[] drawn, int from, int stride, int rows, int column) {
-        int listed = count;
+    void listInLanes(int[] drawn, int rows) {
+        int listed = 0;
         for (int row = 0; row < rows; row++) {
             int set =
-                    IntVector.fromArray(INTS, drawn, from + row * stride)
+                    IntVector.fromArray(INTS, drawn, row * LANES)
                             .and(BITS)
                             .reduceLanes(VectorOperators.ADD);
             IntVector.fromArray(INTS, LANES_OF, set * LANES)
-                    .add(row * RowDepth.WIDEST + column)
+                    .add(row * RowDepth.WIDEST)
                     .intoArray(places, listed);
             listed += Integer.bitCount(set);
         }
@@ -68,8 +66,10 @@ final class VectorPlaces {
     }
 
     /**
-     * Lists the places that are owned and nearer than what was there, and keeps their depths, as
-     * {@link VectorCompact} finds them; a loop of its own for the list would have another end.
+     * Lists the places that are owned and nearer than what was there, and writes their depths:
+     * {@code depthsInLanes} of {@link VectorCompact}, but with the list in the same loop, since
+     * where a second one ends would be foreseen as badly. A compact triangle's edge functions fit
+     * an int.
      *
      * @param first the place in {@code depth} of the box's first pixel
      * @param columns {@link RowDepth#columns}, all in the picture

@@ -50,8 +50,7 @@ final class VectorTiny {
         float zb = v.depth(scan.b) - za;
         float zc = v.depth(scan.c) - za;
         depthsInLanes(depth, scan.at - depthStart, width, scan, za, zb, zc);
-        places.count = 0;
-        places.listInLanes(drawn, 0, LANES, scan.rows, 0);
+        places.listInLanes(drawn, scan.rows);
         weights.load(scan);
         places.addInLanes(scan.at, width, weights, batch);
     }
