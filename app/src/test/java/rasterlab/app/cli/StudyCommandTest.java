@@ -36,11 +36,11 @@ class StudyCommandTest {
 
     @Test
     void writesEveryForm() throws Exception {
-        String start = folder.resolve("line").toString();
+        String start = folder.resolve("matrix").toString();
         Ran ran =
                 Ran.lab(
                         "study",
-                        "line",
+                        "matrix",
                         "--quick",
                         "--out",
                         start + ".svg",
@@ -52,17 +52,18 @@ class StudyCommandTest {
                         start + ".json");
         ran.assertDone();
         assertEquals(
-                List.of("line.PNG", "line.csv", "line.json", "line.svg"), names(), "nothing else");
-        BufferedImage chart = ImageIO.read(folder.resolve("line.PNG").toFile());
+                List.of("matrix.PNG", "matrix.csv", "matrix.json", "matrix.svg"),
+                names(),
+                "nothing else");
+        BufferedImage chart = ImageIO.read(folder.resolve("matrix.PNG").toFile());
         assertEquals("1000×700", chart.getWidth() + "×" + chart.getHeight());
-        JsonNode json = new ObjectMapper().readTree(folder.resolve("line.json").toFile());
+        JsonNode json = new ObjectMapper().readTree(folder.resolve("matrix.json").toFile());
         int measurements = json.path("measurements").size();
         assertTrue(measurements > 0);
-        assertEquals(measurements + 1, Files.readAllLines(folder.resolve("line.csv")).size());
-        assertEquals(
-                measurements, ran.out().lines().filter(row -> row.contains("length-")).count());
+        assertEquals(measurements + 1, Files.readAllLines(folder.resolve("matrix.csv")).size());
+        assertEquals(measurements, ran.out().lines().filter(row -> row.contains("rows-")).count());
         assertTrue(json.path("machine").hasNonNull("java"));
-        assertTrue(Files.readString(folder.resolve("line.svg")).contains("<svg"));
+        assertTrue(Files.readString(folder.resolve("matrix.svg")).contains("<svg"));
     }
 
     @Test

@@ -21,14 +21,20 @@ import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.transform.matrix.MatrixTopic;
 
 @Timeout(120)
 class StudyLabModelTest {
+    /** Measured in a second, where lines take ten. */
+    private static final MatrixTopic SMALL = new MatrixTopic();
+
     private final BlockingQueue<Runnable> events = new LinkedBlockingQueue<>();
     private final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
     private final StudyLabModel model =
             new StudyLabModel(
-                    List.of(new LineTopic(), new SegmentClipTopic()), events::add, failures::add);
+                    List.of(new LineTopic(), new SegmentClipTopic(), SMALL),
+                    events::add,
+                    failures::add);
 
     @AfterEach
     void close() {
@@ -51,19 +57,21 @@ class StudyLabModelTest {
 
     @Test
     void measuresEveryMethodAndTellsHowFarItIs() throws Exception {
+        model.choose(SMALL.name());
         List<Integer> done = new ArrayList<>();
         model.listen(state -> done.add(state.work().done()));
         model.measure();
         var study = awaitEnd().study().orElseThrow();
-        assertEquals("line", study.topic());
+        assertEquals(SMALL.name(), study.topic());
         assertEquals(
-                new LineTopic().methods().size(),
+                SMALL.methods().size(),
                 study.measurements().stream().map(Measurement::method).distinct().count());
         assertTrue(done.stream().anyMatch(one -> one > 0), done.toString());
     }
 
     @Test
     void cancelledMeasurementKeepsTheOneBefore() throws Exception {
+        model.choose(SMALL.name());
         model.measure();
         var study = awaitEnd().study();
         model.takeTime(true);
@@ -102,12 +110,13 @@ class StudyLabModelTest {
 
     @Test
     void whatWasMeasuredOfATopicIsThereAgain() throws Exception {
+        model.choose(SMALL.name());
         model.measure();
         var study = awaitEnd().study();
         model.choose("clip-segment");
         assertEquals(Optional.empty(), model.state().study());
         assertEquals(List.of(), model.state().cells());
-        model.choose("line");
+        model.choose(SMALL.name());
         assertEquals(study, model.state().study());
     }
 
