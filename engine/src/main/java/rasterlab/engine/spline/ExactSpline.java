@@ -29,8 +29,12 @@ final class ExactSpline {
     private final BigDecimal[] width;
     private final BigDecimal[] secant;
     private final BigDecimal[] curvature;
-    private final BigDecimal[] startSlope;
-    private final BigDecimal[] third;
+
+    /** Of each piece the coefficients of s, s² and s³. */
+    private final BigDecimal[] linear;
+
+    private final BigDecimal[] quadratic;
+    private final BigDecimal[] cubic;
 
     /**
      * @param problem its knots increase and all its numbers are finite
@@ -45,12 +49,15 @@ final class ExactSpline {
             secant[i] = y(i + 1).subtract(y(i)).divide(width[i], PRECISE);
         }
         curvature = solved(rows());
-        startSlope = new BigDecimal[pieces];
-        third = new BigDecimal[pieces];
+        linear = new BigDecimal[pieces];
+        quadratic = new BigDecimal[pieces];
+        cubic = new BigDecimal[pieces];
         for (int i = 0; i < pieces; i++) {
             BigDecimal sum = curvature[i].multiply(number(2)).add(curvature[i + 1]);
-            startSlope[i] = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
-            third[i] = curvature[i + 1].subtract(curvature[i]).divide(width[i], PRECISE);
+            linear[i] = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
+            quadratic[i] = curvature[i].divide(number(2), PRECISE);
+            BigDecimal change = curvature[i + 1].subtract(curvature[i]);
+            cubic[i] = change.divide(width[i].multiply(number(6)), PRECISE);
         }
     }
 
@@ -61,17 +68,13 @@ final class ExactSpline {
         return values;
     }
 
-    /** y + s·(slope + s·(M/2 + s·third/6)), s behind the piece's first knot. */
     private double value(double place) {
         boolean folds = problem.ends().kind() == SplineEnds.Kind.PERIODIC && outside(place);
         BigDecimal at = folds ? folded(place) : new BigDecimal(place);
         int i = problem.piece(folds ? at.doubleValue() : place);
         BigDecimal s = at.subtract(x(i));
-        BigDecimal bend =
-                curvature[i]
-                        .divide(number(2), PRECISE)
-                        .add(s.multiply(third[i]).divide(number(6), PRECISE));
-        return y(i).add(s.multiply(startSlope[i].add(s.multiply(bend, PRECISE))), FOR_DOUBLE)
+        BigDecimal rise = quadratic[i].add(s.multiply(cubic[i]), PRECISE);
+        return y(i).add(s.multiply(linear[i].add(s.multiply(rise), PRECISE)), FOR_DOUBLE)
                 .doubleValue();
     }
 
