@@ -9,9 +9,9 @@ import jdk.incubator.vector.VectorSpecies;
  * The box of a {@linkplain RowDepth compact} triangle, eight columns at a time from its top to its
  * bottom: to ask each pixel costs less than to find where rows begin and end. One per thread.
  *
- * <p>Depths and colours have a loop each, and rows are counted as floats, as {@link VectorLoops}
- * explains. What grows from row to row by whole numbers is added up: that costs less than to make
- * eight of each row's number.
+ * <p>Depths and colours have a loop each, as {@link VectorLoops} explains. What grows from row to
+ * row by whole numbers is added up, and the depths that rows begin with are found ahead, eight at a
+ * time: both cost less than to compute them in each row.
  */
 final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -21,8 +21,8 @@ final class VectorCompact {
     private static final IntVector WHOLE_NUMBERS =
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
-    /** The numbers of a box's columns. */
-    static final float[] COLUMNS = columns();
+    /** The numbers of a box's columns, and of its rows. */
+    static final float[] COUNTED = counted();
 
     /** An opaque colour's highest bits, above those of its red. */
     static final int OPAQUE = 0xFF000000;
@@ -30,12 +30,13 @@ final class VectorCompact {
     /** −1 where a pixel is owned and nearer than what was there, else 0; row by row. */
     private final int[] drawn = new int[TriangleScan.ROWS * RowDepth.WIDEST];
 
+    private final float[] rowDepths = new float[TriangleScan.ROWS];
     private final VectorPlaces places = new VectorPlaces();
 
-    private static float[] columns() {
-        float[] columns = new float[RowDepth.WIDEST];
-        for (int k = 0; k < columns.length; k++) columns[k] = k;
-        return columns;
+    private static float[] counted() {
+        float[] numbers = new float[Math.max(RowDepth.WIDEST, TriangleScan.ROWS)];
+        for (int k = 0; k < numbers.length; k++) numbers[k] = k;
+        return numbers;
     }
 
     /**
@@ -62,43 +63,58 @@ final class VectorCompact {
         places.addInLanes(scan.top * width + scan.boxLeft, width, weights.box, batch);
     }
 
-    /** A compact triangle's edge functions fit an int. */
+    /**
+     * Finds the depths that rows begin with, as {@link RowDepth#at} does, of as many as there may
+     * be.
+     */
+    static void rowDepths(RowDepth at, float[] depths) {
+        for (int row = 0; row < TriangleScan.ROWS; row += LANES)
+            FloatVector.fromArray(FLOATS, COUNTED, row)
+                    .mul(at.downZ)
+                    .add(at.cornerZ)
+                    .intoArray(depths, row);
+    }
+
+    /**
+     * A compact triangle's edge functions fit an int; here they are ~e, so that a pixel is owned
+     * where all are negative.
+     */
     private void depthsInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
-        float cornerZ = at.cornerZ;
-        float downZ = at.downZ;
+        rowDepths(at, rowDepths);
+        float[] z = rowDepths;
         int rows = scan.rows;
-        IntVector downA = IntVector.broadcast(INTS, (int) scan.downA);
-        IntVector downB = IntVector.broadcast(INTS, (int) scan.downB);
-        IntVector downC = IntVector.broadcast(INTS, (int) scan.downC);
+        IntVector downA = IntVector.broadcast(INTS, -(int) scan.downA);
+        IntVector downB = IntVector.broadcast(INTS, -(int) scan.downB);
+        IntVector downC = IntVector.broadcast(INTS, -(int) scan.downC);
         for (int column = 0; column < columns; column += LANES) {
             IntVector numbers = WHOLE_NUMBERS.add(column);
-            IntVector edgesA = numbers.mul((int) scan.stepA).add((int) scan.rowA);
-            IntVector edgesB = numbers.mul((int) scan.stepB).add((int) scan.rowB);
-            IntVector edgesC = numbers.mul((int) scan.stepC).add((int) scan.rowC);
-            FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(at.stepZ);
-            float down = 0;
+            IntVector edgesA = numbers.mul(-(int) scan.stepA).add(~(int) scan.rowA);
+            IntVector edgesB = numbers.mul(-(int) scan.stepB).add(~(int) scan.rowB);
+            IntVector edgesC = numbers.mul(-(int) scan.stepC).add(~(int) scan.rowC);
+            FloatVector depths = FloatVector.fromArray(FLOATS, COUNTED, column).mul(at.stepZ);
+            int cell = first + column;
+            int place = column;
             for (int row = 0; row < rows; row++) {
-                int cell = first + column + row * width;
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-                FloatVector here = depths.add(cornerZ + down * downZ);
-                down += 1;
+                FloatVector here = depths.add(z[row]);
                 IntVector nearer =
-                        edgesA.or(edgesB)
-                                .or(edgesC)
-                                .not()
+                        edgesA.and(edgesB)
+                                .and(edgesC)
                                 .and(here.sub(there).reinterpretAsInts())
                                 .lanewise(VectorOperators.ASHR, SIGN);
                 edgesA = edgesA.add(downA);
                 edgesB = edgesB.add(downB);
                 edgesC = edgesC.add(downC);
-                nearer.intoArray(drawn, row * columns + column);
+                nearer.intoArray(drawn, place);
                 IntVector before = there.reinterpretAsInts();
                 before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
                         .and(nearer)
                         .lanewise(VectorOperators.XOR, before)
                         .reinterpretAsFloats()
                         .intoArray(depth, cell);
+                cell += width;
+                place += columns;
             }
         }
     }
@@ -114,8 +130,9 @@ final class VectorCompact {
             IntVector reds = numbers.mul(colors.stepRed).add(colors.cornerRed + OPAQUE);
             IntVector greens = numbers.mul(colors.stepGreen).add(colors.cornerGreen);
             IntVector blues = numbers.mul(colors.stepBlue).add(colors.cornerBlue);
+            int cell = first + column;
+            int place = column;
             for (int row = 0; row < rows; row++) {
-                int cell = first + column + row * width;
                 IntVector color =
                         reds.and(0xFFFF0000)
                                 .or(greens.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
@@ -125,9 +142,11 @@ final class VectorCompact {
                 blues = blues.add(downBlue);
                 IntVector before = IntVector.fromArray(INTS, argb, cell);
                 before.lanewise(VectorOperators.XOR, color)
-                        .and(IntVector.fromArray(INTS, drawn, row * columns + column))
+                        .and(IntVector.fromArray(INTS, drawn, place))
                         .lanewise(VectorOperators.XOR, before)
                         .intoArray(argb, cell);
+                cell += width;
+                place += columns;
             }
         }
     }

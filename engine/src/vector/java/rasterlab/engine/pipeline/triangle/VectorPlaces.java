@@ -33,6 +33,8 @@ final class VectorPlaces {
     /** Of each place its row and column, {@code row · WIDEST + column}. */
     private final int[] places = new int[PixelBatch.ROOM];
 
+    private final float[] rowDepths = new float[TriangleScan.ROWS];
+
     /** How many are listed. */
     int count;
 
@@ -56,7 +58,7 @@ final class VectorPlaces {
             int set =
                     IntVector.fromArray(INTS, drawn, row * LANES)
                             .and(BITS)
-                            .reduceLanes(VectorOperators.ADD);
+                            .reduceLanes(VectorOperators.OR);
             IntVector.fromArray(INTS, LANES_OF, set * LANES)
                     .add(row * RowDepth.WIDEST)
                     .intoArray(places, listed);
@@ -68,55 +70,52 @@ final class VectorPlaces {
     /**
      * Lists the places that are owned and nearer than what was there, and writes their depths:
      * {@code depthsInLanes} of {@link VectorCompact}, but with the list in the same loop, since
-     * where a second one ends would be foreseen as badly. A compact triangle's edge functions fit
-     * an int.
+     * where a second one ends would be foreseen as badly.
      *
      * @param first the place in {@code depth} of the box's first pixel
      * @param columns {@link RowDepth#columns}, all in the picture
      */
     void findInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
-        float cornerZ = at.cornerZ;
-        float downZ = at.downZ;
+        VectorCompact.rowDepths(at, rowDepths);
+        float[] z = rowDepths;
         int rows = scan.rows;
         int[] list = places;
         int listed = 0;
-        IntVector downA = IntVector.broadcast(INTS, (int) scan.downA);
-        IntVector downB = IntVector.broadcast(INTS, (int) scan.downB);
-        IntVector downC = IntVector.broadcast(INTS, (int) scan.downC);
+        IntVector downA = IntVector.broadcast(INTS, -(int) scan.downA);
+        IntVector downB = IntVector.broadcast(INTS, -(int) scan.downB);
+        IntVector downC = IntVector.broadcast(INTS, -(int) scan.downC);
         for (int column = 0; column < columns; column += LANES) {
             IntVector numbers = WHOLE_NUMBERS.add(column);
-            IntVector edgesA = numbers.mul((int) scan.stepA).add((int) scan.rowA);
-            IntVector edgesB = numbers.mul((int) scan.stepB).add((int) scan.rowB);
-            IntVector edgesC = numbers.mul((int) scan.stepC).add((int) scan.rowC);
+            IntVector edgesA = numbers.mul(-(int) scan.stepA).add(~(int) scan.rowA);
+            IntVector edgesB = numbers.mul(-(int) scan.stepB).add(~(int) scan.rowB);
+            IntVector edgesC = numbers.mul(-(int) scan.stepC).add(~(int) scan.rowC);
             FloatVector depths =
-                    FloatVector.fromArray(FLOATS, VectorCompact.COLUMNS, column).mul(at.stepZ);
-            float down = 0;
+                    FloatVector.fromArray(FLOATS, VectorCompact.COUNTED, column).mul(at.stepZ);
+            IntVector place = IntVector.broadcast(INTS, column);
+            int cell = first + column;
             for (int row = 0; row < rows; row++) {
-                int cell = first + column + row * width;
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-                FloatVector here = depths.add(cornerZ + down * downZ);
-                down += 1;
+                FloatVector here = depths.add(z[row]);
                 IntVector nearer =
-                        edgesA.or(edgesB)
-                                .or(edgesC)
-                                .not()
+                        edgesA.and(edgesB)
+                                .and(edgesC)
                                 .and(here.sub(there).reinterpretAsInts())
                                 .lanewise(VectorOperators.ASHR, Integer.SIZE - 1);
                 edgesA = edgesA.add(downA);
                 edgesB = edgesB.add(downB);
                 edgesC = edgesC.add(downC);
-                int set = nearer.and(BITS).reduceLanes(VectorOperators.ADD);
-                IntVector.fromArray(INTS, LANES_OF, set * LANES)
-                        .add(row * RowDepth.WIDEST + column)
-                        .intoArray(list, listed);
+                int set = nearer.and(BITS).reduceLanes(VectorOperators.OR);
+                IntVector.fromArray(INTS, LANES_OF, set * LANES).add(place).intoArray(list, listed);
                 listed += Integer.bitCount(set);
+                place = place.add(RowDepth.WIDEST);
                 IntVector before = there.reinterpretAsInts();
                 before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
                         .and(nearer)
                         .lanewise(VectorOperators.XOR, before)
                         .reinterpretAsFloats()
                         .intoArray(depth, cell);
+                cell += width;
             }
         }
         count = listed;
