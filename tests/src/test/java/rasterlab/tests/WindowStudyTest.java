@@ -8,6 +8,8 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.util.List;
 import javax.swing.JPanel;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.data.TableCell;
@@ -19,6 +21,7 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.study.StudyLabState;
 import rasterlab.app.study.StudyView;
+import rasterlab.engine.study.Method;
 
 /** The tab of speed and accuracy under a real display, by mouse and keyboard. */
 @Timeout(120)
@@ -32,16 +35,23 @@ class WindowStudyTest extends WindowHarness {
         return GuiActionRunner.execute(() -> models.study().state());
     }
 
-    private void measureLines() {
+    /** A topic that is measured in a second, where lines take ten. */
+    private void measureSmallTopic() {
+        window.comboBox("topic").selectItem("shading of a point");
         window.button("measure").click();
         await("measured", () -> state().study().isPresent());
-        int bresenham = MethodColours.of("bresenham").getRGB();
-        await("the chart is drawn", () -> colours("chart").contains(bresenham));
+        await("the chart is drawn", () -> colours("chart").contains(exactColour()));
+    }
+
+    /** The colour of a method whose results are exact at every size. */
+    private int exactColour() {
+        List<String> methods = state().topic().methods().stream().map(Method::name).toList();
+        return MethodColours.among(methods).get("phong").getRGB();
     }
 
     @Test
     void measuresAndWalksFromPointToPoint() {
-        measureLines();
+        measureSmallTopic();
         assertEquals(StudyView.CHART, state().view());
         focus("chart");
         press(KeyEvent.VK_RIGHT);
@@ -59,12 +69,15 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void clickChoosesThePointThatIsThere() {
-        measureLines();
+        measureSmallTopic();
         Component chart = window.robot().finder().findByName(frame, "chart");
-        for (int x = chart.getWidth() / 8; x < chart.getWidth() * 3 / 4; x += 12)
-            for (int y = chart.getHeight() * 3 / 4; y < chart.getHeight() * 9 / 10; y += 12) {
-                if (state().point().isPresent()) return;
+        BufferedImage seen = captured("chart");
+        for (int x = chart.getWidth() / 8; x < chart.getWidth() * 3 / 4; x += 3)
+            for (int y = chart.getHeight() * 3 / 4; y < chart.getHeight() * 9 / 10; y += 3) {
+                if ((0xFF000000 | seen.getRGB(x, y)) != exactColour()) continue;
                 robot.click(chart, new Point(x, y), MouseButton.LEFT_BUTTON, 1);
+                robot.waitForIdle();
+                if (state().point().isPresent()) return;
             }
         throw new AssertionError("no point in the band of exact results");
     }
@@ -154,15 +167,15 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void keyboardIsBackOnTheButtonThatBeganTheRun() {
-        measureLines();
+        measureSmallTopic();
         var button = window.button("measure").target();
         await("the keyboard is on the button", () -> GuiActionRunner.execute(button::isFocusOwner));
     }
 
     @Test
     void savesWhatWasMeasured() {
-        measureLines();
-        var file = folder.resolve("lines.csv");
+        measureSmallTopic();
+        var file = folder.resolve("shade.csv");
         window.button("save").click();
         window.fileChooser().setCurrentDirectory(folder.toFile());
         window.fileChooser().fileNameTextBox().setText(file.toString());
