@@ -15,11 +15,8 @@ import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.spline.SplineMode;
-import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Study;
-import rasterlab.engine.study.StudyRunner;
-import rasterlab.engine.study.StudySettings;
 
 /** Every tab of the window in each language and theme, painted without a display. */
 final class LabPictures implements TourPart {
@@ -41,7 +38,7 @@ final class LabPictures implements TourPart {
         }
     }
 
-    private static final List<Shot> SHOTS =
+    private final List<Shot> shots =
             List.of(
                     new Shot("coordinates", "coordinates", models -> {}),
                     coordinates("transformations", CoordinatesMode.TRANSFORMATIONS),
@@ -81,7 +78,7 @@ final class LabPictures implements TourPart {
                     new Shot("opengl", "opengl", models -> {}),
                     new Shot("globe", "opengl", LabPictures::showGlobe),
                     new Shot("study", "study", models -> {}),
-                    new Shot("chart", "study", LabPictures::measuredLines),
+                    new Shot("chart", "study", this::measured),
                     new Shot("exercises", "exercises", models -> {}),
                     new Shot("checked", "exercises", LabPictures::wrongSolution));
 
@@ -94,16 +91,15 @@ final class LabPictures implements TourPart {
     }
 
     private final Predicate<String> wanted;
-
-    LabPictures() {
-        this(name -> true);
-    }
+    private final Supplier<Study> charted;
 
     /**
      * @param wanted tells by their names which pictures are made
+     * @param charted the study whose chart is shown; asked only where that picture is made
      */
-    LabPictures(Predicate<String> wanted) {
+    LabPictures(Predicate<String> wanted, Supplier<Study> charted) {
         this.wanted = wanted;
+        this.charted = charted;
     }
 
     @Override
@@ -113,7 +109,7 @@ final class LabPictures implements TourPart {
 
     @Override
     public void make(TourPage page) throws InterruptedException {
-        for (Shot shot : SHOTS) {
+        for (Shot shot : shots) {
             if (!wanted.test(shot.name())) continue;
             page.heading(page.texts().text("labs." + shot.name()));
             Consumer<LabModels> prepare = shot.preparation().get();
@@ -166,13 +162,8 @@ final class LabPictures implements TourPart {
         models.polygon().chooseMethod("sign-int");
     }
 
-    private static Consumer<LabModels> measuredLines() {
-        Study study =
-                StudyRunner.measure(
-                        new LineTopic(),
-                        StudySettings.quick(),
-                        progress -> {},
-                        Thread.currentThread()::isInterrupted);
+    private Consumer<LabModels> measured() {
+        Study study = charted.get();
         return models -> models.study().show(study);
     }
 

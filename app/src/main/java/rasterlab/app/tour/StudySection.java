@@ -10,14 +10,18 @@ import rasterlab.app.study.TopicNames;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
-import rasterlab.engine.study.StudyRunner;
-import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
 
 /** Every topic's study as a chart and a table. */
 final class StudySection implements TourPart {
     /** What a method that did not end or crashed has instead of numbers. */
     private static final String NOT_TIMED = "–";
+
+    private final TourStudies studies;
+
+    StudySection(TourStudies studies) {
+        this.studies = studies;
+    }
 
     @Override
     public String key() {
@@ -29,16 +33,11 @@ final class StudySection implements TourPart {
         for (Topic<?, ?, ?> topic : Topics.all()) make(page, topic);
     }
 
-    private static void make(TourPage page, Topic<?, ?, ?> topic) {
+    private void make(TourPage page, Topic<?, ?, ?> topic) {
         String name = TopicNames.in(page.texts().language()).topic(topic.name());
         page.heading(page.texts().text("topic", name, topic.name()));
         page.say(page.texts().text("study.measuring", topic.name()));
-        Study study =
-                StudyRunner.measure(
-                        topic,
-                        StudySettings.quick(),
-                        progress -> {},
-                        Thread.currentThread()::isInterrupted);
+        Study study = studies.of(topic);
         String caption = page.texts().text("study.caption", name);
         page.large(
                 page.picture(

@@ -8,6 +8,7 @@ import java.util.Optional;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.line.LineTopic;
 
 /** Makes the tour: a folder with pictures and one page that shows them. */
 public final class Tour {
@@ -55,10 +56,11 @@ public final class Tour {
     }
 
     private static List<TourPart> parts(Optional<Path> home) {
+        var studies = new TourStudies();
         return List.of(
-                new LabPictures(),
+                new LabPictures(name -> true, () -> studies.of(new LineTopic())),
                 new ScenePictures(),
-                new StudySection(),
+                new StudySection(studies),
                 new HazardSection(),
                 new GradingSection(home));
     }
