@@ -21,6 +21,7 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.study.StudyLabState;
 import rasterlab.app.study.StudyView;
+import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 
 /** The tab of speed and accuracy under a real display, by mouse and keyboard. */
@@ -40,11 +41,10 @@ class WindowStudyTest extends WindowHarness {
         window.comboBox("topic").selectItem("shading of a point");
         window.button("measure").click();
         await("measured", () -> state().study().isPresent());
-        await("the chart is drawn", () -> colours("chart").contains(exactColour()));
+        await("the chart is drawn", () -> colours("chart").contains(phongColour()));
     }
 
-    /** The colour of a method whose results are exact at every size. */
-    private int exactColour() {
+    private int phongColour() {
         List<String> methods = state().topic().methods().stream().map(Method::name).toList();
         return MethodColours.among(methods).get("phong").getRGB();
     }
@@ -54,17 +54,22 @@ class WindowStudyTest extends WindowHarness {
         measureSmallTopic();
         assertEquals(StudyView.CHART, state().view());
         focus("chart");
+        String chosenBefore = state().method();
         press(KeyEvent.VK_RIGHT);
-        var cheapest = state().point().orElseThrow();
-        press(KeyEvent.VK_RIGHT);
-        var next = state().point().orElseThrow();
-        assertTrue(
-                cheapest.cost().medianNanos() <= next.cost().medianNanos(),
-                cheapest + " before " + next);
-        assertEquals(next.method(), state().method());
-        assertTrue(window.textBox("detail").text().contains(next.method()));
+        Measurement cheaper;
+        var point = state().point().orElseThrow();
+        do {
+            cheaper = point;
+            press(KeyEvent.VK_RIGHT);
+            point = state().point().orElseThrow();
+            assertTrue(
+                    cheaper.cost().medianNanos() <= point.cost().medianNanos(),
+                    cheaper + " before " + point);
+        } while (point.method().equals(chosenBefore));
+        assertEquals(point.method(), state().method());
+        assertTrue(window.textBox("detail").text().contains(point.method()));
         press(KeyEvent.VK_LEFT);
-        assertEquals(cheapest, state().point().orElseThrow());
+        assertEquals(cheaper, state().point().orElseThrow());
     }
 
     @Test
@@ -73,13 +78,13 @@ class WindowStudyTest extends WindowHarness {
         Component chart = window.robot().finder().findByName(frame, "chart");
         BufferedImage seen = captured("chart");
         for (int x = chart.getWidth() / 8; x < chart.getWidth() * 3 / 4; x += 3)
-            for (int y = chart.getHeight() * 3 / 4; y < chart.getHeight() * 9 / 10; y += 3) {
-                if ((0xFF000000 | seen.getRGB(x, y)) != exactColour()) continue;
+            for (int y = 0; y < chart.getHeight(); y += 3) {
+                if ((0xFF000000 | seen.getRGB(x, y)) != phongColour()) continue;
                 robot.click(chart, new Point(x, y), MouseButton.LEFT_BUTTON, 1);
                 robot.waitForIdle();
                 if (state().point().isPresent()) return;
             }
-        throw new AssertionError("no point in the band of exact results");
+        throw new AssertionError("no point of phong is there");
     }
 
     @Test

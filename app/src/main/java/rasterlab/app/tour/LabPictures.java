@@ -38,6 +38,8 @@ final class LabPictures implements TourPart {
         }
     }
 
+    private final Predicate<String> wanted;
+    private final Supplier<Study> charted;
     private final List<Shot> shots =
             List.of(
                     new Shot("coordinates", "coordinates", models -> {}),
@@ -82,17 +84,6 @@ final class LabPictures implements TourPart {
                     new Shot("exercises", "exercises", models -> {}),
                     new Shot("checked", "exercises", LabPictures::wrongSolution));
 
-    private static Shot coordinates(String name, CoordinatesMode mode) {
-        return new Shot(name, "coordinates", models -> models.coordinates().show(mode));
-    }
-
-    private static Shot textureRows(String name, String topic, String hazard, String method) {
-        return new Shot(name, "light", models -> models.light().rows().show(topic, hazard, method));
-    }
-
-    private final Predicate<String> wanted;
-    private final Supplier<Study> charted;
-
     /**
      * @param wanted tells by their names which pictures are made
      * @param charted the study whose chart is shown; asked only where that picture is made
@@ -100,6 +91,14 @@ final class LabPictures implements TourPart {
     LabPictures(Predicate<String> wanted, Supplier<Study> charted) {
         this.wanted = wanted;
         this.charted = charted;
+    }
+
+    private static Shot coordinates(String name, CoordinatesMode mode) {
+        return new Shot(name, "coordinates", models -> models.coordinates().show(mode));
+    }
+
+    private static Shot textureRows(String name, String topic, String hazard, String method) {
+        return new Shot(name, "light", models -> models.light().rows().show(topic, hazard, method));
     }
 
     @Override

@@ -11,13 +11,13 @@ import rasterlab.engine.study.Topic;
  * Studies for the parts of one tour: each is measured when it is first asked for, and only then.
  */
 final class TourStudies {
-    private final Map<String, Study> measured = new HashMap<>();
+    private final Map<String, Study> studies = new HashMap<>();
 
     Study of(Topic<?, ?, ?> topic) {
-        return measured.computeIfAbsent(topic.name(), name -> measured(topic));
+        return studies.computeIfAbsent(topic.name(), name -> measure(topic));
     }
 
-    private static Study measured(Topic<?, ?, ?> topic) {
+    private static Study measure(Topic<?, ?, ?> topic) {
         return StudyRunner.measure(
                 topic,
                 StudySettings.quick(),

@@ -10,7 +10,7 @@ import rasterlab.engine.transform.matrix.MatrixTopic;
 
 class TourStudiesTest {
     @Test
-    @DisplayName("the chart in the window and the one below it are of two measurements")
+    @DisplayName("a topic is measured again when it is asked for again")
     void topicIsMeasuredOnce() {
         var studies = new TourStudies();
         Study first = studies.of(new MatrixTopic());

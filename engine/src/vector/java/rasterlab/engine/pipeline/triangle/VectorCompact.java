@@ -9,9 +9,9 @@ import jdk.incubator.vector.VectorSpecies;
  * The box of a {@linkplain RowDepth compact} triangle, eight columns at a time from its top to its
  * bottom: to ask each pixel costs less than to find where rows begin and end. One per thread.
  *
- * <p>Depths and colours have a loop each, as {@link VectorLoops} explains. What grows from row to
- * row by whole numbers is added up, and the depths that rows begin with are found ahead, eight at a
- * time: both cost less than to compute them in each row.
+ * <p>Depths and colours have a loop each, and rows are counted as floats, as {@link VectorLoops}
+ * explains. What grows from row to row by whole numbers is added up: that costs less than to make
+ * eight of each row's number, or to multiply.
  */
 final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -21,8 +21,8 @@ final class VectorCompact {
     private static final IntVector WHOLE_NUMBERS =
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
-    /** The numbers of a box's columns, and of its rows. */
-    static final float[] COUNTED = counted();
+    /** The numbers of a box's columns. */
+    static final float[] COLUMNS = columns();
 
     /** An opaque colour's highest bits, above those of its red. */
     static final int OPAQUE = 0xFF000000;
@@ -30,13 +30,12 @@ final class VectorCompact {
     /** −1 where a pixel is owned and nearer than what was there, else 0; row by row. */
     private final int[] drawn = new int[TriangleScan.ROWS * RowDepth.WIDEST];
 
-    private final float[] rowDepths = new float[TriangleScan.ROWS];
     private final VectorPlaces places = new VectorPlaces();
 
-    private static float[] counted() {
-        float[] numbers = new float[Math.max(RowDepth.WIDEST, TriangleScan.ROWS)];
-        for (int k = 0; k < numbers.length; k++) numbers[k] = k;
-        return numbers;
+    private static float[] columns() {
+        float[] columns = new float[RowDepth.WIDEST];
+        for (int k = 0; k < columns.length; k++) columns[k] = k;
+        return columns;
     }
 
     /**
@@ -64,25 +63,13 @@ final class VectorCompact {
     }
 
     /**
-     * Finds the depths that rows begin with, as {@link RowDepth#at} does, of as many as there may
-     * be.
-     */
-    static void rowDepths(RowDepth at, float[] depths) {
-        for (int row = 0; row < TriangleScan.ROWS; row += LANES)
-            FloatVector.fromArray(FLOATS, COUNTED, row)
-                    .mul(at.downZ)
-                    .add(at.cornerZ)
-                    .intoArray(depths, row);
-    }
-
-    /**
      * A compact triangle's edge functions fit an int; here they are ~e, so that a pixel is owned
      * where all are negative.
      */
     private void depthsInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
-        rowDepths(at, rowDepths);
-        float[] z = rowDepths;
+        float cornerZ = at.cornerZ;
+        float downZ = at.downZ;
         int rows = scan.rows;
         IntVector downA = IntVector.broadcast(INTS, -(int) scan.downA);
         IntVector downB = IntVector.broadcast(INTS, -(int) scan.downB);
@@ -92,12 +79,14 @@ final class VectorCompact {
             IntVector edgesA = numbers.mul(-(int) scan.stepA).add(~(int) scan.rowA);
             IntVector edgesB = numbers.mul(-(int) scan.stepB).add(~(int) scan.rowB);
             IntVector edgesC = numbers.mul(-(int) scan.stepC).add(~(int) scan.rowC);
-            FloatVector depths = FloatVector.fromArray(FLOATS, COUNTED, column).mul(at.stepZ);
+            FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(at.stepZ);
             int cell = first + column;
             int place = column;
+            float down = 0;
             for (int row = 0; row < rows; row++) {
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-                FloatVector here = depths.add(z[row]);
+                FloatVector here = depths.add(cornerZ + down * downZ);
+                down += 1;
                 IntVector nearer =
                         edgesA.and(edgesB)
                                 .and(edgesC)

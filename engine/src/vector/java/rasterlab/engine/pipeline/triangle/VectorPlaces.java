@@ -33,8 +33,6 @@ final class VectorPlaces {
     /** Of each place its row and column, {@code row · WIDEST + column}. */
     private final int[] places = new int[PixelBatch.ROOM];
 
-    private final float[] rowDepths = new float[TriangleScan.ROWS];
-
     /** How many are listed. */
     int count;
 
@@ -70,15 +68,15 @@ final class VectorPlaces {
     /**
      * Lists the places that are owned and nearer than what was there, and writes their depths:
      * {@code depthsInLanes} of {@link VectorCompact}, but with the list in the same loop, since
-     * where a second one ends would be foreseen as badly.
+     * where a second one ends would be foreseen as badly. Edge functions are ~e here, too.
      *
      * @param first the place in {@code depth} of the box's first pixel
      * @param columns {@link RowDepth#columns}, all in the picture
      */
     void findInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
-        VectorCompact.rowDepths(at, rowDepths);
-        float[] z = rowDepths;
+        float cornerZ = at.cornerZ;
+        float downZ = at.downZ;
         int rows = scan.rows;
         int[] list = places;
         int listed = 0;
@@ -91,12 +89,14 @@ final class VectorPlaces {
             IntVector edgesB = numbers.mul(-(int) scan.stepB).add(~(int) scan.rowB);
             IntVector edgesC = numbers.mul(-(int) scan.stepC).add(~(int) scan.rowC);
             FloatVector depths =
-                    FloatVector.fromArray(FLOATS, VectorCompact.COUNTED, column).mul(at.stepZ);
+                    FloatVector.fromArray(FLOATS, VectorCompact.COLUMNS, column).mul(at.stepZ);
             IntVector place = IntVector.broadcast(INTS, column);
             int cell = first + column;
+            float down = 0;
             for (int row = 0; row < rows; row++) {
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-                FloatVector here = depths.add(z[row]);
+                FloatVector here = depths.add(cornerZ + down * downZ);
+                down += 1;
                 IntVector nearer =
                         edgesA.and(edgesB)
                                 .and(edgesC)
