@@ -162,8 +162,7 @@ final class VectorLoops implements RowLoops {
 
     @Override
     public int findInBox(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
-        int columns = RowDepth.columns(scan);
-        boolean fits = columns * scan.rows <= PixelBatch.SIZE && scan.boxLeft + columns <= width;
+        boolean fits = scan.boxLeft + RowDepth.columns(scan) <= width;
         if (!at.gentle || !fits) return NOT_SOUGHT;
         return compact.find(depth, depthStart, width, scan, at);
     }
