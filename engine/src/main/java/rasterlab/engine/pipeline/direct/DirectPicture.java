@@ -21,6 +21,7 @@ import rasterlab.engine.pipeline.triangle.TriangleView;
 import rasterlab.engine.pipeline.triangle.VertexColors;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.LaidTexture;
+import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.texture.TextureSampler;
 
@@ -57,8 +58,10 @@ public final class DirectPicture implements AutoCloseable {
         boolean[] opaque = look.opaque(lights);
         PointLighting[] lighting = lights.forThread();
         TriangleView view = space.view();
-        Function<FaceTriangles, TriangleMesh> lit = lit(lights, look.light());
         List<Batch> batches = Batches.of(lights, opaque);
+        boolean lightShows = batches.stream().anyMatch(b -> lightShows(look, lights.scene(), b));
+        Function<FaceTriangles, TriangleMesh> lit =
+                lightShows ? lit(lights, look.light()) : FaceTriangles::uncolored;
         for (int k = 0; k < batches.size(); k++) {
             Batch batch = batches.get(k);
             Optional<LaidTexture> laid = look.laid(lights.scene().finishes().get(batch.finish()));
@@ -71,6 +74,17 @@ public final class DirectPicture implements AutoCloseable {
                 pipeline.drawOn(background, mesh, view, surface, withDepths(out), cancelled);
             else pipeline.draw(mesh, view, surface, withDepths(out), cancelled);
         }
+    }
+
+    /** Whether anything is seen of a batch's own colours, or a texture hides them. */
+    private static boolean lightShows(DirectLook look, Scene scene, Batch batch) {
+        return look.laid(scene.finishes().get(batch.finish()))
+                .filter(laid -> hidesLight(laid, batch.opaque()))
+                .isEmpty();
+    }
+
+    private static boolean hidesLight(LaidTexture laid, boolean opaque) {
+        return opaque && laid.environment().hidesSurface();
     }
 
     private DepthRaster withDepths(Raster out) {
@@ -113,8 +127,7 @@ public final class DirectPicture implements AutoCloseable {
     private static PixelColors textured(
             DirectLook look, LaidTexture laid, PixelColors light, boolean opaque) {
         var sampler = new TextureSampler(laid.texture(), laid.alongS(), laid.alongT());
-        if (opaque && laid.environment().hidesSurface())
-            return new TexelPixels(sampler, look.filter());
+        if (hidesLight(laid, opaque)) return new TexelPixels(sampler, look.filter());
         return new TexturedPixels(sampler, look.filter(), laid.environment(), light);
     }
 

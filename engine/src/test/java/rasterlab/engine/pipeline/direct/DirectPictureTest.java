@@ -115,6 +115,29 @@ class DirectPictureTest {
         }
     }
 
+    @Test
+    @DisplayName("faces beside texels that hide the surface are not lit")
+    void facesBesideATextureThatHidesTheSurfaceAreLit() {
+        Scene globe = Scenes.named("globe");
+        Finish hidden = globe.finish(0).with(laid(globe.finish(0), Mode.REPLACE));
+        int[] finishOf = IntStream.range(0, globe.mesh().faceCount()).map(f -> f % 2).toArray();
+        Scene scene =
+                new Scene(
+                        globe.name(),
+                        globe.mesh(),
+                        List.of(hidden, Finish.dull(0xFF4020)),
+                        finishOf,
+                        globe.light(),
+                        globe.backgroundRgb(),
+                        globe.defaultCamera(),
+                        globe.pictureScale());
+        for (String shading : LIT) {
+            var request = request(scene, "pipeline", shading, "perspective");
+            double share = wrongShare(request.withVisibility("raycast"), request, answers(request));
+            assertTrue(share <= ALLOWED, () -> shading + ": share of wrong pixels: " + share);
+        }
+    }
+
     @ParameterizedTest(name = "{0}: glass under texels is opaque")
     @EnumSource(names = {"REPLACE", "DECAL"})
     void glassUnderATextureThatHidesItsColourStaysGlass(Mode mode) {
