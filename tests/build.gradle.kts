@@ -30,4 +30,9 @@ application {
     mainClass.set("rasterlab.tests.bench.Bench")
 }
 
-tasks.test { maxParallelForks = 2 }
+tasks.test {
+    maxParallelForks = 2
+    maxHeapSize = "2g"
+    // AssertJ Swing reads a field of java.util.TimerTask.
+    jvmArgs("--add-opens", "java.base/java.util=ALL-UNNAMED")
+}

@@ -29,9 +29,9 @@ record BuildDescription(
     /**
      * @param dependencies {@code group:artifact} (a module of ours: its name) to version and scope
      * @param mainClass empty where the module has none
-     * @param testProcesses how many share its tests
+     * @param tests how its tests are run
      */
-    record Module(Map<String, Dependency> dependencies, String mainClass, String testProcesses) {}
+    record Module(Map<String, Dependency> dependencies, String mainClass, Processes tests) {}
 
     /**
      * @param scope {@code compile}, {@code provided} (while compiling only), {@code runtime} or
@@ -52,11 +52,7 @@ record BuildDescription(
             var mine = modules.get(name);
             var theirs = other.modules.get(name);
             compare(name + ": main class", mine.mainClass, theirs.mainClass, differences);
-            compare(
-                    name + ": test processes",
-                    mine.testProcesses,
-                    theirs.testProcesses,
-                    differences);
+            compareTests(name, mine.tests, theirs.tests, differences);
             for (var key : all(mine.dependencies, theirs.dependencies))
                 compare(
                         name + ": dependency " + key,
@@ -65,6 +61,24 @@ record BuildDescription(
                         differences);
         }
         return differences;
+    }
+
+    private static void compareTests(
+            String module, Processes mine, Processes theirs, List<String> into) {
+        compare(module + ": test processes", mine.count(), theirs.count(), into);
+        compare(module + ": seconds for tests", mine.seconds(), theirs.seconds(), into);
+        var options = new TreeSet<>(mine.options());
+        options.addAll(theirs.options());
+        for (var option : options)
+            compare(
+                    module + ": option of tests " + option,
+                    given(mine, option),
+                    given(theirs, option),
+                    into);
+    }
+
+    private static String given(Processes tests, String option) {
+        return tests.options().contains(option) ? "given" : "not given";
     }
 
     private static void compare(String place, Object mine, Object theirs, List<String> into) {

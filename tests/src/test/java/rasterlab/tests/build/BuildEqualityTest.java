@@ -1,6 +1,7 @@
 package rasterlab.tests.build;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
@@ -28,11 +29,7 @@ class BuildEqualityTest {
     @MethodSource("mistakes")
     void noticesThat(String file, String from, String to, String difference, @TempDir Path copy)
             throws Exception {
-        copyBuildFiles(copy);
-        var edited = copy.resolve(file);
-        var text = Files.readString(edited);
-        assertTrue(text.contains(from), file + " no longer contains '" + from + "'");
-        Files.writeString(edited, text.replaceFirst(java.util.regex.Pattern.quote(from), to));
+        edit(copy, file, from, to);
         var found = MavenBuild.read(copy).differencesTo(GradleBuild.read(copy));
         assertTrue(
                 found.stream().anyMatch(line -> line.startsWith(difference)),
@@ -40,7 +37,8 @@ class BuildEqualityTest {
     }
 
     static Stream<Arguments> mistakes() {
-        return Stream.concat(mistakesInModules(), mistakesInVersions());
+        return Stream.of(mistakesInModules(), mistakesInVersions(), mistakesInTests())
+                .flatMap(mistakes -> mistakes);
     }
 
     private static Stream<Arguments> mistakesInModules() {
@@ -107,12 +105,6 @@ class BuildEqualityTest {
                         "app.Start",
                         "app: main class"),
                 argumentSet(
-                        "the processes of tests differ",
-                        "exercises/build.gradle.kts",
-                        "maxParallelForks = 2",
-                        "maxParallelForks = 3",
-                        "exercises: test processes"),
-                argumentSet(
                         "the Java level differs",
                         "pom.xml",
                         "<maven.compiler.release>17",
@@ -130,6 +122,113 @@ class BuildEqualityTest {
                         "JVM_17",
                         "JVM_21",
                         "Kotlin target"));
+    }
+
+    private static Stream<Arguments> mistakesInTests() {
+        return Stream.of(
+                argumentSet(
+                        "the processes of tests differ",
+                        "exercises/build.gradle.kts",
+                        "maxParallelForks = 2",
+                        "maxParallelForks = 3",
+                        "exercises: test processes"),
+                argumentSet(
+                        "tests may take longer in Gradle",
+                        "build.gradle.kts",
+                        "ofSeconds(1500)",
+                        "ofSeconds(2500)",
+                        "grader: seconds for tests"),
+                argumentSet(
+                        "an option of all tests is missing in Gradle",
+                        "build.gradle.kts",
+                        "jvmArgs(\"-XX:+UseSerialGC\")",
+                        "",
+                        "engine: option of tests -XX:+UseSerialGC: given against not given"),
+                argumentSet(
+                        "an option of all tests is missing in Maven",
+                        "pom.xml",
+                        " ${vector.options}</argLine>",
+                        "</argLine>",
+                        "grader: option of tests @<root>/engine/vector-options: not given"),
+                argumentSet(
+                        "an option of one module's tests is missing in Gradle",
+                        "tests/build.gradle.kts",
+                        "jvmArgs(\"--add-opens\", \"java.base/java.util=ALL-UNNAMED\")",
+                        "",
+                        "tests: option of tests --add-opens=java.base/java.util=ALL-UNNAMED: given"),
+                argumentSet(
+                        "an option of one module's tests is missing in Maven",
+                        "tests/pom.xml",
+                        " --add-opens java.base/java.util=ALL-UNNAMED",
+                        "",
+                        "tests: option of tests --add-opens=java.base/java.util=ALL-UNNAMED: not"),
+                argumentSet(
+                        "the heap of one module's tests differs",
+                        "tests/build.gradle.kts",
+                        "\"2g\"",
+                        "\"3g\"",
+                        "tests: option of tests -Xmx2g"),
+                argumentSet(
+                        "a system property of tests differs",
+                        "pom.xml",
+                        "timeout.default>10 m<",
+                        "timeout.default>20 m<",
+                        "app: option of tests -Djunit.jupiter.execution.timeout.default=10 m"),
+                argumentSet(
+                        "a variable of the environment is Gradle's alone",
+                        "app/build.gradle.kts",
+                        "maxParallelForks = 2",
+                        "environment(\"LANG\", \"C\")",
+                        "app: option of tests LANG=C"));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("unreadable")
+    void refusesToReadThat(String file, String from, String to, String message, @TempDir Path copy)
+            throws Exception {
+        edit(copy, file, from, to);
+        var error =
+                assertThrows(
+                        AssertionError.class,
+                        () -> MavenBuild.read(copy).differencesTo(GradleBuild.read(copy)));
+        assertEquals(message, error.getMessage());
+    }
+
+    static Stream<Arguments> unreadable() {
+        return Stream.of(
+                argumentSet(
+                        "an option comes from a variable",
+                        "build.gradle.kts",
+                        "jvmArgs(\"-XX:+UseSerialGC\")",
+                        "jvmArgs(collector)",
+                        "cannot read the line of tests 'jvmArgs(collector)'"),
+                argumentSet(
+                        "an option stands outside of the tests' blocks",
+                        "grader/build.gradle.kts",
+                        "kotlin {",
+                        "tasks.named<Test>(\"test\") { jvmArgs(\"-ea\") }\n\nkotlin {",
+                        "'<Test>' outside of the blocks of tests"),
+                argumentSet(
+                        "Surefire is told something new",
+                        "pom.xml",
+                        "<runOrder>",
+                        "<reuseForks>false</reuseForks><runOrder>",
+                        "cannot read <reuseForks> of Surefire"),
+                argumentSet(
+                        "Surefire runs twice",
+                        "tests/pom.xml",
+                        "<artifactId>maven-surefire-plugin</artifactId>",
+                        "<artifactId>maven-surefire-plugin</artifactId><executions/>",
+                        "cannot read <executions> of Surefire"));
+    }
+
+    private static void edit(Path copy, String file, String from, String to) throws IOException {
+        copyBuildFiles(copy);
+        var edited = copy.resolve(file);
+        var text = Files.readString(edited);
+        int at = text.indexOf(from);
+        assertTrue(at >= 0, file + " no longer contains '" + from + "'");
+        Files.writeString(edited, text.substring(0, at) + to + text.substring(at + from.length()));
     }
 
     private static void copyBuildFiles(Path copy) throws IOException {

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.dataformat.toml.TomlMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -15,7 +16,8 @@ import rasterlab.tests.Repository;
  * Reads the build as the Gradle scripts and the version catalogue describe it.
  *
  * <p>The scripts are kept so plain that lines of the form {@code configuration(notation)} say
- * everything; a dependency line of any other form is an error here.
+ * everything; a dependency line of any other form is an error here, and a line of tests in {@link
+ * GradleProcesses}.
  */
 final class GradleBuild {
     private static final Pattern INCLUDE = Pattern.compile("include\\(([^)]*)\\)");
@@ -89,11 +91,10 @@ final class GradleBuild {
         var dependencies = new TreeMap<String, BuildDescription.Dependency>();
         addDependencies(common, dependencies);
         addDependencies(script(name), dependencies);
-        var processes = find("maxParallelForks = (\\d+)", script(name));
         return new BuildDescription.Module(
                 dependencies,
                 find("mainClass\\.set\\(\"([^\"]+)\"\\)", script(name)),
-                processes.isEmpty() ? "1" : processes);
+                GradleProcesses.read(List.of(common, script(name))));
     }
 
     private void addDependencies(

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.w3c.dom.Element;
@@ -58,8 +59,8 @@ final class MavenBuild {
         for (var holder : List.of(parent, pom))
             for (var dependency : children(only(holder, "dependencies")))
                 dependencies.put(key(dependency), dependency(dependency));
-        return new BuildDescription.Module(
-                dependencies, property(pom, "main.class"), property(pom, "test.processes"));
+        var tests = SurefireProcesses.read(List.of(parent, pom), text -> resolve(pom, text));
+        return new BuildDescription.Module(dependencies, property(pom, "main.class"), tests);
     }
 
     /** The module's own value, else that of all modules. */
@@ -82,9 +83,19 @@ final class MavenBuild {
     }
 
     private String resolve(String value) {
+        return resolve(parent, value);
+    }
+
+    /** What is no property of these files stays as it stands. */
+    private String resolve(Element pom, String value) {
         return PLACEHOLDER
                 .matcher(value)
-                .replaceAll(match -> properties.getOrDefault(match.group(1), match.group()));
+                .replaceAll(
+                        match -> {
+                            var found = property(pom, match.group(1));
+                            return Matcher.quoteReplacement(
+                                    found == null ? match.group() : resolve(pom, found));
+                        });
     }
 
     private static String key(Element dependency) {
@@ -108,7 +119,7 @@ final class MavenBuild {
                 .orElseThrow(() -> new AssertionError("no <" + name + "> in " + parent));
     }
 
-    private static String text(Element parent, String name) {
+    static String text(Element parent, String name) {
         return children(parent).stream()
                 .filter(element -> element.getTagName().equals(name))
                 .map(element -> element.getTextContent().strip())
@@ -116,7 +127,7 @@ final class MavenBuild {
                 .orElse("");
     }
 
-    private static List<Element> children(Node parent) {
+    static List<Element> children(Node parent) {
         var elements = new ArrayList<Element>();
         for (var node = parent.getFirstChild(); node != null; node = node.getNextSibling())
             if (node instanceof Element element) elements.add(element);
