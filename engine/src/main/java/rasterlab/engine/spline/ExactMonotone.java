@@ -56,13 +56,8 @@ final class ExactMonotone {
 
     /** The four Hermite functions, each times what it blends. */
     private BigDecimal value(double place) {
-        BigDecimal at = new BigDecimal(place);
-        boolean outside = place < problem.x()[0] || place > problem.x()[last];
-        boolean folds = kind == SplineEnds.Kind.PERIODIC && outside;
-        if (folds) {
-            BigDecimal rest = at.subtract(x[0]).remainder(x[last].subtract(x[0]));
-            at = (rest.signum() < 0 ? x[last] : x[0]).add(rest);
-        }
+        boolean folds = problem.folds(place);
+        BigDecimal at = folds ? problem.folded(place) : new BigDecimal(place);
         int i = problem.piece(folds ? at.doubleValue() : place);
         BigDecimal h = width(i);
         BigDecimal t = at.subtract(x[i]).divide(h, PRECISE);

@@ -69,23 +69,13 @@ final class ExactSpline {
     }
 
     private double value(double place) {
-        boolean folds = problem.ends().kind() == SplineEnds.Kind.PERIODIC && outside(place);
-        BigDecimal at = folds ? folded(place) : new BigDecimal(place);
+        boolean folds = problem.folds(place);
+        BigDecimal at = folds ? problem.folded(place) : new BigDecimal(place);
         int i = problem.piece(folds ? at.doubleValue() : place);
         BigDecimal s = at.subtract(x(i));
         BigDecimal rise = quadratic[i].add(s.multiply(cubic[i]), PRECISE);
         return y(i).add(s.multiply(linear[i].add(s.multiply(rise), PRECISE)), FOR_DOUBLE)
                 .doubleValue();
-    }
-
-    private boolean outside(double place) {
-        return place < problem.x()[0] || place > problem.x()[pieces];
-    }
-
-    private BigDecimal folded(double place) {
-        BigDecimal period = x(pieces).subtract(x(0));
-        BigDecimal rest = new BigDecimal(place).subtract(x(0)).remainder(period);
-        return x(0).add(rest.signum() < 0 ? rest.add(period) : rest);
     }
 
     private List<TreeMap<Integer, BigDecimal>> rows() {

@@ -68,7 +68,10 @@ public final class PiecewiseCubic {
         return value(piece, inside.subtract(new BigDecimal(x[piece])).doubleValue());
     }
 
-    /** Exact: a narrow piece would make a wrong value of a place that was rounded. */
+    /**
+     * Exact: a narrow piece would make a wrong value of a place that was rounded. The references
+     * share none of it, see {@link SplineProblem#folded}.
+     */
     private BigDecimal folded(double place) {
         var first = new BigDecimal(x[0]);
         var last = new BigDecimal(x[x.length - 1]);
