@@ -36,7 +36,6 @@ final class StudySection implements TourPart {
     private void make(TourPage page, Topic<?, ?, ?> topic) {
         String name = TopicNames.in(page.texts().language()).topic(topic.name());
         page.heading(page.texts().text("topic", name, topic.name()));
-        page.say(page.texts().text("study.measuring", topic.name()));
         Study study = studies.of(topic);
         String caption = page.texts().text("study.caption", name);
         page.large(

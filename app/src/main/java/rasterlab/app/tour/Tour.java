@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.line.LineTopic;
@@ -55,8 +56,8 @@ public final class Tour {
         return folder.resolve("index.html");
     }
 
-    private static List<TourPart> parts(Optional<Path> home) {
-        var studies = new TourStudies();
+    private List<TourPart> parts(Optional<Path> home) {
+        var studies = new TourStudies(Texts.of("tour", language), progress::println);
         return List.of(
                 new LabPictures(name -> true, () -> studies.of(new LineTopic())),
                 new ScenePictures(),

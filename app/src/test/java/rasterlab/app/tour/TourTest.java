@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Study;
@@ -97,7 +98,8 @@ class TourTest {
     void studyAndExerciseAreShownWithWhatCameOfThem() throws Exception {
         var tour = new Tour(folder, Language.RUSSIAN, System.err);
         // Measured in a second, where lines take ten; the tour's own study is of lines.
-        Supplier<Study> charted = () -> new TourStudies().of(new ShadeTopic());
+        var studies = new TourStudies(Texts.of("tour", Language.RUSSIAN), System.err::println);
+        Supplier<Study> charted = () -> studies.of(new ShadeTopic());
         List<String> labs = List.of("chart", "checked");
         assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted))));
         assertTrue(pixels("chart", MethodColours.PURPLE) > 200, "no chart");
