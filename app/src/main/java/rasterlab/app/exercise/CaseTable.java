@@ -218,7 +218,7 @@ final class CaseTable extends JTable {
             super.getTableCellRendererComponent(table, value, on, focused, row, column);
             boolean coloured =
                     !on && VerdictLook.tried(shown.verdict()) && column != 1 && column != 2;
-            if (coloured) setForeground(VerdictLook.colour(shown.verdict()));
+            if (coloured) setForeground(VerdictLook.colour(shown.verdict(), getBackground()));
             else if (!on) setForeground(table.getForeground());
             String said = shown.said().in(texts.language());
             setToolTipText(said.isEmpty() ? titleAndName() : said);

@@ -92,7 +92,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private void putTogether() {
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
-        unsaved.setForeground(VerdictLook.colour("wrong"));
+        unsaved.setForeground(VerdictLook.colour("wrong", getBackground()));
         if (LargeType.now()) add(chooser("8 10 4 10"), BorderLayout.NORTH);
         result.setBorder(BorderFactory.createEmptyBorder(6, 10, 8, 10));
         rooms = new Rooms(texts, kept.rooms(), task(), work(), result);

@@ -230,7 +230,7 @@ final class JoinForm extends JPanel {
                     case NAME -> student;
                     case TOKEN -> token;
                 };
-        tell(field, refused.problem().in(texts), VerdictLook.colour("wrong"));
+        tell(field, refused.problem().in(texts), VerdictLook.colour("wrong", getBackground()));
         EventQueue.invokeLater(field::requestFocusInWindow);
     }
 

@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.PaleWords;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Points;
@@ -34,7 +35,7 @@ final class ResultHead extends JPanel {
         verdict.setName("result.verdict");
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");
-        where.setForeground(UIManager.getColor("Label.disabledForeground"));
+        where.setForeground(PaleWords.on(getBackground()));
         progress.setName("progress");
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
@@ -93,7 +94,7 @@ final class ResultHead extends JPanel {
                 VerdictLook.sign(said.verdict())
                         + " "
                         + GradingVerdict.word(said.verdict(), texts.locale().getLanguage()));
-        verdict.setForeground(VerdictLook.colour(said.verdict()));
+        verdict.setForeground(VerdictLook.colour(said.verdict(), getBackground()));
         points.setText(points(said.points()));
         where.setText(where(state, said));
         where.setToolTipText(said.isolation().in(texts.language()));

@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
@@ -25,10 +26,12 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextAreaDefaultInputMap;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextAreaEditorKit;
+import org.fife.ui.rsyntaxtextarea.Style;
 import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.fife.ui.rsyntaxtextarea.Theme;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Texts;
 
 /** The editor of a Java source, with messages at its lines; panels wear it in turn. */
@@ -118,10 +121,19 @@ final class SourceEditor extends JPanel {
         try (InputStream in =
                 Theme.class.getResourceAsStream(
                         "/org/fife/ui/rsyntaxtextarea/themes/" + name + ".xml")) {
-            return Theme.load(in);
+            var theme = Theme.load(in);
+            for (Style style : theme.scheme.getStyles())
+                if (style != null) makeReadable(style, theme.bgColor);
+            return theme;
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    private static void makeReadable(Style style, Color paper) {
+        Color ground = style.background == null ? paper : style.background;
+        if (style.foreground != null && MethodColours.contrast(style.foreground, ground) < 4.5)
+            style.foreground = MethodColours.textOn(ground, style.foreground);
     }
 
     /** Measures its type off the screen too, where a component has no graphics of its own. */

@@ -80,7 +80,10 @@ final class StatementKit extends HTMLEditorKit {
         style.addRule("td { border: 1px solid " + line + "; vertical-align: top }");
         style.addRule("th { border: 1px solid " + line + "; text-align: left }");
         style.addRule("p.displayed { text-align: center; margin: 6 0 4 0 }");
-        style.addRule("i.mistake { color: " + css(VerdictLook.colour("wrong")) + " }");
+        style.addRule(
+                "i.mistake { color: "
+                        + css(VerdictLook.colour("wrong", StageColours.now().ground()))
+                        + " }");
         return style;
     }
 

@@ -3,7 +3,6 @@ package rasterlab.app.exercise;
 import java.awt.Color;
 import java.util.Set;
 import rasterlab.app.canvas.MethodColours;
-import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** How a verdict looks: by a sign and by a colour. */
@@ -23,11 +22,10 @@ final class VerdictLook {
         return !UNTRIED.contains(verdict);
     }
 
-    /** Stands out from the ground of the present theme. */
-    static Color colour(String verdict) {
-        var ground = StageColours.now().ground();
+    /** For words on that ground. */
+    static Color colour(String verdict, Color ground) {
         Color own = right(verdict) ? MethodColours.GREEN : MethodColours.VERMILLION;
-        return MethodColours.edgeOn(ground, own);
+        return MethodColours.textOn(ground, own);
     }
 
     private static boolean right(String verdict) {

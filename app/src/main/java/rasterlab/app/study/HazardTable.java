@@ -1,6 +1,5 @@
 package rasterlab.app.study;
 
-import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -18,12 +17,12 @@ import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
-import javax.swing.UIManager;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.PaleWords;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
@@ -234,7 +233,11 @@ final class HazardTable extends JTable {
             Verdict.Kind kind =
                     fresh.map(cell -> cell.verdict().kind()).orElse(recorded(row, column));
             setHorizontalAlignment(CENTER);
-            if (!on) setForeground(fresh.isPresent() ? VerdictSign.of(kind).ink() : pale());
+            if (!on)
+                setForeground(
+                        fresh.isPresent()
+                                ? VerdictSign.of(kind).ink(getBackground())
+                                : PaleWords.on(getBackground()));
             float larger = 1 + SIGN * (getRowHeight() - leastRow) / leastRow;
             setFont(
                     getFont()
@@ -249,10 +252,6 @@ final class HazardTable extends JTable {
                             texts.text("verdict." + kind.code())));
             return this;
         }
-    }
-
-    private static Color pale() {
-        return UIManager.getColor("Label.disabledForeground");
     }
 
     private final class Cells extends AbstractTableModel {

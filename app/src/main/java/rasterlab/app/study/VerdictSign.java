@@ -2,7 +2,6 @@ package rasterlab.app.study;
 
 import java.awt.Color;
 import rasterlab.app.canvas.MethodColours;
-import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.study.Verdict;
 
 /** A verdict as one sign and a colour, which say the same. */
@@ -30,9 +29,8 @@ enum VerdictSign {
         return sign;
     }
 
-    /** On the ground of the present theme. */
-    Color ink() {
-        return MethodColours.edgeOn(StageColours.now().ground(), colour);
+    Color ink(Color ground) {
+        return MethodColours.textOn(ground, colour);
     }
 
     /** Lower-case name, as in keys. */

@@ -13,6 +13,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
@@ -34,6 +37,19 @@ class HazardTableTest {
                 failure -> {
                     throw new AssertionError(failure);
                 });
+    }
+
+    @ParameterizedTest(name = "{0}: a recorded verdict drowns")
+    @EnumSource(LabTheme.class)
+    void recordedVerdictsCanBeRead(LabTheme theme) throws Exception {
+        EventQueue.invokeAndWait(theme::install);
+        try (var model = lines()) {
+            var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
+            table.refresh();
+            var cell = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+            double contrast = MethodColours.contrast(cell.getForeground(), cell.getBackground());
+            assertTrue(contrast >= 4.5, () -> "contrast " + contrast);
+        }
     }
 
     @Test
