@@ -83,7 +83,7 @@ final class SegmentClipMethods {
         return new Method<>(
                 "cohen-sutherland",
                 new About(
-                        "code = signs of ymax − y, y − ymin, xmax − x, x − xmin; nothing left"
+                        "code, highest bit first: signs of x − xmin, xmax − x, y − ymin, ymax − y; nothing left"
                                 + " where c0 ∧ c1 ≠ 0, all left where c0 ∨ c1 = 0",
                         "every code is the exact one; a cut end never gets a removed bit back",
                         "eight signs, and a division for each cut, at most four",
