@@ -13,6 +13,7 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -145,6 +146,17 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
                 .findFirst()
                 .or(() -> handles.stream().findFirst())
                 .ifPresent(PlaneHandle::requestFocusInWindow);
+    }
+
+    /** Gives the keyboard to the added point, where there was room for one. */
+    private void add(double x, double y) {
+        int before = points.size();
+        edits.add(x, y);
+        if (points.size() <= before) return;
+        points.stream()
+                .min(Comparator.comparingDouble(p -> Math.hypot(p.x() - x, p.y() - y)))
+                .ifPresent(nearest -> keyed = nearest.name());
+        focusPoint();
     }
 
     /** What is in sight, without the rings around the points, as an SVG document. */
@@ -316,7 +328,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         @Override
         public void mouseClicked(MouseEvent e) {
             if (e.getClickCount() == 2 && SwingUtilities.isLeftMouseButton(e))
-                edits.add(map().pointedX(e.getX()), map().pointedY(e.getY()));
+                add(map().pointedX(e.getX()), map().pointedY(e.getY()));
         }
 
         @Override
