@@ -13,7 +13,7 @@ subprojects {
 
     dependencies {
         "testImplementation"(rootProject.libs.junit.jupiter)
-        "testRuntimeOnly"(rootProject.libs.junit.platform.launcher)
+        "testImplementation"(rootProject.libs.junit.platform.launcher)
     }
 
     // Letters that are typed in Greek script; \alpha and the like need none of it, and its fonts are not free.

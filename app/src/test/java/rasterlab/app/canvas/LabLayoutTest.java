@@ -25,18 +25,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.UsualLook;
 
 /** A lab's inspector; that all labs of a window hide theirs at once takes a window. */
 class LabLayoutTest {
 
     @AfterEach
     void inspectorsAreShownAgain() throws Exception {
-        EventQueue.invokeAndWait(
-                () -> {
-                    LabTheme.LIGHT.install();
-                    LabLayout.showInspectors(true);
-                    LabLayout.showCrowdingInspectors(false);
-                });
+        EventQueue.invokeAndWait(UsualLook::install);
     }
 
     private static LabLayout lab() {

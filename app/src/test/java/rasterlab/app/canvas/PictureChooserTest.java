@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.EventQueue;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,12 +13,14 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.JFileChooser;
 import javax.swing.plaf.basic.BasicFileChooserUI;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.UsualLook;
 
 class PictureChooserTest {
     @TempDir Path folder;
@@ -45,6 +48,11 @@ class PictureChooserTest {
         chooser = new Recording(asked::add);
         chooser.setDialogType(JFileChooser.SAVE_DIALOG);
         chooser.addActionListener(e -> commands.add(e.getActionCommand()));
+    }
+
+    @AfterEach
+    void forgetWhatWasChosen() throws Exception {
+        EventQueue.invokeAndWait(UsualLook::install);
     }
 
     private Path choose(String name) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.EventQueue;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,10 +12,12 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileFilter;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.UsualLook;
 
 class SceneChooserTest {
     @TempDir Path folder;
@@ -34,6 +37,11 @@ class SceneChooserTest {
                         });
         chooser.setDialogType(JFileChooser.SAVE_DIALOG);
         chooser.addActionListener(e -> commands.add(e.getActionCommand()));
+    }
+
+    @AfterEach
+    void forgetWhatWasChosen() throws Exception {
+        EventQueue.invokeAndWait(UsualLook::install);
     }
 
     private Path choose(String name) {

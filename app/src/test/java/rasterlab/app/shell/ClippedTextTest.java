@@ -21,11 +21,7 @@ import rasterlab.app.language.Language;
 class ClippedTextTest {
     @AfterAll
     static void typeIsOfUsualSizeAgain() throws InterruptedException {
-        OffscreenPainter.onEventThread(
-                () -> {
-                    LabTheme.LIGHT.install();
-                    LabLayout.showCrowdingInspectors(false);
-                });
+        OffscreenPainter.onEventThread(UsualLook::install);
     }
 
     static Stream<Arguments> sizes() {

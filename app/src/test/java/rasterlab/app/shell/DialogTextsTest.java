@@ -21,8 +21,8 @@ class DialogTextsTest {
     private static final Pattern ENGLISH = Pattern.compile("[A-Za-z]{2}");
 
     @AfterEach
-    void speakEnglish() {
-        DialogTexts.install(Language.ENGLISH);
+    void sayNothingOfDialogs() throws Exception {
+        OffscreenPainter.onEventThread(UsualLook::install);
     }
 
     @Test

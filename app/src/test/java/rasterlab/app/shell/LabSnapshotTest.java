@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -16,6 +17,11 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 
 class LabSnapshotTest {
+    @AfterEach
+    void usualLook() throws InterruptedException {
+        OffscreenPainter.onEventThread(UsualLook::install);
+    }
+
     static Stream<Arguments> looks() {
         return Stream.of(LabTheme.values())
                 .flatMap(

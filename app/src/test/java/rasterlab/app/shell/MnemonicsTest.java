@@ -19,6 +19,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -51,6 +52,11 @@ class MnemonicsTest {
 
     /** What each tab and state shows, by its name; made once for both tests. */
     private final Map<Look, Map<String, List<Mnemonic>>> seen = new HashMap<>();
+
+    @AfterAll
+    void usualLook() throws InterruptedException {
+        OffscreenPainter.onEventThread(UsualLook::install);
+    }
 
     static Stream<Arguments> looks() {
         return Stream.of(Language.values())

@@ -34,7 +34,10 @@ class TabRowsTest {
     @BeforeEach
     void haveNoWindow() throws Exception {
         EventQueue.invokeAndWait(
-                () -> KeyboardFocusManager.setCurrentKeyboardFocusManager(new NoWindowActive()));
+                () -> {
+                    before = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+                    KeyboardFocusManager.setCurrentKeyboardFocusManager(new NoWindowActive());
+                });
     }
 
     @AfterEach

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.awt.Color;
+import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -21,6 +22,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,11 +30,17 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.shell.UsualLook;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Study;
 
 class TourTest {
     @TempDir Path folder;
+
+    @AfterEach
+    void usualLook() throws Exception {
+        EventQueue.invokeAndWait(UsualLook::install);
+    }
 
     @Test
     void partThatCannotBeMadeIsSaidAndTheRestIsMade() throws Exception {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -20,18 +21,17 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.UsualLook;
 
 class DriftChartTest {
-    private final Object usual = UIManager.get("Label.font");
-
     @BeforeEach
     void largeType() {
         UIManager.put("Label.font", new FontUIResource("SansSerif", 0, 20));
     }
 
     @AfterEach
-    void usualType() {
-        UIManager.put("Label.font", usual);
+    void usualType() throws Exception {
+        EventQueue.invokeAndWait(UsualLook::install);
     }
 
     @ParameterizedTest(name = "words in large type leave the curves no room: {0}")
