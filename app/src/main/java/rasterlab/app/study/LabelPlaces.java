@@ -4,37 +4,37 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Predicate;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
+import rasterlab.app.study.LabelSpots.Spot;
 
-/** Where labels of points stand in a chart: close to their points, or further off with a leader. */
+/**
+ * Where labels of points stand in a chart: close to their points, or further off with a leader.
+ *
+ * <p>Each takes the best spot that the ones before it leave; then each in turn takes a better one
+ * if there is one, for which it may send another away that has nearly as good a spot elsewhere. The
+ * same labels have always the same places.
+ */
 final class LabelPlaces {
-    /** Half the side of a point's marker and a little more, in pixels. */
-    static final int MARKER = 7;
+    /** Between two labels in a row, in pixels, so that they are not read as one. */
+    static final int GAP = 8;
 
-    /** Between two labels in a row, in pixels, so that they are not read as one number. */
-    private static final int GAP = 3;
+    /** What speaks against two leaders that cross, as of {@link Spot}. */
+    private static final double CROSSED = 120;
 
-    /** Between a label and the frame, in pixels. */
-    private static final int EDGE = 3;
+    /** Another label is sent away only for a gain of more. */
+    private static final double GAIN = 10;
 
-    /** Between a marker and a label close to it, in pixels. */
-    private static final int[] CLOSE = {3, 8};
+    /** Charts are done after a few; of more, the places get hardly better. */
+    private static final int ROUNDS = 8;
 
-    /** Between a marker and a label with a leader, in pixels. */
-    private static final int[] FAR = {14, 24, 36, 50, 70, 95, 130, 170, 220, 280};
+    private final List<List<Spot>> spots;
+    private final Spot[] taken;
 
-    /** Directions around a point that are tried, at equal angles, clockwise from above it. */
-    private static final int DIRECTIONS = 32;
-
-    private final Rectangle inside;
-    private final List<Rectangle> markers;
-    private final List<Line2D> lines;
-    private final List<Rectangle> labels = new ArrayList<>();
+    /** A label and the point to which it belongs. */
+    record Label(Point point, Dimension size) {}
 
     /**
      * @param box of the label
@@ -42,120 +42,117 @@ final class LabelPlaces {
      */
     record Place(Rectangle box, Optional<Line2D> leader) {}
 
+    private LabelPlaces(LabelSpots around, List<Label> labels) {
+        spots = labels.stream().map(around::around).toList();
+        taken = new Spot[labels.size()];
+        Arrays.fill(taken, LabelSpots.NOWHERE);
+    }
+
     /**
+     * The place of each label, in their order; empty where labels and markers leave no room at all.
+     * No label stands on a marker, another label or a leader.
+     *
      * @param inside where labels may stand
      * @param points at which markers are drawn
      * @param lines between points
      */
-    LabelPlaces(Rectangle inside, List<Point> points, List<Line2D> lines) {
-        this.inside = new Rectangle(inside);
-        this.inside.grow(-EDGE, -EDGE);
-        markers = points.stream().map(LabelPlaces::marker).toList();
-        this.lines = new ArrayList<>(lines);
+    static List<Optional<Place>> of(
+            Rectangle inside, List<Point> points, List<Line2D> lines, List<Label> labels) {
+        var places = new LabelPlaces(new LabelSpots(inside, points, lines), labels);
+        places.search();
+        return Arrays.stream(places.taken).map(Spot::place).toList();
     }
 
-    private static Rectangle marker(Point point) {
-        return new Rectangle(point.x - MARKER, point.y - MARKER, 2 * MARKER, 2 * MARKER);
+    private void search() {
+        for (int label = 0; label < taken.length; label++) taken[label] = best(label);
+        boolean better = true;
+        for (int round = 0; better && round < ROUNDS; round++) {
+            better = false;
+            for (int label = 0; label < taken.length; label++)
+                better |= moves(label) || sendsAnotherAway(label);
+        }
     }
 
-    /** Takes a place close to the point, on no label, marker or line; empty if there is none. */
-    Optional<Place> close(Point point, Dimension label) {
-        return boxes(point, label, CLOSE)
-                .filter(this::isFree)
-                .filter(this::isOnNoLine)
-                .findFirst()
-                .map(box -> taken(new Place(box, Optional.empty())));
+    /** The label's best spot beside the others. */
+    private Spot best(int label) {
+        Spot best = LabelSpots.NOWHERE;
+        double least = best.cost();
+        for (Spot spot : spots.get(label)) {
+            if (spot.cost() >= least) break;
+            double cost = cost(label, spot);
+            if (cost >= least) continue;
+            least = cost;
+            best = spot;
+        }
+        return best;
     }
 
-    /**
-     * Takes the nearest place further off, whose leader crosses no label. If there is such a place,
-     * it crosses no marker either and the label stands on no line; if there is none, rather the
-     * label stands on a line. None where labels and markers leave no room at all.
-     */
-    Optional<Place> far(Point point, Dimension label) {
-        return far(point, label, place -> isOnNoLine(place.box()) && crossesNoMarker(point, place))
-                .or(() -> far(point, label, place -> crossesNoMarker(point, place)))
-                .or(() -> far(point, label, place -> isOnNoLine(place.box())))
-                .or(() -> far(point, label, place -> true))
-                .map(this::taken);
+    /** What speaks against the label there, beside the others. */
+    private double cost(int label, Spot spot) {
+        double cost = spot.cost();
+        for (int other = 0; other < taken.length; other++)
+            if (other != label) cost += conflict(spot, taken[other]);
+        return cost;
     }
 
-    private Optional<Place> far(Point point, Dimension label, Predicate<Place> wanted) {
-        return boxes(point, label, FAR)
-                .filter(this::isFree)
-                .map(box -> new Place(box, Optional.of(leader(point, box))))
-                .filter(place -> labels.stream().noneMatch(place.leader().get()::intersects))
-                .filter(wanted)
-                .findFirst();
+    private boolean moves(int label) {
+        double now = cost(label, taken[label]);
+        Spot best = best(label);
+        if (cost(label, best) >= now) return false;
+        taken[label] = best;
+        return true;
     }
 
-    private boolean crossesNoMarker(Point point, Place place) {
-        return markers.stream()
-                .filter(marker -> !marker.contains(point))
-                .noneMatch(place.leader().get()::intersects);
+    private boolean sendsAnotherAway(int label) {
+        double now = cost(label, taken[label]);
+        for (Spot spot : spots.get(label)) {
+            if (spot.cost() + GAIN >= now) return false;
+            List<Integer> inTheWay = inTheWay(label, spot);
+            if (inTheWay.size() == 1 && sendsAway(label, spot, inTheWay.get(0))) return true;
+        }
+        return false;
     }
 
-    private Place taken(Place place) {
-        labels.add(place.box());
-        place.leader().ifPresent(lines::add);
-        return place;
-    }
-
-    private boolean isFree(Rectangle box) {
-        var free = new Rectangle(box);
-        free.grow(GAP, 0);
-        return inside.contains(box)
-                && Stream.of(markers, labels).flatMap(List::stream).noneMatch(free::intersects);
-    }
-
-    private boolean isOnNoLine(Rectangle box) {
-        var free = new Rectangle(box);
-        free.grow(GAP, 0);
-        return lines.stream().noneMatch(free::intersectsLine);
-    }
-
-    /** Of a label around a point, so far from its marker, the nearest first. */
-    private static Stream<Rectangle> boxes(Point point, Dimension label, int[] distances) {
-        return IntStream.of(distances)
+    private List<Integer> inTheWay(int label, Spot spot) {
+        return IntStream.range(0, taken.length)
+                .filter(other -> other != label)
+                .filter(other -> Double.isInfinite(conflict(spot, taken[other])))
+                .limit(2)
                 .boxed()
-                .flatMap(
-                        distance ->
-                                IntStream.range(0, DIRECTIONS)
-                                        .map(LabelPlaces::inTurn)
-                                        .mapToObj(turn -> box(point, label, distance, turn)));
+                .toList();
     }
 
-    /** Above, below, right and left first, then those between them. */
-    private static int inTurn(int number) {
-        int[] quarters = {0, 16, 8, 24};
-        int[] between = {0, 4, 2, -2, 1, -1, 3, -3};
-        return Math.floorMod(quarters[number % 4] + between[number / 4], DIRECTIONS);
+    private boolean sendsAway(int label, Spot spot, int other) {
+        Spot labelBefore = taken[label];
+        Spot otherBefore = taken[other];
+        double before = cost(label, labelBefore) + cost(other, otherBefore);
+        taken[label] = spot;
+        taken[other] = best(other);
+        if (cost(label, spot) + cost(other, taken[other]) + GAIN < before) return true;
+        taken[label] = labelBefore;
+        taken[other] = otherBefore;
+        return false;
     }
 
-    private static Rectangle box(Point point, Dimension label, int distance, int turn) {
-        double angle = 2 * Math.PI * turn / DIRECTIONS;
-        double right = square(Math.sin(angle));
-        double down = -square(Math.cos(angle));
-        double x = point.x + right * (MARKER + distance + label.width / 2.0);
-        double y = point.y + down * (MARKER + distance + label.height / 2.0);
-        return new Rectangle(
-                (int) Math.round(x - label.width / 2.0),
-                (int) Math.round(y - label.height / 2.0),
-                label.width,
-                label.height);
+    /** What speaks against two spots beside each other; infinite where only one can be taken. */
+    private static double conflict(Spot one, Spot two) {
+        if (!one.reach().intersects(two.reach())) return 0;
+        Place here = one.place().get();
+        Place there = two.place().get();
+        if (LabelSpots.grown(here.box(), GAP, 1).intersects(there.box())
+                || crosses(here, there)
+                || crosses(there, here)) return Double.POSITIVE_INFINITY;
+        return here.leader().isPresent()
+                        && there.leader().isPresent()
+                        && here.leader().get().intersectsLine(there.leader().get())
+                ? CROSSED
+                : 0;
     }
 
-    /** From a place on a circle to one on the square around it, part by part. */
-    private static double square(double part) {
-        return Math.max(-1, Math.min(1, part * Math.sqrt(2)));
-    }
-
-    /** From the edge of a point's marker to the nearest place of the box. */
-    private static Line2D leader(Point point, Rectangle box) {
-        double x = Math.max(box.x - 1.0, Math.min(box.getMaxX() + 1, point.x));
-        double y = Math.max(box.y, Math.min(box.getMaxY(), point.y));
-        double away = MARKER / Math.max(MARKER, point.distance(x, y));
-        return new Line2D.Double(
-                point.x + away * (x - point.x), point.y + away * (y - point.y), x, y);
+    /** Whether the leader of one runs through the other's box. */
+    private static boolean crosses(Place one, Place other) {
+        return one.leader()
+                .filter(leader -> leader.intersects(LabelSpots.grown(other.box(), 2, 1)))
+                .isPresent();
     }
 }

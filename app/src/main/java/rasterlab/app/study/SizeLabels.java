@@ -11,7 +11,6 @@ import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiFunction;
 import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.app.canvas.MethodColours;
 
@@ -22,8 +21,12 @@ import rasterlab.app.canvas.MethodColours;
 final class SizeLabels extends Annotation {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
-    /** Share of the label's ink in the line from a point to a label further off. */
-    private static final double LEADER = 0.6;
+    /**
+     * Contrast of the line from a point to a label further off: seen, but no more than the point.
+     *
+     * <p>Source: W3C, Web Content Accessibility Guidelines 2.1, 2018, 1.4.11.
+     */
+    private static final double LEADER = 3;
 
     /**
      * @param cost on the chart's axis to the right
@@ -64,10 +67,23 @@ final class SizeLabels extends Annotation {
     @Override
     public void paint(Graphics2D graphics) {
         graphics.setFont(FONT);
-        var places = new LabelPlaces(inside(), markers(), drawnLines());
-        List<Label> rest = new ArrayList<>();
-        for (Label label : labels) if (!draw(graphics, label, places::close)) rest.add(label);
-        for (Label label : rest) draw(graphics, label, places::far);
+        FontMetrics metrics = graphics.getFontMetrics();
+        List<Optional<LabelPlaces.Place>> places =
+                LabelPlaces.of(
+                        inside(),
+                        markers(),
+                        drawnLines(),
+                        labels.stream().map(label -> measured(label, metrics)).toList());
+        for (int i = 0; i < labels.size(); i++) {
+            Label label = labels.get(i);
+            places.get(i).ifPresent(place -> draw(graphics, label, place));
+        }
+    }
+
+    private LabelPlaces.Label measured(Label label, FontMetrics metrics) {
+        return new LabelPlaces.Label(
+                seen(label.at()),
+                new Dimension(metrics.stringWidth(label.text()), metrics.getAscent()));
     }
 
     private List<java.awt.Point> markers() {
@@ -96,26 +112,25 @@ final class SizeLabels extends Annotation {
         return new Rectangle(left, top, right - left, bottom - top);
     }
 
-    /** Draws the label at a place; false where there is none. */
-    private boolean draw(
-            Graphics2D graphics,
-            Label label,
-            BiFunction<java.awt.Point, Dimension, Optional<LabelPlaces.Place>> places) {
-        FontMetrics metrics = graphics.getFontMetrics();
-        var size = new Dimension(metrics.stringWidth(label.text()), metrics.getAscent());
-        Optional<LabelPlaces.Place> found = places.apply(seen(label.at()), size);
-        found.ifPresent(place -> draw(graphics, label, place));
-        return found.isPresent();
-    }
-
     private void draw(Graphics2D graphics, Label label, LabelPlaces.Place place) {
         Color ink = MethodColours.textOn(ground, label.colour());
-        graphics.setColor(MethodColours.mix(ground, ink, LEADER));
+        graphics.setColor(leader(ink));
         graphics.setStroke(new BasicStroke(1));
         place.leader().ifPresent(graphics::draw);
         graphics.setColor(ink);
         Rectangle box = place.box();
         graphics.drawString(label.text(), box.x, box.y + box.height - 2);
+    }
+
+    /** As much of the ink as it takes to be seen. */
+    private Color leader(Color ink) {
+        double share = 0.5;
+        Color leader = MethodColours.mix(ground, ink, share);
+        while (share < 1 && MethodColours.contrast(leader, ground) < LEADER) {
+            share += 1 / 16.0;
+            leader = MethodColours.mix(ground, ink, share);
+        }
+        return leader;
     }
 
     private java.awt.Point seen(Point point) {

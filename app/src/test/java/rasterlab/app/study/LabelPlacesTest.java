@@ -10,14 +10,169 @@ import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LabelPlacesTest {
     private static final Rectangle CHART = new Rectangle(0, 0, 600, 400);
     private static final Dimension LABEL = new Dimension(60, 11);
     private static final Point MIDDLE = new Point(300, 200);
+
+    /** The place of a label at that point, the only one of the chart. */
+    private static LabelPlaces.Place only(Point point, List<Point> points, List<Line2D> lines) {
+        return places(List.of(point), points, lines).get(0).orElseThrow();
+    }
+
+    private static List<Optional<LabelPlaces.Place>> places(
+            List<Point> labelled, List<Point> points, List<Line2D> lines) {
+        return LabelPlaces.of(
+                CHART,
+                points,
+                lines,
+                labelled.stream().map(point -> new LabelPlaces.Label(point, LABEL)).toList());
+    }
+
+    private static List<Optional<LabelPlaces.Place>> places(List<Point> labelled) {
+        return places(labelled, labelled, List.of());
+    }
+
+    /** So many points, most of them near the middle. */
+    private static List<Point> crowd(int seed, int points) {
+        var random = new Random(seed);
+        return IntStream.range(0, points)
+                .mapToObj(
+                        i ->
+                                new Point(
+                                        MIDDLE.x + (int) (40 * random.nextGaussian()),
+                                        MIDDLE.y + (int) (25 * random.nextGaussian())))
+                .toList();
+    }
+
+    private static Rectangle marker(Point point) {
+        return new Rectangle(point.x - 6, point.y - 6, 12, 12);
+    }
+
+    private static double distance(Point point, Rectangle box) {
+        double x = Math.max(box.getMinX(), Math.min(box.getMaxX(), point.x));
+        double y = Math.max(box.getMinY(), Math.min(box.getMaxY(), point.y));
+        return point.distance(x, y);
+    }
+
+    @ParameterizedTest(name = "a label lies on a point or another label in crowd {0}")
+    @ValueSource(ints = {1, 2, 3, 4})
+    void labelsLieOnNothing(int seed) {
+        List<Point> crowd = crowd(seed, 24);
+        List<LabelPlaces.Place> places = places(crowd).stream().flatMap(Optional::stream).toList();
+        for (LabelPlaces.Place one : places) {
+            for (LabelPlaces.Place two : places)
+                if (one != two) {
+                    assertFalse(one.box().intersects(two.box()), one + " on " + two);
+                    assertFalse(
+                            one.leader().filter(l -> l.intersects(two.box())).isPresent(),
+                            one + " through " + two);
+                }
+            for (Point point : crowd)
+                assertFalse(one.box().intersects(marker(point)), one + " on " + point);
+        }
+    }
+
+    @ParameterizedTest(
+            name = "a leader of crowd {0} begins at another point or ends beside its label")
+    @ValueSource(ints = {1, 2, 3, 4})
+    void leaderJoinsALabelToItsOwnPoint(int seed) {
+        List<Point> crowd = crowd(seed, 24);
+        List<Optional<LabelPlaces.Place>> places = places(crowd);
+        int leaders = 0;
+        for (int i = 0; i < crowd.size(); i++) {
+            if (places.get(i).isEmpty() || places.get(i).get().leader().isEmpty()) continue;
+            leaders++;
+            LabelPlaces.Place place = places.get(i).get();
+            Line2D leader = place.leader().get();
+            assertEquals(LabelSpots.MARKER, crowd.get(i).distance(leader.getP1()), 1e-9);
+            assertTrue(distance(rounded(leader), place.box()) <= 1.5, place.toString());
+            assertEquals(
+                    0,
+                    new Line2D.Double(crowd.get(i), leader.getP2()).ptLineDist(leader.getP1()),
+                    1e-6,
+                    "it points at its point");
+        }
+        assertTrue(leaders > 3, leaders + " leaders in a crowd");
+    }
+
+    private static Point rounded(Line2D leader) {
+        return new Point((int) Math.round(leader.getX2()), (int) Math.round(leader.getY2()));
+    }
+
+    @ParameterizedTest(name = "a label without a leader is as near to another point of crowd {0}")
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6})
+    void labelWithoutALeaderIsNearestToItsOwnPoint(int seed) {
+        List<Point> crowd = crowd(seed, 16);
+        List<Optional<LabelPlaces.Place>> places = places(crowd);
+        for (int i = 0; i < crowd.size(); i++) {
+            Point own = crowd.get(i);
+            Optional<LabelPlaces.Place> place =
+                    places.get(i).filter(found -> found.leader().isEmpty());
+            if (place.isEmpty()) continue;
+            for (Point other : crowd)
+                if (other.distance(own) > 3)
+                    assertTrue(
+                            distance(own, place.get().box()) < distance(other, place.get().box()),
+                            place + " of " + own + " beside " + other);
+        }
+    }
+
+    @Test
+    @DisplayName("a label in one row with another point is read as that point's")
+    void labelStandsInNoRowOfAnotherPoint() {
+        var other = new Point(MIDDLE.x + 45, MIDDLE.y - 15);
+        LabelPlaces.Place place = only(MIDDLE, List.of(MIDDLE, other), List.of());
+        assertTrue(place.leader().isEmpty());
+        assertTrue(place.box().getMinY() > other.y, place.toString());
+    }
+
+    @Test
+    @DisplayName("a label has a leader as one that has room elsewhere took its only place beside")
+    void labelGivesItsPlaceToOneThatHasNoOther() {
+        var free = new Point(300, 206);
+        var belowLines = new Point(300, 169);
+        List<Line2D> lines =
+                IntStream.rangeClosed(0, 9)
+                        .<Line2D>mapToObj(
+                                i -> new Line2D.Double(200, 100 + 8 * i, 400, 100 + 8 * i))
+                        .toList();
+        List<Point> points = List.of(free, belowLines);
+        for (Optional<LabelPlaces.Place> place : places(points, points, lines))
+            assertTrue(place.orElseThrow().leader().isEmpty(), place.toString());
+    }
+
+    @ParameterizedTest(
+            name = "a label of {0} points at nearly one place is left out beside free room")
+    @ValueSource(ints = {8, 12, 16})
+    void labelsOfPointsAtOnePlaceAllFindRoom(int points) {
+        List<Point> one =
+                IntStream.range(0, points)
+                        .mapToObj(i -> new Point(MIDDLE.x + i % 4, MIDDLE.y + i / 4))
+                        .toList();
+        assertEquals(points, places(one).stream().filter(Optional::isPresent).count());
+    }
+
+    @ParameterizedTest(name = "leaders cross beside places where they would not in crowd {0}")
+    @ValueSource(ints = {1, 2, 3, 4})
+    void leadersDoNotCross(int seed) {
+        List<Line2D> leaders =
+                places(crowd(seed, 16)).stream()
+                        .flatMap(Optional::stream)
+                        .flatMap(place -> place.leader().stream())
+                        .toList();
+        for (int i = 0; i < leaders.size(); i++)
+            for (Line2D other : leaders.subList(0, i))
+                assertFalse(leaders.get(i).intersectsLine(other), "leaders " + i + " of " + seed);
+    }
 
     @Test
     @DisplayName("a point among others has no label, or one that nothing joins to it")
@@ -26,33 +181,9 @@ class LabelPlacesTest {
                 IntStream.range(0, 49)
                         .mapToObj(i -> new Point(240 + 20 * (i % 7), 140 + 20 * (i / 7)))
                         .toList();
-        var places = new LabelPlaces(CHART, crowd, List.of());
-        assertTrue(places.close(MIDDLE, LABEL).isEmpty());
-        LabelPlaces.Place place = places.far(MIDDLE, LABEL).orElseThrow();
-        Line2D leader = place.leader().orElseThrow();
-        assertEquals(LabelPlaces.MARKER, MIDDLE.distance(leader.getP1()), 1e-9);
-        var touched = new Rectangle(place.box());
-        touched.grow(2, 2);
-        assertTrue(touched.contains(leader.getP2()), leader.getP2() + " beside " + place.box());
+        LabelPlaces.Place place = only(MIDDLE, crowd, List.of());
+        assertTrue(place.leader().isPresent());
         for (Point point : crowd) assertFalse(place.box().contains(point), point.toString());
-    }
-
-    @Test
-    @DisplayName("a leader runs through a label or another point")
-    void leadersCrossNoLabelAndNoMarkerBesideFreePlaces() {
-        Point other = new Point(300, 170);
-        var points = List.of(MIDDLE, other, new Point(330, 200), new Point(270, 200));
-        var places = new LabelPlaces(CHART, points, List.of());
-        var taken = new ArrayList<LabelPlaces.Place>();
-        for (int i = 0; i < 8; i++) taken.add(places.far(MIDDLE, LABEL).orElseThrow());
-        for (LabelPlaces.Place one : taken)
-            for (LabelPlaces.Place two : taken)
-                if (one != two) {
-                    assertFalse(one.box().intersects(two.box()));
-                    assertFalse(one.leader().orElseThrow().intersects(two.box()));
-                }
-        Line2D first = taken.get(0).leader().orElseThrow();
-        assertFalse(first.intersects(other.x - 7, other.y - 7, 14, 14));
     }
 
     @Test
@@ -69,8 +200,7 @@ class LabelPlacesTest {
                 IntStream.range(0, 45)
                         .<Line2D>mapToObj(i -> new Line2D.Double(280, 9 * i, 320, 9 * i))
                         .toList();
-        var places = new LabelPlaces(CHART, wall, lines);
-        Line2D leader = places.far(MIDDLE, LABEL).orElseThrow().leader().orElseThrow();
+        Line2D leader = only(MIDDLE, wall, lines).leader().orElseThrow();
         for (Point other : wall.subList(1, wall.size()))
             assertFalse(leader.intersects(other.x - 7, other.y - 7, 14, 14), other.toString());
     }
@@ -78,11 +208,9 @@ class LabelPlacesTest {
     @Test
     @DisplayName("a label lies on the frame")
     void labelKeepsOffTheFrame() {
-        var low = new Point(300, CHART.height - LabelPlaces.MARKER);
+        var low = new Point(300, CHART.height - LabelSpots.MARKER);
         var crowd = List.of(low, new Point(300, low.y - 20), new Point(260, low.y));
-        var places = new LabelPlaces(CHART, crowd, List.of());
-        Rectangle box =
-                places.close(low, LABEL).or(() -> places.far(low, LABEL)).orElseThrow().box();
+        Rectangle box = only(low, crowd, List.of()).box();
         var free = new Rectangle(box);
         free.grow(3, 3);
         assertTrue(CHART.contains(free), box.toString());
@@ -93,17 +221,18 @@ class LabelPlacesTest {
     void labelStandsOnALineOnlyWhereThereIsNoOtherPlace() {
         var lines = new ArrayList<Line2D>();
         for (int y = 0; y < 400; y += 9) lines.add(new Line2D.Double(0, y, 600, y));
-        var places = new LabelPlaces(CHART, List.of(MIDDLE), lines);
-        assertTrue(places.close(MIDDLE, LABEL).isEmpty());
-        assertTrue(places.far(MIDDLE, LABEL).isPresent());
+        assertTrue(only(MIDDLE, List.of(MIDDLE), lines).leader().isPresent());
     }
 
     @Test
-    void closeLabelHasNoLeader() {
-        var places = new LabelPlaces(CHART, List.of(MIDDLE), List.of());
-        LabelPlaces.Place place = places.close(MIDDLE, LABEL).orElseThrow();
-        assertTrue(place.leader().isEmpty());
-        assertEquals(MIDDLE.x, place.box().getCenterX(), 1);
-        assertEquals(MIDDLE.y - LabelPlaces.MARKER - 3, place.box().getMaxY(), 1);
+    @DisplayName("labels of few points have other places than right above them, or leaders")
+    void labelsOfFewPointsStandRightAboveThem() {
+        List<Point> few = List.of(MIDDLE, new Point(200, 200), new Point(100, 100));
+        for (int i = 0; i < few.size(); i++) {
+            LabelPlaces.Place place = places(few).get(i).orElseThrow();
+            assertTrue(place.leader().isEmpty());
+            assertEquals(few.get(i).x, place.box().getCenterX(), 1);
+            assertEquals(few.get(i).y - LabelSpots.MARKER - 3, place.box().getMaxY(), 1);
+        }
     }
 }
