@@ -36,22 +36,31 @@ record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths
     private Picture picture(RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
         long start = System.nanoTime();
         try {
-            Raster raster = drawn(request, maker, cancelled);
-            return new Picture(request, raster, System.nanoTime() - start, Optional.empty());
+            Optional<FaceDrawing> drawing = watched(request);
+            Raster raster =
+                    drawing.isPresent()
+                            ? drawn(drawing.get(), cancelled)
+                            : maker.picture(request, cancelled);
+            var picture = new Picture(request, raster, System.nanoTime() - start);
+            boolean lent = depths && drawing.filter(found -> !found.keepsDepths()).isPresent();
+            return lent ? picture.lentBy(FaceDrawing.USUAL_BUFFER) : picture;
         } catch (IllegalArgumentException refusal) {
             var empty = new Raster(request.width(), request.height());
             empty.clear(0xFF000000 | request.scene().backgroundRgb());
-            return new Picture(request, empty, 0, Optional.of(refusal.getMessage()));
+            return new Picture(request, empty, 0).refused(refusal.getMessage());
         }
     }
 
-    private Raster drawn(RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
-        if (!depths && steps == ALL) return maker.picture(request, cancelled);
-        Optional<FaceDrawing> drawing = FaceDrawing.of(request);
-        if (drawing.isEmpty()) return maker.picture(request, cancelled);
-        if (depths) return drawing.get().depths(steps, cancelled).picture(NO_DEPTH);
-        if (!drawing.get().hasSteps()) return maker.picture(request, cancelled);
-        return stepped(drawing.get(), cancelled);
+    /** Empty where the whole picture in its colours is wanted, or nothing else can be had. */
+    private Optional<FaceDrawing> watched(RenderRequest request) {
+        if (!depths && steps == ALL) return Optional.empty();
+        return FaceDrawing.of(request).filter(drawing -> depths || drawing.hasSteps());
+    }
+
+    private Raster drawn(FaceDrawing drawing, BooleanSupplier cancelled) {
+        return depths
+                ? drawing.depths(steps, cancelled).picture(NO_DEPTH)
+                : stepped(drawing, cancelled);
     }
 
     private Raster stepped(FaceDrawing drawing, BooleanSupplier cancelled) {

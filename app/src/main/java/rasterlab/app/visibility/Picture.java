@@ -9,5 +9,24 @@ import rasterlab.engine.raster.Raster;
  *
  * @param nanos how long it took to make
  * @param refusal what the method said instead of drawing; the picture is then empty
+ * @param lent the method whose depths the picture shows, because its own keeps none
  */
-public record Picture(RenderRequest request, Raster raster, long nanos, Optional<String> refusal) {}
+public record Picture(
+        RenderRequest request,
+        Raster raster,
+        long nanos,
+        Optional<String> refusal,
+        Optional<String> lent) {
+    Picture(RenderRequest request, Raster raster, long nanos) {
+        this(request, raster, nanos, Optional.empty(), Optional.empty());
+    }
+
+    Picture refused(String said) {
+        return new Picture(request, raster, nanos, Optional.of(said), lent);
+    }
+
+    /** The same with the depths of another method. */
+    Picture lentBy(String method) {
+        return new Picture(request, raster, nanos, refusal, Optional.of(method));
+    }
+}

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.visibility.FaceOutlines;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.VisibilityStep;
@@ -140,13 +141,21 @@ final class StageOverlay {
     }
 
     /** A sentence over the picture's lower part. */
-    void sentence(List<String> lines, int x, int bottom, Color ground, Color ink) {
+    void sentence(List<String> lines, int x, int bottom) {
+        sentenceBelow(lines, x, bottom - lineHeight() * lines.size());
+    }
+
+    void sentenceBelow(List<String> lines, int x, int top) {
+        Color ground = StageColours.now().ground();
         var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), PLATE_ALPHA);
-        int high = g.getFontMetrics().getHeight() + 2;
-        int y = bottom - high * lines.size();
+        int y = top;
         for (String line : lines) {
-            y += high;
-            Plates.plate(g, line, x, y, plate, ink);
+            y += lineHeight();
+            Plates.plate(g, line, x, y, plate, StageColours.now().ink());
         }
+    }
+
+    private int lineHeight() {
+        return g.getFontMetrics().getHeight() + 2;
     }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.visibility.DepthBuffer;
 import rasterlab.engine.visibility.Visibility;
 
 /**
@@ -38,6 +39,18 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
     /** Whether a picture by that method has edges. */
     boolean drawsEdges(VisibilityChoice choice, String method) {
         return choice.edges() && canDrawEdges(method) && !choice.shading().equals("wire");
+    }
+
+    /** Whether the chosen method's steps are watched: not while another's depths are shown. */
+    boolean watchesSteps(VisibilityChoice choice) {
+        return choice.drawing()
+                && (choice.view() != StageView.DEPTHS || keepsDepths(choice.visibility()));
+    }
+
+    private boolean keepsDepths(String name) {
+        return methods.stream()
+                .filter(method -> method.name().equals(name))
+                .anyMatch(method -> DepthBuffer.keptBy(method.implementation()));
     }
 
     /** Two share the stage. */
@@ -76,7 +89,7 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
                 request(choice, choice.visibility()),
                 second(choice).map(method -> request(choice, method)),
                 choice.view() == StageView.DEPTHS,
-                choice.drawing() ? step : Frame.ALL);
+                watchesSteps(choice) ? step : Frame.ALL);
     }
 
     /** The whole pictures without edges, whose wrong pixels are counted. */

@@ -9,7 +9,7 @@ import rasterlab.engine.naming.Named;
 public enum StageView {
     /** The picture. */
     COLOURS,
-    /** The depths that the method keeps. */
+    /** The depths that the method keeps; where it keeps none, those of the usual buffer. */
     DEPTHS,
     /** How the methods' work grows. */
     GROWTH,

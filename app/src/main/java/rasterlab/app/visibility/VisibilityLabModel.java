@@ -351,7 +351,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         boolean moved = !choice.shown().equals(old.shown());
         if (other || moved) times.clear();
         boolean keepsStep = choice.drawing() && !other && !moved;
-        boolean keepsSteps = keepsStep && old.drawing();
+        boolean keepsSteps = keepsStep && stage.watchesSteps(choice) && stage.watchesSteps(old);
         VisibilityLabState next = state.with(choice).at(keepsStep ? state.step() : Frame.ALL);
         publish(keepsSteps ? next : next.withDrawn(Optional.empty()));
         differences.cancel();
@@ -360,7 +360,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         pictures.ask(stage.frame(choice, state.step()));
         compared = Optional.empty();
         if (counted || choice.difference()) count();
-        if (choice.drawing()) walks.ask(stage.request(choice, choice.visibility()));
+        if (stage.watchesSteps(choice)) walks.ask(stage.request(choice, choice.visibility()));
         askPixel();
     }
 
@@ -384,7 +384,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void accept(RenderRequest request, Optional<Drawn> found) {
-        if (state.choice().drawing()) publish(state.withDrawn(found));
+        if (stage.watchesSteps(state.choice())) publish(state.withDrawn(found));
     }
 
     private void accept(PixelReport found) {

@@ -95,7 +95,7 @@ final class VisibilityReadings {
     List<String> work() {
         if (!state.choice().drawing())
             return List.of(texts.text("stepNow.off"), "–", "–", "–", "–");
-        if (state.drawn().isEmpty()) return List.of(texts.text("stepNow.none"), "–", "–", "–", "–");
+        if (state.drawn().isEmpty()) return List.of(noSteps(), "–", "–", "–", "–");
         Drawn drawn = state.drawn().get();
         int done = Math.min(state.step(), drawn.steps().size());
         VisibilityWork work = drawn.work();
@@ -105,6 +105,11 @@ final class VisibilityReadings {
                 count(work.comparisons()),
                 count(work.depthTests()),
                 count(work.pixelsWritten()));
+    }
+
+    private String noSteps() {
+        boolean lent = state.picture().flatMap(Picture::lent).isPresent();
+        return texts.text(lent ? "stepNow.lent" : "stepNow.none");
     }
 
     /** So far and in all; in all only where they were made before the first step. */

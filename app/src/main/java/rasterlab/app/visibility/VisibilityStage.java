@@ -250,6 +250,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 .ifPresent(pixel -> overlay.pixel(pixel.x(), pixel.y()));
         if (!state.choice().comparison().isEmpty()) overlay.name(picture.request().visibility(), 0);
         picture.refusal().ifPresent(message -> refuse(overlay, over, picture, message, scale));
+        picture.lent().ifPresent(lender -> tellLender(overlay, over, picture, lender, scale));
         over.dispose();
     }
 
@@ -270,6 +271,14 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         say(overlay, g, said, width, getHeight() / 2);
     }
 
+    /** Says whose depths are shown, below where a method's name stands. */
+    private void tellLender(
+            StageOverlay overlay, Graphics2D g, Picture picture, String lender, double scale) {
+        String said = texts.text("depths.lent", lender, picture.request().visibility());
+        int width = (int) (picture.raster().width() / scale);
+        overlay.sentenceBelow(lines(said, width, g), 24, 2 * g.getFontMetrics().getHeight());
+    }
+
     private void sayProblem(Graphics2D g, VisibilityLabState state) {
         String problem = state.problem();
         String said =
@@ -287,9 +296,11 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     private static void say(
             StageOverlay overlay, Graphics2D g, String sentence, int width, int bottom) {
-        List<String> lines = Wrapping.lines(sentence, width - 48, g.getFontMetrics()::stringWidth);
-        StageColours colours = StageColours.now();
-        overlay.sentence(lines, 24, bottom, colours.ground(), colours.ink());
+        overlay.sentence(lines(sentence, width, g), 24, bottom);
+    }
+
+    private static List<String> lines(String sentence, int width, Graphics2D g) {
+        return Wrapping.lines(sentence, width - 48, g.getFontMetrics()::stringWidth);
     }
 
     /** The pixel under a place of the stage, of whichever picture lies there. */

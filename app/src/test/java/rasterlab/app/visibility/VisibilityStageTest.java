@@ -64,6 +64,21 @@ class VisibilityStageTest {
     }
 
     @Test
+    @DisplayName("depths are shown as a painter's, who has none")
+    void depthsOfAnotherMethodAreNamedAsItsOwn() throws Exception {
+        model.choose(
+                choice ->
+                        choice.withVisibility("painter")
+                                .withComparison("z16")
+                                .withView(StageView.DEPTHS));
+        OffscreenPainter.paint(stage, 2400, 160);
+        String svg = stage.svg().document();
+        Texts texts = Texts.of("visibility", Language.RUSSIAN);
+        assertTrue(svg.contains(">" + texts.text("depths.lent", "zfloat", "painter")), svg);
+        assertFalse(svg.contains(texts.text("depths.lent", "zfloat", "z16")), "of z16's own");
+    }
+
+    @Test
     @DisplayName("a chart is copied as a picture made larger")
     void chartIsDrawnByLinesAndText() throws InterruptedException {
         model.choose(choice -> choice.withView(StageView.PRECISION));

@@ -83,11 +83,11 @@ public record FaceDrawing(ViewedMesh view, FacePaint paint, Visibility method, i
     }
 
     /**
-     * The depths after so many steps: the method's own, or those of {@value #USUAL_BUFFER} where it
-     * keeps none.
+     * The method's own depths after so many steps; where it keeps none, all those of {@value
+     * #USUAL_BUFFER}, whose steps are others.
      */
     public DepthBuffer depths(int steps, BooleanSupplier cancelled) {
-        Visibility keeper = keepsDepths() ? method : method(USUAL_BUFFER);
-        return DepthBuffer.of(view, keeper, paint, steps, cancelled);
+        if (keepsDepths()) return DepthBuffer.of(view, method, paint, steps, cancelled);
+        return DepthBuffer.of(view, method(USUAL_BUFFER), paint, Integer.MAX_VALUE, cancelled);
     }
 }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -126,6 +127,15 @@ class FaceDrawingTest {
                 .depths(Integer.MAX_VALUE, () -> false)
                 .at(60, 45)
                 .orElseThrow();
+    }
+
+    @Test
+    @DisplayName("steps of a method without depths are taken for those of another's buffer")
+    void depthsOfAnotherMethodAreAllThere() {
+        int[] all =
+                drawing("interpenetrating", "zfloat").depths(10_000, () -> false).picture(0).argb();
+        FaceDrawing painted = drawing("interpenetrating", "painter");
+        assertArrayEquals(all, painted.depths(1, () -> false).picture(0).argb());
     }
 
     @Test
