@@ -18,6 +18,8 @@ import javax.swing.JEditorPane;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -54,6 +56,14 @@ class RowInspectorTest {
         refreshed();
         assertFalse(text("verdict.value").equals("—"));
         assertFalse(numbers().contains("—"), numbers());
+    }
+
+    @ParameterizedTest(name = "the list that leads to the rows has another name among them: {0}")
+    @EnumSource
+    void listOfTopicsHasOneName(Language language) {
+        String here = Texts.of("row", language).label("mode");
+        for (String tab : List.of("visibility", "light"))
+            assertEquals(Texts.of(tab, language).label("mode"), here, tab);
     }
 
     private void refreshed() throws InterruptedException, InvocationTargetException {
