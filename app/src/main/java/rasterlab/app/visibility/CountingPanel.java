@@ -12,15 +12,16 @@ final class CountingPanel extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient VisibilityLabModel model;
+    private final transient Texts texts;
+    private final JLabel said = new JLabel();
     private final JProgressBar bar = new JProgressBar(0, 100);
 
     CountingPanel(VisibilityLabModel model, Texts texts) {
         super(new MigLayout("insets 12, wrap 1, gap 8", "[center,grow,fill]"));
         this.model = model;
-        var said = new JLabel(texts.text("counting"));
+        this.texts = texts;
         said.setName("counting");
         bar.setName("counting.progress");
-        bar.getAccessibleContext().setAccessibleName(texts.text("counting"));
         bar.setStringPainted(true);
         var cancel = new JButton(texts.text("counting.cancel"));
         cancel.setName("counting.cancel");
@@ -28,7 +29,7 @@ final class CountingPanel extends JPanel {
         add(said);
         add(bar, "wmin 220");
         add(cancel, "growx 0");
-        setVisible(false);
+        refresh(StageView.COLOURS);
     }
 
     private void cancel() {
@@ -36,11 +37,12 @@ final class CountingPanel extends JPanel {
         model.choose(choice -> choice.withView(StageView.COLOURS));
     }
 
-    /**
-     * @param wanted whether a chart is what the stage shows
-     */
-    void refresh(boolean wanted) {
-        setVisible(wanted && model.charts().chart().isEmpty());
+    /** Says what is being counted, where that is a chart. */
+    void refresh(StageView view) {
+        setVisible(view.isChart() && model.charts().chart().isEmpty());
+        if (!view.isChart()) return;
+        said.setText(texts.text("counting." + view.code()));
+        bar.getAccessibleContext().setAccessibleName(said.getText());
         bar.setValue((int) Math.round(100 * model.charts().progress()));
     }
 }

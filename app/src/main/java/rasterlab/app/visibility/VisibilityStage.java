@@ -141,7 +141,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     void refresh() {
         VisibilityChoice choice = model.state().choice();
         askForChart();
-        counting.refresh(choice.view().isChart());
+        counting.refresh(choice.view());
         pointed.setVisible(pointed.isVisible() && !choice.view().isChart());
         revalidate();
         repaint();
