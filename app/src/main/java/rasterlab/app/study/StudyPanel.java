@@ -211,8 +211,7 @@ public final class StudyPanel extends LabPanel {
         StudyWork work = state.work();
         progress.setMaximum(Math.max(1, work.of()));
         progress.setValue(work.done());
-        if (work.running())
-            progress.setString(texts.text("progress.at", work.done(), work.of(), at(work)));
+        if (work.running()) progress.setString(words.progress(work, at(work)));
         else progress.setString(resting(state));
     }
 

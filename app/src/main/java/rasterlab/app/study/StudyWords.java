@@ -87,6 +87,17 @@ public final class StudyWords {
         return texts.text("chart.exact");
     }
 
+    /**
+     * How far a measurement is.
+     *
+     * @param last what was finished last, "" before the first
+     */
+    String progress(StudyWork work, String last) {
+        return last.isEmpty()
+                ? texts.text("progress.begun", work.done(), work.of())
+                : texts.text("progress.at", work.done(), work.of(), last);
+    }
+
     String notTimed() {
         return texts.text("chart.notTimed");
     }
