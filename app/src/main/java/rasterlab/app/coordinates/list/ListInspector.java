@@ -21,6 +21,12 @@ import rasterlab.app.language.Texts;
 
 /** The list with its controls, the matrices and the coordinate table. */
 final class ListInspector {
+    private static final List<String> EXAMPLES =
+            Stream.of(Example.values()).map(Example::code).toList();
+
+    /** What is in the list of examples while another list is shown. */
+    private static final String OWN = "own";
+
     private final ListLabModel model;
     private final Texts texts;
     private final Texts translations;
@@ -91,16 +97,20 @@ final class ListInspector {
         about = parts.about();
     }
 
-    /** Shows no name once the list is no example any more. */
     private void addExamples() {
         example =
                 new NameChooser(
                         "example",
-                        Stream.of(Example.values()).map(Example::code).toList(),
+                        EXAMPLES,
                         code -> texts.text("example." + code),
-                        code -> model.show(Example.named(code)));
-        example.setMaximumRowCount(Example.values().length);
+                        this::chooseExample);
+        example.setMaximumRowCount(EXAMPLES.size() + 1);
         column.row("example", example);
+    }
+
+    /** A list of one's own is shown already. */
+    private void chooseExample(String code) {
+        if (!code.equals(OWN)) model.show(Example.named(code));
     }
 
     private void addList() {
@@ -122,7 +132,8 @@ final class ListInspector {
     /** Shows the model's present state. */
     void refresh() {
         ListChoice choice = model.choice();
-        example.show(Example.shown(choice).map(Example::code).orElse(null));
+        example.showListed(Example.shown(choice).map(Example::code).orElse(OWN), EXAMPLES);
+        example.setToolTipText(null);
         subject.show(choice.subject().code());
         reading.show(choice.reading().code());
         tried.refresh();
