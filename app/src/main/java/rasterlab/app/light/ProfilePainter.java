@@ -56,6 +56,7 @@ final class ProfilePainter {
         box.setRect(box.x, box.y + wrapped, box.width, box.height - wrapped);
         if (box.width < 10 || box.height < 10) return;
         axes(box);
+        nameBrightness(box);
         boolean mach = drawn.choice().mach();
         for (int i = 0; i < drawn.pictures().size(); i++) {
             LightFrame.Picture picture = drawn.pictures().get(i);
@@ -70,10 +71,34 @@ final class ProfilePainter {
     static Rectangle2D.Double box(int width, int height, FontMetrics metrics, Locale locale) {
         int top = metrics.getHeight() + 12;
         int bottom = metrics.getHeight() + 6;
-        int left = BESIDE;
+        int left = nameRoom(metrics) + BESIDE;
         for (double level = 0; level <= 1; level += LEVELS)
-            left = Math.max(left, metrics.stringWidth(level(level, locale)) + 2 * BESIDE);
+            left =
+                    Math.max(
+                            left,
+                            nameRoom(metrics)
+                                    + metrics.stringWidth(level(level, locale))
+                                    + 2 * BESIDE);
         return new Rectangle2D.Double(left, top, width - left - RIGHT, height - top - bottom);
+    }
+
+    /** Left of the levels, for a name written upwards. */
+    private static int nameRoom(FontMetrics metrics) {
+        return metrics.getHeight();
+    }
+
+    /** Upwards along the levels; left out where it is longer than they are high. */
+    private void nameBrightness(Rectangle2D box) {
+        FontMetrics metrics = g.getFontMetrics();
+        String name = texts.text("brightness");
+        int wide = metrics.stringWidth(name);
+        if (wide > box.getHeight()) return;
+        var upwards = (Graphics2D) g.create();
+        upwards.setColor(colours.ink());
+        upwards.translate(BESIDE / 2 + metrics.getAscent(), box.getCenterY() + wide / 2.0);
+        upwards.rotate(-Math.PI / 2);
+        upwards.drawString(name, 0, 0);
+        upwards.dispose();
     }
 
     private static String level(double level, Locale locale) {

@@ -14,19 +14,28 @@ import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 
-/**
- * Light for a pixel of length against the angle to the rows in degrees, method by method.
- *
- * @param even what stands at the line of even brightness
- */
+/** Light for a pixel of length against the angle to the rows in degrees, method by method. */
 record BrightnessPicture(
-        SlopeFigure figure, List<String> methods, List<List<Double>> light, String even)
+        SlopeFigure figure, List<String> methods, List<List<Double>> light, Words words)
         implements PlanePicture {
+    /**
+     * What is written over it.
+     *
+     * @param even at the line of even brightness
+     * @param degrees along the angles
+     * @param light along the light
+     */
+    record Words(String even, String degrees, String light) {}
+
     /** The least contrast of lines so wide, each of which has its name and its own dashes too. */
     private static final double SEEN = 2;
 
+    /** The most light that is shown. */
+    static final double TOP = 1.1;
+
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+        nameAxes(g, map, colours);
         Color faint = MethodColours.mix(colours.axis(), colours.ink(), 0.3);
         g.setColor(faint);
         g.setStroke(dashed());
@@ -34,10 +43,18 @@ record BrightnessPicture(
         g.draw(new Line2D.Double(map.viewX(0), y, map.viewX(SlopeFigure.STEEPEST), y));
         double x = map.viewX(figure.degrees());
         g.setColor(colours.focus());
-        g.draw(new Line2D.Double(x, map.viewY(0), x, map.viewY(1.1)));
+        g.draw(new Line2D.Double(x, map.viewY(0), x, map.viewY(TOP)));
         for (int i = 0; i < methods.size(); i++) curve(g, map, colours, i);
-        plate(g, even, map.viewX(4), y - 8, colours);
+        plate(g, words.even, map.viewX(4), y - 8, colours);
         for (int i = 0; i < methods.size(); i++) key(g, map, colours, i);
+    }
+
+    /** Beyond the curves: below the end of the one axis, over the end of the other. */
+    private void nameAxes(Graphics2D g, PlaneMap map, StageColours colours) {
+        FontMetrics metrics = g.getFontMetrics();
+        double right = map.viewX(SlopeFigure.STEEPEST) - metrics.stringWidth(words.degrees);
+        plate(g, words.degrees, right, map.viewY(0) + metrics.getAscent() + 5, colours);
+        plate(g, words.light, map.viewX(0) + 8, map.viewY(TOP) - 4, colours);
     }
 
     private static BasicStroke dashed() {

@@ -14,7 +14,7 @@ final class FigureFraming {
                     arc.centreX() - wide, arc.centreY() - tall, 2 * wide, 2 * tall);
         }
         if (figure instanceof SlopeFigure)
-            return new Rectangle2D.Double(0, 0, SlopeFigure.STEEPEST, 1.1);
+            return new Rectangle2D.Double(0, 0, SlopeFigure.STEEPEST, BrightnessPicture.TOP);
         return new Rectangle2D.Double(3, 2, PenFigure.WIDTH - 7.0, PenFigure.HEIGHT - 5.0);
     }
 }

@@ -148,8 +148,12 @@ final class FigureStage extends JPanel implements AutoCloseable {
                             methods.add(other.method());
                             light.add(other.brightness());
                         });
-        return new BrightnessPicture(
-                (SlopeFigure) figure, methods, light, texts.text("figure.even"));
+        var words =
+                new BrightnessPicture.Words(
+                        texts.text("figure.even"),
+                        texts.text("chart.degrees"),
+                        texts.text("figure.light"));
+        return new BrightnessPicture((SlopeFigure) figure, methods, light, words);
     }
 
     /** What the picture alone would not tell; of two pictures also whose each is. */
