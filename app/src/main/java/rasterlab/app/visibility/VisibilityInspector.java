@@ -229,7 +229,7 @@ final class VisibilityInspector {
         edges.setEnabled(model.canDrawEdges());
         difference.setSelected(choice.difference());
         wrong.show(readings, choice);
-        refreshSteps(choice, readings);
+        refreshSteps(choice.drawing() && !state.lent(), readings);
         refreshPixel(state, readings);
         List<String> texts = readings.view();
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
@@ -244,13 +244,13 @@ final class VisibilityInspector {
         scene.showListed(shown.name(), Scenes.names());
     }
 
-    private void refreshSteps(VisibilityChoice choice, VisibilityReadings readings) {
-        stepScroll.setVisible(choice.drawing());
+    private void refreshSteps(boolean watched, VisibilityReadings readings) {
+        stepScroll.setVisible(watched);
         steps.refresh();
         List<String> texts = readings.work();
         for (int i = 0; i < texts.size(); i++) {
             work.get(i).setText(texts.get(i));
-            column.showRow(work.get(i), i == 0 || choice.drawing());
+            column.showRow(work.get(i), i == 0 || watched);
         }
     }
 

@@ -54,6 +54,11 @@ public record VisibilityLabState(
         return choice.difference() && choice.view() == StageView.COLOURS && step == Frame.ALL;
     }
 
+    /** Whether another method's depths are shown, whose steps are not the chosen one's. */
+    boolean lent() {
+        return picture.flatMap(Picture::lent).isPresent();
+    }
+
     VisibilityLabState with(VisibilityChoice next) {
         var draft = new Draft(this);
         draft.choice = next;

@@ -108,8 +108,7 @@ final class VisibilityReadings {
     }
 
     private String noSteps() {
-        boolean lent = state.picture().flatMap(Picture::lent).isPresent();
-        return texts.text(lent ? "stepNow.lent" : "stepNow.none");
+        return texts.text(state.lent() ? "stepNow.lent" : "stepNow.none");
     }
 
     /** So far and in all; in all only where they were made before the first step. */

@@ -1,0 +1,51 @@
+package rasterlab.app.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.Component;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.pipeline.Renderer;
+
+/** The depths of one method while another is chosen. */
+@Timeout(60)
+class LentDepthsTest {
+    private final ModelThread thread = new ModelThread();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final VisibilityLabModel model =
+            new VisibilityLabModel(new Renderer()::render, thread, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    @ParameterizedTest(
+            name = "{0}: an empty list of steps stands there, or none with the method''s own")
+    @CsvSource({"painter, false", "z16, true"})
+    void listOfStepsIsThereWithTheMethodsOwnDepths(String method, boolean there) {
+        model.resize(60, 40);
+        model.watchSteps(true);
+        model.choose(choice -> choice.withVisibility(method).withView(StageView.DEPTHS));
+        thread.settle(model::settle);
+        Texts texts = Texts.of("visibility", Language.ENGLISH);
+        var saving = new SceneSaving(model, texts, (title, scene, way, done) -> {});
+        var inspector = new VisibilityInspector(model, texts, saving);
+        inspector.sections().forEach(Runnable::run);
+        inspector.refresh();
+        boolean shown =
+                Stream.of(inspector.column().getComponents())
+                        .filter(part -> "steps.scroll".equals(part.getName()))
+                        .anyMatch(Component::isVisible);
+        assertEquals(there, shown);
+    }
+}
