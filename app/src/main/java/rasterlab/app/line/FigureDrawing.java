@@ -19,7 +19,10 @@ import rasterlab.engine.study.LimitReached;
  *
  * @param message what it said when it refused or crashed, in English; "" otherwise
  * @param pixels in the order in which they were sent
- * @param difference from the exact figure
+ * @param judged whether there is an exact figure to hold the pixels against: not where it has too
+ *     many
+ * @param difference from the exact figure; none where nothing is judged
+ * @param deviation from the exact figure; none where nothing is judged
  * @param decisions of the walk that the pixels mirror, by columns and rows from the centre
  * @param brightness light for a pixel of length at 0°, 1°, …, 90°, NaN where there is none; empty
  *     but for lines
@@ -29,12 +32,15 @@ record FigureDrawing(
         LineTrace.Ending ending,
         String message,
         PixelRecording pixels,
+        boolean judged,
         PixelDifference difference,
         Deviation deviation,
         Map<Spot, Double> decisions,
         List<Double> brightness) {
     /** A pen's figure and a chart have no pixels to step through. */
     private static final PixelRecording NO_PIXELS = new PixelRecording(1);
+
+    private static final PixelDifference NO_DIFFERENCE = PixelDifference.of(NO_PIXELS, NO_PIXELS);
 
     static FigureDrawing of(FigureTopics topics, FigureScene scene, String method) {
         if (scene.figure() instanceof ArcFigure arc) return arc(topics, arc, method);
@@ -45,7 +51,8 @@ record FigureDrawing(
                 LineTrace.Ending.ENDED,
                 "",
                 NO_PIXELS,
-                PixelDifference.of(NO_PIXELS, NO_PIXELS),
+                false,
+                NO_DIFFERENCE,
                 Deviation.NONE,
                 Map.of(),
                 brightness);
@@ -70,16 +77,17 @@ record FigureDrawing(
     }
 
     private static FigureDrawing arc(FigureTopics topics, ArcFigure arc, String method) {
-        PixelRecording exact = exact(topics, arc);
-        var pixels = new PixelRecording((int) topics.circle().mostBeforeEndless(exact.size()));
+        Optional<PixelRecording> exact = exact(topics, arc);
+        int right = exact.map(PixelRecording::size).orElse(topics.mostJudged());
+        var pixels = new PixelRecording((int) topics.circle().mostBeforeEndless(right));
         var decisions = new HashMap<Spot, Double>();
         LineTrace.Ending ending = LineTrace.Ending.ENDED;
         String message = "";
         try {
             topics.draw(arc, method, pixels);
-            decisions(topics.walk(arc, method), exact.size(), decisions);
+            decisions(topics.walk(arc, method), right, decisions);
         } catch (LimitReached endless) {
-            ending = LineTrace.Ending.ENDLESS;
+            ending = exact.isEmpty() ? LineTrace.Ending.CUT : LineTrace.Ending.ENDLESS;
         } catch (IllegalArgumentException refused) {
             ending = LineTrace.Ending.REFUSED;
             message = String.valueOf(refused.getMessage());
@@ -88,20 +96,21 @@ record FigureDrawing(
             message = crashed.toString();
         }
         boolean refused = ending == LineTrace.Ending.REFUSED;
-        PixelRecording right = refused ? pixels : exact;
+        Optional<PixelRecording> wanted = refused ? Optional.of(pixels) : exact;
         return new FigureDrawing(
                 method,
                 ending,
                 message,
                 pixels,
-                PixelDifference.of(right, pixels),
-                topics.compare(arc, right, pixels),
+                wanted.isPresent(),
+                wanted.map(all -> PixelDifference.of(all, pixels)).orElse(NO_DIFFERENCE),
+                wanted.map(all -> topics.compare(arc, all, pixels)).orElse(Deviation.NONE),
                 decisions,
                 List.of());
     }
 
     /** A figure that leaves the range of int has no exact pixels. */
-    private static PixelRecording exact(FigureTopics topics, ArcFigure arc) {
+    private static Optional<PixelRecording> exact(FigureTopics topics, ArcFigure arc) {
         long right = (long) arc.centreX() + arc.radiusX();
         long bottom = (long) arc.centreY() + arc.radiusY();
         boolean drawn =
@@ -111,7 +120,7 @@ record FigureDrawing(
                         && bottom == (int) bottom
                         && (long) arc.centreX() - arc.radiusX() >= Integer.MIN_VALUE
                         && (long) arc.centreY() - arc.radiusY() >= Integer.MIN_VALUE;
-        return drawn ? topics.exact(arc) : new PixelRecording(1);
+        return drawn ? topics.exact(arc) : Optional.of(NO_PIXELS);
     }
 
     private static void decisions(Optional<ArcWalk> walk, int most, Map<Spot, Double> decisions) {
@@ -123,7 +132,12 @@ record FigureDrawing(
 
     /** Whether it is what the exact figure is. */
     boolean isRight() {
-        return ending == LineTrace.Ending.ENDED && deviation.exact();
+        return ending == LineTrace.Ending.ENDED && judged && deviation.exact();
+    }
+
+    /** Whether the pixels are all that the method draws, so that they can be told apart. */
+    boolean whole() {
+        return ending != LineTrace.Ending.REFUSED && ending != LineTrace.Ending.CUT;
     }
 
     int steps() {

@@ -22,10 +22,7 @@ record FigureDrawings(
         if (scene.comparison().isEmpty())
             return new FigureDrawings(scene, drawing, Optional.empty(), Optional.empty());
         FigureDrawing other = FigureDrawing.of(topics, scene, scene.comparison());
-        boolean pictures =
-                scene.figure() instanceof ArcFigure
-                        && drawing.ending() != LineTrace.Ending.REFUSED
-                        && other.ending() != LineTrace.Ending.REFUSED;
+        boolean pictures = scene.figure() instanceof ArcFigure && drawing.whole() && other.whole();
         return new FigureDrawings(
                 scene,
                 drawing,

@@ -79,6 +79,11 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         return topics.hazards(mode);
     }
 
+    /** The most pixels of a circle or an ellipse that methods are judged by. */
+    int mostJudged() {
+        return topics.mostJudged();
+    }
+
     /** Tells the listener each new state from now on; the answer ends that. */
     Runnable listen(Consumer<FigureState> listener) {
         return listeners.add(listener);

@@ -57,20 +57,25 @@ final class FigureReadings {
         return own == null ? NONE : Shown.number(own, locale());
     }
 
+    /** Whether the pixels were held against the exact figure. */
+    private boolean compared() {
+        return drawing.judged() && drawing.ending() != LineTrace.Ending.REFUSED;
+    }
+
     String missing() {
-        if (drawing.ending() == LineTrace.Ending.REFUSED) return NONE;
+        if (!compared()) return NONE;
         return state.finished()
                 ? texts.text("pixels", drawing.deviation().missing())
                 : texts.text("missing.later");
     }
 
     String extra() {
-        if (drawing.ending() == LineTrace.Ending.REFUSED) return NONE;
+        if (!compared()) return NONE;
         return texts.text("pixels", drawing.deviation().extra());
     }
 
     String worst() {
-        if (drawing.ending() == LineTrace.Ending.REFUSED) return NONE;
+        if (!compared()) return NONE;
         return texts.text("worst.pixels", Shown.number(drawing.deviation().worst(), locale()));
     }
 
@@ -81,16 +86,13 @@ final class FigureReadings {
 
     /** The second method beside the exact figure in one line; "" when none is compared. */
     String other() {
-        return state.other()
-                .map(
-                        second ->
-                                second.brightness().isEmpty()
-                                        ? texts.text(
-                                                "other.wrong",
-                                                second.deviation().missing(),
-                                                second.deviation().extra())
-                                        : light(second.brightness()))
-                .orElse("");
+        return state.other().map(this::other).orElse("");
+    }
+
+    private String other(FigureDrawing second) {
+        if (!second.brightness().isEmpty()) return light(second.brightness());
+        if (!second.judged()) return NONE;
+        return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
     }
 
     /** The angle of the line that is looked at. */

@@ -163,8 +163,16 @@ final class FigureStage extends JPanel implements AutoCloseable {
             case ENDLESS -> texts.text("note.endless", method, drawing.steps());
             case REFUSED -> texts.text("figure.refused", method);
             case CRASHED -> texts.text("note.crashed", method, drawing.message());
-            default -> named ? method : "";
+            case CUT -> texts.text("figure.cut", method, drawing.steps());
+            case ENDED -> ended(drawing, named);
         };
+    }
+
+    private String ended(FigureDrawing drawing, boolean named) {
+        boolean arc = model.state().drawn().figure() instanceof ArcFigure;
+        if (arc && !drawing.judged())
+            return texts.text("figure.unjudged", drawing.method(), model.mostJudged());
+        return named ? drawing.method() : "";
     }
 
     private List<PlanePoint> points() {

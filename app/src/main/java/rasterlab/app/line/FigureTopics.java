@@ -56,10 +56,14 @@ record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line) {
         return input instanceof Circle round ? ArcFigure.of(round) : ArcFigure.of((Ellipse) input);
     }
 
-    PixelRecording exact(ArcFigure arc) {
-        return arc.round()
-                ? circle.exact(arc.circle(), circle.mostItems())
-                : ellipse.exact(arc.ellipse(), ellipse.mostItems());
+    /** All right pixels; empty where they are too many to judge a method by. */
+    Optional<PixelRecording> exact(ArcFigure arc) {
+        return arc.round() ? circle.whole(arc.circle()) : ellipse.whole(arc.ellipse());
+    }
+
+    /** The most pixels of a figure that methods are judged by. */
+    int mostJudged() {
+        return circle.mostItems();
     }
 
     Deviation compare(ArcFigure arc, PixelRecording exact, PixelRecording actual) {

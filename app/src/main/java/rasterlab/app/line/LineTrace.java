@@ -28,7 +28,7 @@ public record LineTrace(
     public enum Ending {
         /** The method reached its own end. */
         ENDED,
-        /** The segment is longer than the lab draws. */
+        /** The figure has more pixels than the lab draws. */
         CUT,
         /** The method went on although the segment had ended. */
         ENDLESS,

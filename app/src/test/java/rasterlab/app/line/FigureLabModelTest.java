@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.Point;
@@ -18,11 +19,14 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.language.Language;
@@ -78,6 +82,67 @@ class FigureLabModelTest {
     private static String said(FigureDrawing drawing) {
         if (drawing.ending() != LineTrace.Ending.ENDED) return drawing.ending().name();
         return drawing.isRight() ? "right" : "wrong";
+    }
+
+    /**
+     * Figures have at most a million pixels to be judged; a larger figure was compared with the
+     * first million of it.
+     */
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("tooLarge")
+    void methodsAreNotJudgedOnAFigureThatIsTooLarge(
+            LineMode mode, ArcFigure figure, LineTrace.Ending ending) {
+        model.chooseMode(mode);
+        model.compareWith("midpoint");
+        model.arc(old -> figure);
+        FigureDrawing drawn = drawing();
+        assertEquals(ending, drawn.ending());
+        assertTrue(drawn.difference().isEmpty(), "it has wrong pixels");
+        assertFalse(drawn.isRight(), "it is called right");
+        for (Language language : Language.values()) {
+            var readings = new FigureReadings(model.state(), Texts.of("line", language));
+            assertEquals(
+                    List.of("–", "–", "–", "–"),
+                    List.of(
+                            readings.missing(),
+                            readings.extra(),
+                            readings.worst(),
+                            readings.other()));
+        }
+        assertEquals(
+                ending == LineTrace.Ending.ENDED,
+                model.state().drawings().apart().isPresent(),
+                "two methods are compared where both ended");
+    }
+
+    static Stream<Arguments> tooLarge() {
+        return Stream.of(
+                argumentSet(
+                        "a circle's last pixels are extra ones",
+                        LineMode.CIRCLE,
+                        new ArcFigure(true, 0, 0, 200_000, 200_000),
+                        LineTrace.Ending.ENDED),
+                argumentSet(
+                        "an ellipse's last pixels are extra ones",
+                        LineMode.ELLIPSE,
+                        new ArcFigure(false, 0, 0, 400_000, 9),
+                        LineTrace.Ending.ENDED),
+                argumentSet(
+                        "a circle that is cut has no end",
+                        LineMode.CIRCLE,
+                        new ArcFigure(true, 0, 0, 400_000, 400_000),
+                        LineTrace.Ending.CUT),
+                argumentSet(
+                        "the largest circle takes all memory",
+                        LineMode.CIRCLE,
+                        new ArcFigure(true, 0, 0, Integer.MAX_VALUE, Integer.MAX_VALUE),
+                        LineTrace.Ending.CUT));
+    }
+
+    @Test
+    void aFigureOfAlmostAMillionPixelsIsJudged() {
+        model.arc(old -> old.withRadiusX(176_000));
+        assertTrue(drawing().isRight(), "995,606 pixels");
     }
 
     @Test

@@ -63,6 +63,16 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
         return recording;
     }
 
+    /**
+     * The right answer with nothing cut off; empty where it has more than {@link #mostItems}
+     * pixels. A figure has at least one pixel for each of its columns and of its rows.
+     */
+    public Optional<PixelRecording> whole(I input) {
+        Ellipse e = ellipse(input);
+        if (2L * Math.max(e.radiusX(), e.radiusY()) + 1 > MOST_ITEMS) return Optional.empty();
+        return Optional.of(exact(input, MOST_ITEMS + 1)).filter(all -> all.size() <= MOST_ITEMS);
+    }
+
     private static void keep(PixelRecording recording, int limit, int x, int y) {
         if (recording.size() < limit) recording.plot(x, y);
     }
@@ -82,7 +92,7 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
         return walk(method, input).map(WalkAndWork::operations).orElse(Map.of());
     }
 
-    /** Methods draw in different orders, so no answer is cut. */
+    /** Methods draw in different orders, so a cut answer judges none: see {@link #whole}. */
     @Override
     public int mostItems() {
         return MOST_ITEMS;
