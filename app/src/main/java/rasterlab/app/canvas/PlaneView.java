@@ -17,6 +17,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.SwingUtilities;
@@ -120,6 +121,25 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         if (arranged != arrangement) fit();
         arrangement = arranged;
         revalidate();
+    }
+
+    /**
+     * Shows everything where nobody has zoomed, as after {@link #show} with another number; where
+     * somebody has, only if nothing is left in sight.
+     *
+     * @param seen whether something is in sight, given what of the plane is, in world coordinates
+     */
+    public void follow(Predicate<Rectangle2D> seen) {
+        if (chosen.isEmpty() || !seen.test(sight())) fit();
+    }
+
+    /** The part of the plane beside rulers and the note, in world coordinates. */
+    private Rectangle2D sight() {
+        Rectangle view = besideTheNote();
+        PlaneMap map = map();
+        var sight = new Rectangle2D.Double(map.worldX(view.x), map.worldY(view.y), 0, 0);
+        sight.add(map.worldX(view.getMaxX()), map.worldY(view.getMaxY()));
+        return sight;
     }
 
     /** Lets an arrow key move a point by at least so many world units; 0 for any step. */

@@ -1,10 +1,19 @@
 package rasterlab.app.line;
 
+import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 
 /** Chooses what the stage shows of a figure when the user has not zoomed. */
 final class FigureFraming {
     private FigureFraming() {}
+
+    /** Whether some of the figure is in sight: of a circle or an ellipse, some of its curve. */
+    static boolean isSeen(DrawnFigure figure, Rectangle2D sight) {
+        Rectangle2D all = of(figure);
+        if (!(figure instanceof ArcFigure)) return all.intersects(sight);
+        var curve = new Ellipse2D.Double(all.getX(), all.getY(), all.getWidth(), all.getHeight());
+        return curve.intersects(sight) && !curve.contains(sight);
+    }
 
     static Rectangle2D of(DrawnFigure figure) {
         if (figure instanceof ArcFigure arc) {

@@ -41,7 +41,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
             if (mode != LineMode.SEGMENT) scenes.put(mode, FigureScene.first(mode));
         FigureScene first = scenes.get(LineMode.CIRCLE);
         FigureDrawings drawn = FigureDrawings.of(topics, first);
-        state = new FigureState(first, drawn, drawn.drawing().steps(), 0);
+        state = new FigureState(first, drawn, drawn.drawing().steps(), 0, 0);
         drawings =
                 new LatestOnly<>(
                         "figure",
@@ -160,10 +160,13 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         change(state.scene().with(changed.apply(state.scene().figure())), false);
     }
 
-    /** Changes something that only a circle or an ellipse has. */
+    /** Changes a number of a circle or an ellipse, which the sight then follows. */
     void arc(UnaryOperator<ArcFigure> changed) {
-        if (state.scene().figure() instanceof ArcFigure old)
-            change(state.scene().with(changed.apply(old)), false);
+        if (!(state.scene().figure() instanceof ArcFigure old)) return;
+        FigureScene next = state.scene().with(changed.apply(old));
+        if (next.equals(state.scene())) return;
+        history.remember();
+        draw(next, state.arrangement(), state.sought() + 1);
     }
 
     /** Changes something that only a pen's line has. */
@@ -185,7 +188,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     private void bring(Scenes earlier) {
         scenes.putAll(earlier.scenes());
         boolean other = earlier.last() != state.scene().mode();
-        draw(scenes.get(earlier.last()), arranged(other));
+        draw(scenes.get(earlier.last()), arranged(other), state.sought() + 1);
     }
 
     /** What can be undone and redone. */
@@ -276,19 +279,28 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     private void draw(FigureScene scene, int arrangement) {
+        draw(scene, arrangement, state.sought());
+    }
+
+    private void draw(FigureScene scene, int arrangement, int sought) {
         scenes.put(scene.mode(), scene);
-        publish(new FigureState(scene, state.drawings(), state.step(), arrangement));
+        publish(new FigureState(scene, state.drawings(), state.step(), arrangement, sought));
         drawings.ask(scene);
     }
 
     private void accept(FigureDrawings drawn) {
         publish(
                 new FigureState(
-                        state.scene(), drawn, drawn.drawing().steps(), state.arrangement()));
+                        state.scene(),
+                        drawn,
+                        drawn.drawing().steps(),
+                        state.arrangement(),
+                        state.sought()));
     }
 
     private FigureState at(int step) {
-        return new FigureState(state.scene(), state.drawings(), step, state.arrangement());
+        return new FigureState(
+                state.scene(), state.drawings(), step, state.arrangement(), state.sought());
     }
 
     private void publish(FigureState next) {

@@ -32,6 +32,7 @@ final class FigureStage extends JPanel implements AutoCloseable {
     private final CardLayout cards = new CardLayout();
     private final PicturePair pixels;
     private final PlaneView chart;
+    private int sought;
 
     /**
      * @param onFailure told what painting threw, on any thread
@@ -94,6 +95,7 @@ final class FigureStage extends JPanel implements AutoCloseable {
         cards.show(this, shown() == chart ? CHART : PIXELS);
         boolean arc = state.drawn().figure() instanceof ArcFigure;
         Optional<FigureDrawing> second = arc ? state.other() : Optional.empty();
+        boolean opened = second.isPresent() && !pixels.other().isVisible();
         pixels.arrange(all, second.isPresent());
         pixels.chosen().stepAtLeast(arc ? 1 : 0);
         PixelSet onlyChosen = alone(PixelDifference::extra);
@@ -117,6 +119,14 @@ final class FigureStage extends JPanel implements AutoCloseable {
                                     all,
                                     state.arrangement());
                 });
+        // The figure may have left the second picture while that was not shown.
+        if (opened || state.sought() != sought) follow(state.scene().figure());
+        sought = state.sought();
+    }
+
+    private void follow(DrawnFigure figure) {
+        for (PlaneView each : List.of(pixels.chosen(), pixels.other()))
+            each.follow(sight -> FigureFraming.isSeen(figure, sight));
     }
 
     /** The pixels that only one of two methods lights; they are told when all are lit. */

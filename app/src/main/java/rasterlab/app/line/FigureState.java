@@ -9,8 +9,11 @@ import java.util.Optional;
  * @param drawings the newest finished ones, maybe of an earlier choice
  * @param step pixels of the chosen method lit so far
  * @param arrangement changes when the stage should show everything again
+ * @param sought changes when the figure may have left the sight where nobody has led it with the
+ *     pointer or the keys: by a number that was typed, or by undo
  */
-public record FigureState(FigureScene scene, FigureDrawings drawings, int step, int arrangement) {
+public record FigureState(
+        FigureScene scene, FigureDrawings drawings, int step, int arrangement, int sought) {
     /** The scene that the drawings are of. */
     public FigureScene drawn() {
         return drawings.scene();
