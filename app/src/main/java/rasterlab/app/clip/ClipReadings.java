@@ -163,6 +163,7 @@ final class ClipReadings {
     }
 
     private String count(long parts) {
+        if (!state.finished()) return texts.text("known.later");
         return texts.text("parts." + scene.mode().code(), parts);
     }
 
@@ -172,6 +173,7 @@ final class ClipReadings {
 
     private String worst(Clipping clipping) {
         if (clipping.ending() == Clipping.Ending.REFUSED) return NONE;
+        if (!state.finished()) return texts.text("known.later");
         double worst = clipping.deviation().worst();
         return texts.text("worst." + scene.mode().code(), small(worst));
     }
@@ -188,15 +190,12 @@ final class ClipReadings {
 
     /** The second method beside the exact answer in one line; "" when none is compared. */
     String other() {
-        return state.results()
-                .other()
-                .map(
-                        other ->
-                                texts.text(
-                                        "other.wrong",
-                                        other.deviation().missing(),
-                                        other.deviation().extra()))
-                .orElse("");
+        return state.results().other().map(this::other).orElse("");
+    }
+
+    private String other(Clipping second) {
+        if (!state.finished()) return texts.text("known.later");
+        return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
     }
 
     private String point(double[] coordinates) {

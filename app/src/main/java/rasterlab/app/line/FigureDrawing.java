@@ -22,6 +22,7 @@ import rasterlab.engine.study.LimitReached;
  * @param judged whether there is an exact figure to hold the pixels against: not where it has too
  *     many
  * @param difference from the exact figure; none where nothing is judged
+ * @param extra those sent that are not exact, or were sent before; none where nothing is judged
  * @param deviation from the exact figure; none where nothing is judged
  * @param decisions of the walk that the pixels mirror, by columns and rows from the centre
  * @param brightness light for a pixel of length at 0°, 1°, …, 90°, NaN where there is none; empty
@@ -34,6 +35,7 @@ record FigureDrawing(
         PixelRecording pixels,
         boolean judged,
         PixelDifference difference,
+        ExtraWrites extra,
         Deviation deviation,
         Map<Spot, Double> decisions,
         List<Double> brightness) {
@@ -53,6 +55,7 @@ record FigureDrawing(
                 NO_PIXELS,
                 false,
                 NO_DIFFERENCE,
+                ExtraWrites.NONE,
                 Deviation.NONE,
                 Map.of(),
                 brightness);
@@ -97,13 +100,15 @@ record FigureDrawing(
         }
         boolean refused = ending == LineTrace.Ending.REFUSED;
         Optional<PixelRecording> wanted = refused ? Optional.of(pixels) : exact;
+        Optional<PixelDifference> difference = wanted.map(all -> PixelDifference.of(all, pixels));
         return new FigureDrawing(
                 method,
                 ending,
                 message,
                 pixels,
                 wanted.isPresent(),
-                wanted.map(all -> PixelDifference.of(all, pixels)).orElse(NO_DIFFERENCE),
+                difference.orElse(NO_DIFFERENCE),
+                difference.map(wrong -> ExtraWrites.of(wrong, pixels)).orElse(ExtraWrites.NONE),
                 wanted.map(all -> topics.compare(arc, all, pixels)).orElse(Deviation.NONE),
                 decisions,
                 List.of());

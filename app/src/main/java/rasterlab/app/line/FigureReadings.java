@@ -69,13 +69,15 @@ final class FigureReadings {
                 : texts.text("missing.later");
     }
 
+    /** Of the pixels that are lit so far. */
     String extra() {
         if (!compared()) return NONE;
-        return texts.text("pixels", drawing.deviation().extra());
+        return texts.text("pixels", drawing.extra().among(state.step()));
     }
 
     String worst() {
         if (!compared()) return NONE;
+        if (!state.finished()) return texts.text("missing.later");
         return texts.text("worst.pixels", Shown.number(drawing.deviation().worst(), locale()));
     }
 
@@ -92,6 +94,7 @@ final class FigureReadings {
     private String other(FigureDrawing second) {
         if (!second.brightness().isEmpty()) return light(second.brightness());
         if (!second.judged()) return NONE;
+        if (!state.finished()) return texts.text("missing.later");
         return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
     }
 

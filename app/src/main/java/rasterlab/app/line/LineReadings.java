@@ -110,6 +110,7 @@ final class LineReadings {
 
     private String worst(LineDrawing drawing) {
         if (drawing.pixels() == 0) return "–";
+        if (!state.finished()) return texts.text("missing.later");
         if (drawing.coverage().isPresent())
             return texts.text("worst.levels", drawing.coverage().get().worst());
         NumberFormat format = NumberFormat.getInstance(texts.locale());

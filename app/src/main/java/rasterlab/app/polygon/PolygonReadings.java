@@ -142,6 +142,7 @@ final class PolygonReadings {
     /** How many triangles are wrong by themselves, and in which way. */
     String faulty() {
         if (!(outcome.answer() instanceof CutAnswer answer) || answer.steps() == 0) return NONE;
+        if (!state.finished()) return texts.text("known.later");
         var kinds = new ArrayList<String>();
         for (Fault fault : Fault.values()) {
             long count = answer.cuts().stream().filter(cut -> cut.fault() == fault).count();
@@ -155,6 +156,7 @@ final class PolygonReadings {
 
     private String count(long items) {
         if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        if (!state.finished()) return texts.text("known.later");
         if (outcome.answer() instanceof InsideAnswer answer)
             return judged("items.at", "items.points", items, answer);
         return texts.text("items." + scene.mode().code(), items);
@@ -168,6 +170,7 @@ final class PolygonReadings {
 
     String worst() {
         if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        if (!state.finished()) return texts.text("known.later");
         return texts.text(
                 "worst." + scene.mode().code(),
                 Shown.number(outcome.deviation().worst(), texts.locale()),
@@ -182,6 +185,7 @@ final class PolygonReadings {
     private String other(Outcome second) {
         if (second.ending() != Outcome.Ending.ENDED)
             return texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT));
+        if (!state.finished()) return texts.text("known.later");
         if (second.answer() instanceof InsideAnswer answer)
             return judged(
                     "other.judged",

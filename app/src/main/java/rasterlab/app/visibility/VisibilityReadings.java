@@ -154,7 +154,9 @@ final class VisibilityReadings {
         return read(state.difference(), reading);
     }
 
+    /** All pixels of the picture that is drawn to its end are counted. */
     private String read(Optional<Compared> difference, Function<Compared, String> reading) {
+        if (state.step() != Frame.ALL) return texts.text("known.later");
         String meanwhile = state.choice().difference() ? texts.text("comparing") : "–";
         return difference.map(reading).orElse(meanwhile);
     }

@@ -17,6 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -56,6 +58,26 @@ class ClipLabModelTest {
             assertFalse(opened.parts().isEmpty(), mode.name());
             assertTrue(model.state().finished(), mode.name());
         }
+    }
+
+    @ParameterizedTest(name = "a step tells what only the result shows: {0}")
+    @EnumSource(ClipMode.class)
+    void whatIsWrongIsKnownAtTheEnd(ClipMode mode) {
+        model.chooseMode(mode);
+        model.compareWith(model.methods(mode).get(1));
+        settle();
+        model.goTo(1);
+        assertEquals(List.of("known at the end"), wrong(Language.ENGLISH));
+        assertEquals(List.of("видно в конце"), wrong(Language.RUSSIAN));
+        model.goTo(model.last());
+        assertFalse(wrong(Language.ENGLISH).contains("known at the end"));
+    }
+
+    private List<String> wrong(Language language) {
+        var readings = new ClipReadings(model.state(), Texts.of("clip", language));
+        return Stream.of(readings.missing(), readings.extra(), readings.worst(), readings.other())
+                .distinct()
+                .toList();
     }
 
     @Test

@@ -240,6 +240,23 @@ class FigureLabModelTest {
     }
 
     @Test
+    void onAStepExtraPixelsAreThoseLitSoFar() {
+        model.chooseMethod("bresenham-textbook");
+        model.show(LineMode.CIRCLE, "squares-beyond-int");
+        model.compareWith("parametric");
+        long all = drawing().deviation().extra();
+        Texts texts = Texts.of("line", Language.ENGLISH);
+        assertEquals(
+                String.format(Locale.ENGLISH, "%,d pixels", all),
+                new FigureReadings(model.state(), texts).extra());
+        model.goTo(1);
+        var readings = new FigureReadings(model.state(), texts);
+        assertEquals("none", readings.extra());
+        for (String said : List.of(readings.missing(), readings.worst(), readings.other()))
+            assertEquals("known at the end", said);
+    }
+
+    @Test
     void fullPixelsAreBrightAlongRowsAndDarkAt45Degrees() {
         model.chooseMode(LineMode.BRIGHTNESS);
         List<Double> light = drawing().brightness();

@@ -1,10 +1,12 @@
 package rasterlab.app.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -61,6 +63,18 @@ class LineReadingsTest {
         assertEquals(reading, readings.apart());
     }
 
+    @Test
+    void largestErrorIsKnownAtTheEnd() throws InterruptedException {
+        model.chooseMethod("naive-textbook");
+        model.show(new Segment(0, 0, 4, 10));
+        model.settle();
+        Texts texts = Texts.of("line", Language.ENGLISH);
+        model.goTo(1);
+        assertEquals("known at the end", new LineReadings(model.state(), texts).worst());
+        model.goTo(model.last());
+        assertNotEquals("known at the end", new LineReadings(model.state(), texts).worst());
+    }
+
     @ParameterizedTest(name = "coverage is told as whole pixels: {0}")
     @CsvSource(
             delimiter = '|',
@@ -78,6 +92,7 @@ class LineReadingsTest {
         var readings = new LineReadings(model.state(), Texts.of("line", language));
         assertEquals(pixels, readings.pixel());
         assertEquals(levels, readings.coverage());
-        assertEquals(worst, readings.worst());
+        model.goTo(model.last());
+        assertEquals(worst, new LineReadings(model.state(), Texts.of("line", language)).worst());
     }
 }

@@ -252,6 +252,20 @@ class PolygonLabModelTest {
             assertTrue(said.matches(points == 1 ? one : some), said);
     }
 
+    @ParameterizedTest(name = "a step tells what only the result shows: {0}")
+    @EnumSource(PolygonMode.class)
+    void whatIsWrongIsKnownAtTheEnd(PolygonMode mode) {
+        model.chooseMode(mode);
+        settle();
+        model.goTo(1);
+        assertFalse(model.state().finished());
+        var readings = new PolygonReadings(model.state(), Texts.of("polygon", Language.ENGLISH));
+        for (String said : List.of(readings.missing(), readings.extra(), readings.worst()))
+            assertEquals("known at the end", said);
+        model.goTo(model.last());
+        assertFalse(numbers(Language.ENGLISH).contains("known at the end"));
+    }
+
     private List<String> numbers(Language language) {
         var readings = new PolygonReadings(model.state(), Texts.of("polygon", language));
         return List.of(readings.missing(), readings.extra(), readings.other());

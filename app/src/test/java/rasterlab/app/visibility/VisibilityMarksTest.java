@@ -82,6 +82,9 @@ class VisibilityMarksTest {
         assertTrue(model.state().marked());
         model.goTo(2);
         assertFalse(model.state().marked());
+        var readings = new VisibilityReadings(model, Texts.of("visibility", Language.ENGLISH));
+        for (String said : List.of(readings.wrongPixels(), readings.missing(), readings.share()))
+            assertEquals("known at the end", said);
         model.goTo(model.lastStep());
         assertTrue(model.state().marked());
         model.goTo(2);
