@@ -1,12 +1,15 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -47,5 +50,28 @@ class LentDepthsTest {
                         .filter(part -> "steps.scroll".equals(part.getName()))
                         .anyMatch(Component::isVisible);
         assertEquals(there, shown);
+    }
+
+    @Test
+    @DisplayName("a painter's steps are told over another method's depths")
+    void stepsAreThoseOfTheMethodWhoseDepthsAreShown() {
+        model.resize(60, 40);
+        model.watchSteps(true);
+        thread.settle(model::settle);
+        model.goTo(3);
+        model.choose(choice -> choice.withView(StageView.DEPTHS));
+        thread.settle(model::settle);
+        assertEquals("zfloat", model.state().picture().orElseThrow().lent().orElseThrow());
+        assertTrue(model.state().drawn().isEmpty(), "the painter's steps");
+        var readings = new VisibilityReadings(model, Texts.of("visibility", Language.ENGLISH));
+        assertEquals("none: another method’s depths", readings.work().get(0));
+        model.choose(choice -> choice.withView(StageView.COLOURS));
+        thread.settle(model::settle);
+        assertTrue(model.state().picture().orElseThrow().lent().isEmpty());
+        assertEquals(3, new DrawingSteps(model).step(), "the step was lost");
+        model.choose(choice -> choice.withVisibility("z16").withView(StageView.DEPTHS));
+        thread.settle(model::settle);
+        assertTrue(model.state().picture().orElseThrow().lent().isEmpty());
+        assertTrue(model.lastStep() > 0, "steps of a method with depths of its own");
     }
 }

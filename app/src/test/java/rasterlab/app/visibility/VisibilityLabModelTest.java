@@ -21,7 +21,6 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.app.study.ChartSize;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -277,29 +276,6 @@ class VisibilityLabModelTest {
         for (int argb : model.state().picture().orElseThrow().raster().argb())
             if (argb != background) drawn++;
         assertTrue(drawn > 20, "drawn pixels " + drawn);
-    }
-
-    @Test
-    @DisplayName("a painter's steps are told over another method's depths")
-    void stepsAreThoseOfTheMethodWhoseDepthsAreShown() {
-        model.resize(60, 40);
-        model.watchSteps(true);
-        settle();
-        model.goTo(3);
-        model.choose(choice -> choice.withView(StageView.DEPTHS));
-        settle();
-        assertEquals("zfloat", model.state().picture().orElseThrow().lent().orElseThrow());
-        assertTrue(model.state().drawn().isEmpty(), "the painter's steps");
-        var readings = new VisibilityReadings(model, Texts.of("visibility", Language.ENGLISH));
-        assertEquals("none: another method’s depths", readings.work().get(0));
-        model.choose(choice -> choice.withView(StageView.COLOURS));
-        settle();
-        assertTrue(model.state().picture().orElseThrow().lent().isEmpty());
-        assertEquals(3, new DrawingSteps(model).step(), "the step was lost");
-        model.choose(choice -> choice.withVisibility("z16").withView(StageView.DEPTHS));
-        settle();
-        assertTrue(model.state().picture().orElseThrow().lent().isEmpty());
-        assertTrue(model.lastStep() > 0, "steps of a method with depths of its own");
     }
 
     @Test
