@@ -9,22 +9,31 @@ import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.text.FieldPosition;
 import java.text.ParsePosition;
+import java.util.List;
 import java.util.Locale;
 import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
 import javax.swing.text.NumberFormatter;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
- * The text field of a spinner: shows a minus as wide as plus and also takes a hyphen for it. A
- * number that has more digits than are shown keeps them until what is shown is changed.
+ * The text field of a spinner: shows a minus as wide as plus and no groups of digits, and takes
+ * what {@link TypedNumber} reads as one number. Anything else is refused: a text with something
+ * left over, one that reads as two numbers, a number outside the range, and a fraction where the
+ * pattern shows none. A number that has more digits than are shown keeps them until what is shown
+ * is changed.
  */
 public final class NumberEntry extends JSpinner.NumberEditor {
     private static final long serialVersionUID = 1L;
 
     private static final int SMALLEST_TYPE = 6;
+
+    /** After the decimal sign of a number in a sentence. */
+    private static final int DIGITS = 5;
 
     /** What the caret takes, and what padding that is scaled may be rounded by. */
     private static final int SPARE = 3;
@@ -51,22 +60,59 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         getTextField().setValue(spinner.getValue());
         FieldDrop.on(getTextField());
         getTextField().addPropertyChangeListener("editValid", e -> tellValidity(spinner));
+        getTextField().getDocument().addDocumentListener(new WhileRefused(spinner));
         getTextField().addPropertyChangeListener("value", e -> fit());
     }
 
-    /** A number that is refused is framed, and the range is told beside it. */
+    /** Takes no fraction from now on. */
+    void takeOnlyWhole() {
+        format.setMaximumFractionDigits(0);
+    }
+
+    /** A number that is refused is framed, and the reason is told beside it. */
     private void tellValidity(JSpinner spinner) {
         boolean valid = getTextField().isEditValid();
         spinner.putClientProperty(
                 FlatClientProperties.OUTLINE, valid ? null : FlatClientProperties.OUTLINE_ERROR);
-        getTextField().setToolTipText(valid ? spinner.getToolTipText() : allowed());
+        getTextField().setToolTipText(valid ? spinner.getToolTipText() : refusal());
     }
 
-    private String allowed() {
+    /** What is wrong may change while a text goes on being refused. */
+    private final class WhileRefused implements DocumentListener {
+        private final JSpinner spinner;
+
+        WhileRefused(JSpinner spinner) {
+            this.spinner = spinner;
+        }
+
+        @Override
+        public void insertUpdate(DocumentEvent e) {
+            if (!getTextField().isEditValid()) tellValidity(spinner);
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent e) {
+            insertUpdate(e);
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent e) {}
+    }
+
+    private String refusal() {
+        String text = getTextField().getText();
+        List<Double> readings = format.typed.readings(text);
+        if (readings.size() > 1)
+            return texts.text(
+                    "number.twofold", text.strip(), said(readings.get(0)), said(readings.get(1)));
         return texts.text(
-                "number.allowed",
-                format.format(getModel().getMinimum()),
-                format.format(getModel().getMaximum()));
+                format.onlyWhole() ? "number.allowed.whole" : "number.allowed",
+                said((Number) getModel().getMinimum()),
+                said((Number) getModel().getMaximum()));
+    }
+
+    private String said(Number number) {
+        return Shown.number(number.doubleValue(), DIGITS, texts.locale());
     }
 
     @Override
@@ -141,9 +187,16 @@ public final class NumberEntry extends JSpinner.NumberEditor {
 
         private double number;
 
+        private final TypedNumber typed;
+
         Format(String pattern, DecimalFormatSymbols symbols) {
             super(pattern, symbols);
             power = new DecimalFormat("0.##E0", symbols);
+            typed = new TypedNumber(symbols.getGroupingSeparator());
+        }
+
+        boolean onlyWhole() {
+            return getMaximumFractionDigits() == 0;
         }
 
         @Override
@@ -166,10 +219,14 @@ public final class NumberEntry extends JSpinner.NumberEditor {
 
         @Override
         public Number parse(String text, ParsePosition at) {
-            String typed = text.replace('-', '−').replace('e', 'E');
-            if (!typed.equals(shown)) return super.parse(typed, at);
+            boolean same = text.replace('-', '−').replace('e', 'E').equals(shown);
+            List<Double> readings = same ? List.of(number) : typed.readings(text);
+            if (readings.size() != 1 || !same && onlyWhole() && readings.get(0) % 1 != 0) {
+                at.setErrorIndex(0);
+                return null;
+            }
             at.setIndex(text.length());
-            return number;
+            return readings.get(0);
         }
     }
 }

@@ -39,6 +39,11 @@ public final class NumberField extends JSpinner {
         addChangeListener(e -> tell());
     }
 
+    /** Takes no fraction from now on. */
+    public void takeOnlyWhole() {
+        ((NumberEntry) getEditor()).takeOnlyWhole();
+    }
+
     private void tell() {
         if (!refreshing) changed.accept(((Number) getValue()).doubleValue());
     }

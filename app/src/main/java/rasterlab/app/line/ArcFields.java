@@ -40,14 +40,17 @@ final class ArcFields {
     }
 
     private static NumberField field(String name, Texts texts, IntConsumer entered) {
-        return new NumberField(
-                name,
-                texts.text(name + ".hint"),
-                Integer.MIN_VALUE,
-                Integer.MAX_VALUE,
-                1,
-                texts.locale(),
-                value -> entered.accept((int) Math.rint(value)));
+        var field =
+                new NumberField(
+                        name,
+                        texts.text(name + ".hint"),
+                        Integer.MIN_VALUE,
+                        Integer.MAX_VALUE,
+                        1,
+                        texts.locale(),
+                        value -> entered.accept((int) Math.rint(value)));
+        field.takeOnlyWhole();
+        return field;
     }
 
     JPanel centre() {

@@ -16,6 +16,7 @@ import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import javax.swing.JFormattedTextField;
 import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
@@ -81,14 +82,16 @@ class NumberEntryTest {
         "a number above the range is not marked, 11, en, 'Allowed: from −10 to 10'",
         "a number below the range is not marked, -10.5, ru, 'Допустимо от −10 до 10'",
         "a word is not marked, abc, en, 'Allowed: from −10 to 10'",
+        "the start of a text is taken for all of it, 5x7, en, 'Allowed: from −10 to 10'",
+        "a number of two readings is guessed, '1,234', en, '1,234 may be 1.234 or 1234: write the one that is meant'",
         "a number in the range is marked, 9.5, en, number",
     })
-    void refusedNumberIsFramedBesideItsRange(
+    void refusedNumberIsFramedBesideTheReason(
             String mistake, String typed, String language, String told) {
         Locale locale = Locale.forLanguageTag(language);
         var field = new NumberField("n", "number", -10, 10, 1, locale, value -> {});
         var text = ((JSpinner.DefaultEditor) field.getEditor()).getTextField();
-        text.setText(typed.replace('.', language.equals("ru") ? ',' : '.'));
+        text.setText(typed);
         boolean refused = !told.equals("number");
         assertEquals(
                 refused ? "error" : null, field.getClientProperty("JComponent.outline"), mistake);
@@ -96,6 +99,81 @@ class NumberEntryTest {
         text.setText("1");
         assertNull(field.getClientProperty("JComponent.outline"), mistake);
         assertEquals("number", text.getToolTipText(), mistake);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "an English comma ends the number, '2,75', en, 2.75",
+        "a Russian point ends the number, -30.5, ru, -30.5",
+        "the end of a text is dropped, 5x7, en,",
+        "a second decimal sign is dropped, 1.5.2, ru,",
+        "a group sign is taken for a decimal sign, '1,234', en,",
+    })
+    void whatIsTypedIsTakenWholeOrNotAtAll(
+            String mistake, String typed, String language, Double number) {
+        List<Double> told = new ArrayList<>();
+        Locale locale = Locale.forLanguageTag(language);
+        var field = new NumberField("n", "number", -1e4, 1e4, 1, locale, told::add);
+        field.show(7);
+        enter(typed, field);
+        assertEquals(number == null ? List.of() : List.of(number), told, mistake);
+        assertEquals(number == null ? 7 : number, field.getValue(), mistake);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "a fraction is rounded without a word, 3.7, en, 7, 'Allowed: whole numbers from −10 to 10'",
+        "a fraction is cut without a word, '3,7', ru, 7, 'Допустимы целые числа от −10 до 10'",
+        "zeros behind the point are a fraction, 3.0, en, 3,",
+        "a whole number is refused, -4, ru, -4,",
+    })
+    void wholeNumbersTakeNoFraction(
+            String mistake, String typed, String language, double number, String reason) {
+        Locale locale = Locale.forLanguageTag(language);
+        var field = new NumberField("n", "number", -10, 10, 1, locale, value -> {});
+        field.takeOnlyWhole();
+        field.show(7);
+        enter("abc", field);
+        enter(typed, field);
+        assertEquals(number, field.getValue(), mistake);
+        String told = reason == null ? "number" : reason;
+        assertEquals(told, text(field).getToolTipText(), mistake);
+    }
+
+    /** Types a text in place of what is there, and Enter. */
+    private static void enter(String typed, NumberField field) {
+        text(field).setText(typed);
+        try {
+            field.commitEdit();
+        } catch (ParseException e) {
+            assertEquals("error", field.getClientProperty("JComponent.outline"), typed);
+        }
+    }
+
+    private static JFormattedTextField text(JSpinner field) {
+        return ((JSpinner.DefaultEditor) field.getEditor()).getTextField();
+    }
+
+    @Test
+    @DisplayName("the reason stays that of the text before")
+    void reasonIsThatOfTheTextThatIsThere() {
+        var field = new NumberField("n", "number", -10, 10, 1, Locale.ENGLISH, value -> {});
+        enter("abc", field);
+        enter("2,000", field);
+        assertEquals(
+                "2,000 may be 2 or 2000: write the one that is meant",
+                text(field).getToolTipText());
+        enter("2,0001x", field);
+        assertEquals("Allowed: from −10 to 10", text(field).getToolTipText());
+    }
+
+    @Test
+    @DisplayName("a range is told with hundreds of digits")
+    void longRangeIsToldWithPowersOfTen() {
+        double most = Double.MAX_VALUE;
+        var field = new NumberField("n", "number", -most, most, 1, Locale.ENGLISH, value -> {});
+        enter("1e999", field);
+        assertEquals("Allowed: from −1.8·10³⁰⁸ to 1.8·10³⁰⁸", text(field).getToolTipText());
     }
 
     @ParameterizedTest(name = "a number is cut where no type is small enough, or changes: {0} wide")

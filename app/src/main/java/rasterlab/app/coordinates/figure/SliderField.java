@@ -87,6 +87,11 @@ public final class SliderField extends JPanel {
         add(field, "wmin 0");
     }
 
+    /** Takes no fraction in the field from now on. */
+    public void takeOnlyWhole() {
+        field.takeOnlyWhole();
+    }
+
     /** A label's mnemonic leads to the slider. */
     @Override
     public void requestFocus() {

@@ -61,6 +61,7 @@ final class TurnInspector {
         method = parts.method(model.methods(), model::chooseMethod);
         degrees = parts.number("degrees", DEGREES, model::turnBy);
         times = parts.number("times", TIMES, model::turnTimes);
+        times.takeOnlyWhole();
         x = field("x");
         y = field("y");
         var point = new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill,0::][grow,fill,0::]"));

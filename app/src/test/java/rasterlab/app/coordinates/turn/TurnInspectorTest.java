@@ -1,0 +1,52 @@
+package rasterlab.app.coordinates.turn;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.text.ParseException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JSpinner;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+class TurnInspectorTest {
+    private final List<Throwable> failures = new ArrayList<>();
+
+    @Test
+    @DisplayName("half a turn is rounded without a word")
+    void turnsAreCounted() throws Exception {
+        try (var model = new TurnLabModel(Runnable::run, failures::add)) {
+            EventQueue.invokeAndWait(
+                    () -> {
+                        var texts = Texts.of("coordinates.turn", Language.ENGLISH);
+                        var inspector = new TurnInspector(model, texts, column -> {});
+                        var times =
+                                (JSpinner)
+                                        within(inspector.column())
+                                                .filter(c -> "times.field".equals(c.getName()))
+                                                .findFirst()
+                                                .orElseThrow();
+                        ((JSpinner.DefaultEditor) times.getEditor()).getTextField().setText("2.5");
+                        assertThrows(ParseException.class, times::commitEdit);
+                    });
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    private static Stream<Component> within(Container root) {
+        return Arrays.stream(root.getComponents())
+                .flatMap(
+                        each ->
+                                each instanceof Container inner
+                                        ? Stream.concat(Stream.of(each), within(inner))
+                                        : Stream.of(each));
+    }
+}
