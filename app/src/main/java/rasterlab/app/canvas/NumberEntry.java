@@ -40,6 +40,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
 
     private final transient Format format;
     private final transient Texts texts;
+    private final transient RefusalTip tip = new RefusalTip(getTextField());
     private Font usual;
 
     /** The smaller type that a long number has; null as long as the usual one fits. */
@@ -69,12 +70,16 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         format.setMaximumFractionDigits(0);
     }
 
-    /** A number that is refused is framed, and the reason is told beside it. */
+    /**
+     * A number that is refused is framed, and the reason is told beside it, also where no mouse is.
+     */
     private void tellValidity(JSpinner spinner) {
         boolean valid = getTextField().isEditValid();
         spinner.putClientProperty(
                 FlatClientProperties.OUTLINE, valid ? null : FlatClientProperties.OUTLINE_ERROR);
-        getTextField().setToolTipText(valid ? spinner.getToolTipText() : refusal());
+        String reason = valid ? "" : refusal();
+        getTextField().setToolTipText(valid ? spinner.getToolTipText() : reason);
+        tip.tell(reason);
     }
 
     /** What is wrong may change while a text goes on being refused. */
