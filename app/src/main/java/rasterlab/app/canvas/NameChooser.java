@@ -1,20 +1,33 @@
 package rasterlab.app.canvas;
 
 import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.KeyEvent;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 
-/** A drop-down list of names, each shown with what it says in the window's language. */
+/**
+ * A drop-down list of names, each shown with what it says in the window's language. After a choice
+ * by keys it keeps the keyboard, so that the next key changes the list again and no figure; where
+ * another lab of the tab came, that lab's list of the same name has it.
+ */
 public final class NameChooser extends JComboBox<String> {
     private static final long serialVersionUID = 1L;
 
     private boolean refreshing;
+
+    /** Whether a choice by keys is being told. */
+    private boolean keyed;
 
     /**
      * @param name the component's name
@@ -38,8 +51,47 @@ public final class NameChooser extends JComboBox<String> {
                 });
         addActionListener(
                 e -> {
-                    if (!refreshing) chosen.accept((String) getSelectedItem());
+                    if (!refreshing) choose(chosen);
                 });
+    }
+
+    private void choose(Consumer<String> chosen) {
+        // Asked first: what is shown in answer are events as well.
+        keyed = EventQueue.getCurrentEvent() instanceof KeyEvent;
+        chosen.accept((String) getSelectedItem());
+        if (keyed) keepKeyboard();
+        keyed = false;
+    }
+
+    /** Whether the choice that is told now was made by keys. */
+    public static boolean byKeys() {
+        return KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner()
+                        instanceof NameChooser list
+                && list.keyed;
+    }
+
+    /** Asks twice, since Swing moves the focus out of what was hidden by itself, at times later. */
+    private void keepKeyboard() {
+        Container seen = this;
+        while (seen != null && !seen.isShowing()) seen = seen.getParent();
+        if (seen == null) return;
+        same(seen)
+                .ifPresent(
+                        list -> {
+                            list.requestFocusInWindow();
+                            EventQueue.invokeLater(list::requestFocusInWindow);
+                        });
+    }
+
+    private Optional<NameChooser> same(Component root) {
+        if (root instanceof NameChooser list && getName().equals(list.getName()))
+            return Optional.of(list);
+        if (!(root instanceof Container inner)) return Optional.empty();
+        return Arrays.stream(inner.getComponents())
+                .filter(Component::isVisible)
+                .map(this::same)
+                .flatMap(Optional::stream)
+                .findFirst();
     }
 
     /** Shows a choice that is in the list for as long as it is shown, unless it is always there. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.coordinates.list.ListPanel;
@@ -74,7 +75,8 @@ public final class CoordinatesPanel extends LabPanel {
 
     private void choose(CoordinatesMode mode) {
         if (mode == model.mode()) return;
+        boolean byKeys = NameChooser.byKeys();
         model.show(mode);
-        focusPicture();
+        if (!byKeys) focusPicture();
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Language;
 
 /** The lab of lines as the window shows it, in one language: segments or other figures. */
@@ -50,8 +51,9 @@ public final class LinePanel extends LabPanel {
         unsubscribe =
                 model.listenToMode(
                         mode -> {
+                            boolean byKeys = NameChooser.byKeys();
                             cards.show(Card.of(mode));
-                            focusPicture();
+                            if (!byKeys) focusPicture();
                         });
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Language;
 
 /** The lab of splines as the window shows it, in one language: curves or functions. */
@@ -68,7 +69,8 @@ public final class SplinePanel extends LabPanel {
 
     private void choose(SplineMode mode) {
         if (mode == model.mode()) return;
+        boolean byKeys = NameChooser.byKeys();
         model.show(mode);
-        focusPicture();
+        if (!byKeys) focusPicture();
     }
 }
