@@ -42,6 +42,12 @@ class WindowOpenGlTest extends WindowHarness {
         show("opengl");
         await("both pictures or a reason", () -> settled(state()));
         Assumptions.assumeTrue(state().missing().isEmpty(), () -> state().missing().get());
+        awaitOpenGlsWindow();
+    }
+
+    /** It comes in an event of its own, maybe after both pictures. */
+    private void awaitOpenGlsWindow() {
+        await("OpenGL's window", () -> isSeen("opengl.canvas"));
     }
 
     private OpenGlLabState state() {
@@ -80,6 +86,7 @@ class WindowOpenGlTest extends WindowHarness {
 
     @Test
     void screenShowsWhatOpenGlHasDrawn() {
+        awaitOpenGlsWindow();
         await("OpenGL's window has its picture", () -> colours("opengl.canvas").equals(drawn()));
         assertTrue(drawn().size() > 100, "only " + drawn().size() + " colours");
     }
@@ -199,7 +206,7 @@ class WindowOpenGlTest extends WindowHarness {
             GuiActionRunner.execute(() -> frame.showTab("opengl"));
         }
         show("opengl");
-        await("the window", () -> isSeen("opengl.canvas"));
+        awaitOpenGlsWindow();
         GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "globe"));
         screenShowsWhatOpenGlHasDrawn();
     }
