@@ -21,12 +21,8 @@ import rasterlab.app.canvas.MethodColours;
 final class SizeLabels extends Annotation {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
 
-    /**
-     * Contrast of the line from a point to a label further off: seen, but no more than the point.
-     *
-     * <p>Source: W3C, Web Content Accessibility Guidelines 2.1, 2018, 1.4.11.
-     */
-    private static final double LEADER = 3;
+    /** Share of the label's ink in the line to it, before that is made to stand out. */
+    private static final double LEADER = 0.5;
 
     /**
      * @param cost on the chart's axis to the right
@@ -114,23 +110,12 @@ final class SizeLabels extends Annotation {
 
     private void draw(Graphics2D graphics, Label label, LabelPlaces.Place place) {
         Color ink = MethodColours.textOn(ground, label.colour());
-        graphics.setColor(leader(ink));
+        graphics.setColor(MethodColours.edgeOn(ground, MethodColours.mix(ground, ink, LEADER)));
         graphics.setStroke(new BasicStroke(1));
         place.leader().ifPresent(graphics::draw);
         graphics.setColor(ink);
         Rectangle box = place.box();
         graphics.drawString(label.text(), box.x, box.y + box.height - 2);
-    }
-
-    /** As much of the ink as it takes to be seen. */
-    private Color leader(Color ink) {
-        double share = 0.5;
-        Color leader = MethodColours.mix(ground, ink, share);
-        while (share < 1 && MethodColours.contrast(leader, ground) < LEADER) {
-            share += 1 / 16.0;
-            leader = MethodColours.mix(ground, ink, share);
-        }
-        return leader;
     }
 
     private java.awt.Point seen(Point point) {
