@@ -1,5 +1,6 @@
 /**
  * All that a student's own method may see: one small interface per topic and the values it passes.
+ * A method only reads what it is given, but for what its contract lets it replace or fill.
  *
  * <p>Pixels, of lines, circles, ellipses, curves, fills and {@code PixelGrid}: whole numbers name
  * centres, x grows to the right, y down. Any plane, y up: {@code PlaneRotation}, {@code

@@ -37,7 +37,7 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
-    public O record(C method, I input, int limit) {
+    public O run(C method, I input, int limit) {
         return whole.record(method, input, limit);
     }
 

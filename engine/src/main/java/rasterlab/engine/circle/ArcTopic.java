@@ -40,7 +40,7 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
     }
 
     @Override
-    public PixelRecording record(C method, I input, int limit) {
+    public PixelRecording run(C method, I input, int limit) {
         var recording = new PixelRecording(limit);
         draw(method, input, recording);
         return recording;

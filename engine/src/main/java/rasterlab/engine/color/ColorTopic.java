@@ -58,7 +58,7 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     }
 
     @Override
-    public ColorSheet record(ColorConverter method, Colors colors, int limit) {
+    public ColorSheet run(ColorConverter method, Colors colors, int limit) {
         return sheet(method, colors, Math.min(limit, colors.count()));
     }
 

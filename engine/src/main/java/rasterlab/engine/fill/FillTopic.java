@@ -42,7 +42,7 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     }
 
     @Override
-    public PixelRecording record(SeedFiller method, FillTask task, int limit) {
+    public PixelRecording run(SeedFiller method, FillTask task, int limit) {
         var recording = new PixelRecording(limit);
         var picture = new WatchedPicture(new TextPicture(task.rows()), recording);
         method.fill(picture, task.x(), task.y(), task.with(), task.connectivity());

@@ -46,7 +46,7 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     }
 
     @Override
-    public PixelRecording record(LineRasterizer method, Segment segment, int limit) {
+    public PixelRecording run(LineRasterizer method, Segment segment, int limit) {
         var recording = new PixelRecording(limit);
         draw(method, segment, recording);
         return recording;

@@ -3,19 +3,15 @@ package rasterlab.engine.polygon;
 import java.util.Arrays;
 import rasterlab.engine.geometry.Finite;
 
-/** Points of the plane in order, such as a polygon's corners. Coordinates are finite. */
-public final class Points {
-    private final double[] x;
-    private final double[] y;
-
-    /**
-     * @param x taken as it is, not to be changed any more
-     * @param y as many as {@code x}; the same
-     */
-    public Points(double[] x, double[] y) {
+/**
+ * Points of the plane in order, such as a polygon's corners. Coordinates are finite.
+ *
+ * @param x taken as it is, not to be changed any more
+ * @param y as many as {@code x}; the same
+ */
+public record Points(double[] x, double[] y) {
+    public Points {
         Finite.requirePoints("point", x, y, 0);
-        this.x = x;
-        this.y = y;
     }
 
     /** The points (x0, y0), (x1, y1), … */

@@ -48,7 +48,7 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     }
 
     @Override
-    public Polyline record(CurveTracer method, CurveTask task, int limit) {
+    public Polyline run(CurveTracer method, CurveTask task, int limit) {
         var polyline = new Polyline(limit);
         run(method, task, polyline);
         return polyline;

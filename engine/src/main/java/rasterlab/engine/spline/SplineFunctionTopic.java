@@ -48,7 +48,7 @@ public final class SplineFunctionTopic
     }
 
     @Override
-    public SplineValues record(SplineFunction method, SplineProblem problem, int limit) {
+    public SplineValues run(SplineFunction method, SplineProblem problem, int limit) {
         double[] coefficients = method.coefficients(problem.x(), problem.y(), problem.ends());
         int items = Math.min(limit, problem.at().length);
         double[] places = Arrays.copyOf(problem.at(), items);

@@ -71,7 +71,7 @@ final class MethodTrial<C, I, O> {
                         () -> {
                             var sums = new TreeMap<String, Long>();
                             for (I input : workload.inputs())
-                                topic.operations(method.implementation(), input)
+                                topic.operations(method.implementation(), Inputs.copy(input))
                                         .forEach((name, more) -> sums.merge(name, more, Long::sum));
                             return sums;
                         },
@@ -121,8 +121,12 @@ final class MethodTrial<C, I, O> {
         if (!answered()) return new Sample(0, 0, 0);
         // A pass takes about as long as judging did, so this is ample for the last one.
         Duration limit = atLeast.plus(settings.wallLimit()).plus(judging.multipliedBy(4));
+        List<I> inputs = Inputs.copy(workload.inputs());
         var outcome =
-                Guard.call("timing of " + method.name(), () -> passes(atLeast.toNanos()), limit);
+                Guard.call(
+                        "timing of " + method.name(),
+                        () -> passes(inputs, atLeast.toNanos()),
+                        limit);
         if (outcome instanceof Guard.Returned<Sample> returned) {
             itemsPerPass = returned.value().items() / returned.value().passes();
             return returned.value();
@@ -131,9 +135,9 @@ final class MethodTrial<C, I, O> {
         return new Sample(0, 0, 0);
     }
 
-    private Sample passes(long atLeastNanos) {
+    /** Nothing but the method's work: inputs are copied before the clock starts. */
+    private Sample passes(List<I> inputs, long atLeastNanos) {
         C implementation = method.implementation();
-        List<I> inputs = workload.inputs();
         long items = 0;
         long passes = 0;
         long start = System.nanoTime();
@@ -144,6 +148,7 @@ final class MethodTrial<C, I, O> {
             passes++;
             elapsed = System.nanoTime() - start;
         } while (elapsed < atLeastNanos);
+        Inputs.requireUnchanged(inputs, workload.inputs());
         return new Sample(elapsed, items, passes);
     }
 

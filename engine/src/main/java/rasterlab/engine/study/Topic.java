@@ -28,18 +28,33 @@ public interface Topic<C, I, O> {
     List<Workload<I>> workloads();
 
     /**
-     * Runs a method and records what it produced.
+     * Runs a method on a copy of the input and records what it produced.
      *
      * @param limit the most items to record; a method that goes on beyond it is stopped
      * @throws LimitReached when the method produced more than {@code limit} items; carries what was
      *     recorded
+     * @throws InputChanged when the method wrote into what it was only given to read
      * @throws IllegalArgumentException when the method refuses the input
      */
-    O record(C method, I input, int limit);
+    default O record(C method, I input, int limit) {
+        I copy = Inputs.copy(input);
+        O recorded = run(method, copy, limit);
+        Inputs.requireUnchanged(copy, input);
+        return recorded;
+    }
+
+    /**
+     * Runs a method and records what it produced, as {@link #record} does.
+     *
+     * @param input the method's own: nothing else reads it
+     */
+    O run(C method, I input, int limit);
 
     /**
      * Runs a method as fast as it goes, with a sink that only counts, and returns the number of
      * items produced.
+     *
+     * @param input the method's own: nothing else reads it
      */
     long spend(C method, I input);
 

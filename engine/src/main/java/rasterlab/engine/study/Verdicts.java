@@ -14,6 +14,8 @@ final class Verdicts {
             Throwable cause = threw.cause();
             if (cause instanceof LimitReached)
                 return verdict(Verdict.Kind.ENDLESS, "it " + cause.getMessage());
+            if (cause instanceof InputChanged)
+                return verdict(Verdict.Kind.WRONG, cause.getMessage());
             if (cause instanceof IllegalArgumentException && cause.getMessage() != null)
                 return verdict(Verdict.Kind.REFUSED, cause.getMessage());
             return verdict(Verdict.Kind.CRASHED, cause + place(cause));

@@ -39,8 +39,8 @@ record LinesOf(List<Method<LineRasterizer>> methods)
     }
 
     @Override
-    public PixelRecording record(LineRasterizer method, Segment input, int limit) {
-        return LINE.record(method, input, limit);
+    public PixelRecording run(LineRasterizer method, Segment input, int limit) {
+        return LINE.run(method, input, limit);
     }
 
     @Override

@@ -80,7 +80,7 @@ public final class PolygonClipTopic
     }
 
     @Override
-    public List<double[]> record(PolygonClipper method, PolygonInWindow input, int limit) {
+    public List<double[]> run(PolygonClipper method, PolygonInWindow input, int limit) {
         var pieces = new ArrayList<double[]>();
         method.clip(
                 input.window(),

@@ -60,7 +60,7 @@ public final class SegmentClipTopic
      *     for one segment
      */
     @Override
-    public ClippedEnds record(SegmentClipper method, SegmentsInWindow input, int limit) {
+    public ClippedEnds run(SegmentClipper method, SegmentsInWindow input, int limit) {
         var capture = new PartCapture(limit);
         for (double[] s : input.segments()) {
             if (method instanceof SteppedSegmentClipper stepped)

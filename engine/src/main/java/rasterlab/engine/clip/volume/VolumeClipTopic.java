@@ -106,7 +106,7 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
      *     for one segment
      */
     @Override
-    public ClippedEnds record(VolumeClipper method, SegmentsInVolume input, int limit) {
+    public ClippedEnds run(VolumeClipper method, SegmentsInVolume input, int limit) {
         var capture = new PartCapture(limit);
         for (double[] s : input.segments()) {
             if (method instanceof SteppedVolumeClipper stepped)

@@ -41,7 +41,7 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     }
 
     @Override
-    public Meetings record(LinePlane method, PlaneAndLines input, int limit) {
+    public Meetings run(LinePlane method, PlaneAndLines input, int limit) {
         Meetings all = answers(input, method::meets);
         if (all.size() > limit) throw new LimitReached(limit, all.first(limit));
         return all;

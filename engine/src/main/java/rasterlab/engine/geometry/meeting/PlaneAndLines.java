@@ -6,18 +6,21 @@ import rasterlab.engine.geometry.Line;
 import rasterlab.engine.geometry.Plane;
 import rasterlab.engine.geometry.Vector;
 
-/** A plane and the lines to meet it: an input of topic {@code line-plane}. */
-public final class PlaneAndLines {
-    private final double[] normal;
-    private final double c;
-    private final double[][] from;
-    private final double[][] through;
-
+/**
+ * A plane and the lines to meet it: an input of topic {@code line-plane}.
+ *
+ * @param normal x, y, z of n
+ * @param c n·a for any point a of the plane
+ * @param from x, y, z of a point of each line
+ * @param through x, y, z of another
+ */
+public record PlaneAndLines(double[] normal, double c, double[][] from, double[][] through) {
     public PlaneAndLines(Plane plane, List<Line> lines) {
-        normal = numbers(plane.normal());
-        c = plane.c();
-        from = lines.stream().map(line -> numbers(line.from())).toArray(double[][]::new);
-        through = lines.stream().map(line -> numbers(line.through())).toArray(double[][]::new);
+        this(
+                numbers(plane.normal()),
+                plane.c(),
+                lines.stream().map(line -> numbers(line.from())).toArray(double[][]::new),
+                lines.stream().map(line -> numbers(line.through())).toArray(double[][]::new));
     }
 
     /** Answers of a method, or of the reference. */

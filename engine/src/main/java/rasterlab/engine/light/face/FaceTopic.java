@@ -43,8 +43,8 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     }
 
     @Override
-    public double[] record(FaceShader method, FacePoints points, int limit) {
-        double[] shades = method.shade(points.face(), points.weights().clone());
+    public double[] run(FaceShader method, FacePoints points, int limit) {
+        double[] shades = method.shade(points.face(), points.weights());
         if (shades.length != points.weights().length)
             throw new IllegalStateException(
                     "%d shares were asked for, got %d"

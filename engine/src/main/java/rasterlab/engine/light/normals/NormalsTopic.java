@@ -44,8 +44,8 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
-    public Images record(VertexNormals method, Triangles surface, int limit) {
-        double[] normals = method.normals(surface.vertices().clone(), surface.triangles().clone());
+    public Images run(VertexNormals method, Triangles surface, int limit) {
+        double[] normals = method.normals(surface.vertices(), surface.triangles());
         if (normals.length != surface.vertices().length)
             throw new IllegalStateException(
                     "%d numbers were asked for, got %d"

@@ -43,7 +43,7 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
     }
 
     @Override
-    public Shades record(PointShader method, LitPoints points, int limit) {
+    public Shades run(PointShader method, LitPoints points, int limit) {
         var rgb = new EnumMap<Reflection, double[]>(Reflection.class);
         List<LitPoint> all = points.first(limit);
         var intensities = new double[3 * all.size()];

@@ -46,9 +46,9 @@ public final class PointInPolygonTopic
     }
 
     @Override
-    public Membership record(PointInPolygon method, ShapeAndPoints input, int limit) {
-        double[] polygonX = input.corners().xs();
-        double[] polygonY = input.corners().ys();
+    public Membership run(PointInPolygon method, ShapeAndPoints input, int limit) {
+        double[] polygonX = input.corners().x();
+        double[] polygonY = input.corners().y();
         var answer =
                 new Membership(
                         input.points(), limit, (x, y) -> method.contains(polygonX, polygonY, x, y));
@@ -58,8 +58,8 @@ public final class PointInPolygonTopic
 
     @Override
     public long spend(PointInPolygon method, ShapeAndPoints input) {
-        double[] polygonX = input.corners().xs();
-        double[] polygonY = input.corners().ys();
+        double[] polygonX = input.corners().x();
+        double[] polygonY = input.corners().y();
         Points points = input.points();
         long outside = 0;
         for (int i = 0; i < points.size(); i++)

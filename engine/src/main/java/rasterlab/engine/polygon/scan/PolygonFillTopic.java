@@ -41,7 +41,7 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     }
 
     @Override
-    public PixelRecording record(PolygonFiller method, PolygonTask task, int limit) {
+    public PixelRecording run(PolygonFiller method, PolygonTask task, int limit) {
         var recording = new PixelRecording(limit);
         method.fill(
                 task.x(),

@@ -47,7 +47,7 @@ public final class PointInTriangleTopic
     }
 
     @Override
-    public Membership record(PointInTriangle method, ShapeAndPoints input, int limit) {
+    public Membership run(PointInTriangle method, ShapeAndPoints input, int limit) {
         Points t = input.corners();
         var answer =
                 new Membership(

@@ -34,15 +34,15 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
     }
 
     @Override
-    public Triangles record(Triangulator method, Points corners, int limit) {
-        var answer = new Triangles(method.triangulate(corners.xs(), corners.ys()));
+    public Triangles run(Triangulator method, Points corners, int limit) {
+        var answer = new Triangles(method.triangulate(corners.x(), corners.y()));
         if (answer.size() > limit) throw new LimitReached(limit, answer.first(limit));
         return answer;
     }
 
     @Override
     public long spend(Triangulator method, Points corners) {
-        return method.triangulate(corners.xs(), corners.ys()).length / 3;
+        return method.triangulate(corners.x(), corners.y()).length / 3;
     }
 
     /**

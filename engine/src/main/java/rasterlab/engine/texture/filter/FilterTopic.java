@@ -63,8 +63,8 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     }
 
     @Override
-    public double[] record(TextureFilter method, FilteredPixels pixels, int limit) {
-        var lookup = method.prepare(pixels.width(), pixels.height(), pixels.argb().clone());
+    public double[] run(TextureFilter method, FilteredPixels pixels, int limit) {
+        var lookup = method.prepare(pixels.width(), pixels.height(), pixels.argb());
         var levels = new double[4 * Math.min(limit, pixels.count())];
         for (int i = 0; i < levels.length / 4; i++) {
             int argb = look(lookup, pixels.footprints(), i * FilteredPixels.NUMBERS);

@@ -55,7 +55,7 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     }
 
     @Override
-    public Images record(TextureMapper method, TexturedSpan span, int limit) {
+    public Images run(TextureMapper method, TexturedSpan span, int limit) {
         double[] st = method.coordinates(span);
         if (st.length != 2 * span.pixels())
             throw new IllegalStateException(

@@ -45,9 +45,9 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
     }
 
     @Override
-    public Images record(AxisRotation method, AxisTurn turn, int limit) {
+    public Images run(AxisRotation method, AxisTurn turn, int limit) {
         double[] points = turn.points().clone();
-        method.rotate(turn.through().clone(), turn.direction().clone(), turn.degrees(), points);
+        method.rotate(turn.through(), turn.direction(), turn.degrees(), points);
         return new Images(points, 3).first(limit);
     }
 

@@ -51,7 +51,7 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     }
 
     @Override
-    public Output record(PointTransformer method, Chain chain, int limit) {
+    public Output run(PointTransformer method, Chain chain, int limit) {
         double[] points = chain.points().clone();
         var h = new double[chain.size()];
         method.transform(chain.dimension(), chain.matrices(), points, h);

@@ -51,7 +51,7 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     }
 
     @Override
-    public double[][] record(MatrixFormula method, MatrixCall call, int limit) {
+    public double[][] run(MatrixFormula method, MatrixCall call, int limit) {
         return method.rows(call.name(), call.parameters());
     }
 

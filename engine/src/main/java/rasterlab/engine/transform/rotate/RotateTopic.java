@@ -44,7 +44,7 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     }
 
     @Override
-    public Images record(PlaneRotation method, Turns turns, int limit) {
+    public Images run(PlaneRotation method, Turns turns, int limit) {
         double[] points = turns.points().clone();
         method.rotate(turns.degrees(), turns.times(), points);
         return new Images(points, 2).first(limit);

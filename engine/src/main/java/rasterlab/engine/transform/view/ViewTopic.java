@@ -91,7 +91,7 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
-    public Images record(EyeView method, Look look, int limit) {
+    public Images run(EyeView method, Look look, int limit) {
         double[] points = look.points().clone();
         method.view(look.theta(), look.phi(), look.rho(), points);
         return new Images(points, 3).first(limit);
@@ -99,7 +99,7 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
 
     @Override
     public long spend(EyeView method, Look look) {
-        return record(method, look, Integer.MAX_VALUE).size();
+        return run(method, look, Integer.MAX_VALUE).size();
     }
 
     @Override

@@ -41,7 +41,7 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
     }
 
     @Override
-    public StoredDepths record(DepthFormat method, DepthRows rows, int limit) {
+    public StoredDepths run(DepthFormat method, DepthRows rows, int limit) {
         return StoredDepths.of(method, rows);
     }
 

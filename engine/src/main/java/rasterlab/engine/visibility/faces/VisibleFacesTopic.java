@@ -33,7 +33,7 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     }
 
     @Override
-    public SeenFaces record(VisibleFaces method, Body body, int limit) {
+    public SeenFaces run(VisibleFaces method, Body body, int limit) {
         var all =
                 new SeenFaces(method.visible(body.xyz(), body.faces(), body.eye(), body.inside()));
         if (all.size() > limit) throw new LimitReached(limit, all.first(limit));

@@ -46,7 +46,7 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     }
 
     @Override
-    public FacePicture record(Visibility method, SurfaceView input, int limit) {
+    public FacePicture run(Visibility method, SurfaceView input, int limit) {
         FacePicture picture = DrawnFaces.by(method, input).picture();
         if (input.width() * input.height() > limit) throw new LimitReached(limit, picture);
         return picture;
@@ -61,7 +61,7 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
 
     @Override
     public FacePicture exact(SurfaceView input, int limit) {
-        return record(visibilities.named(REFERENCE).implementation(), input, Integer.MAX_VALUE);
+        return run(visibilities.named(REFERENCE).implementation(), input, Integer.MAX_VALUE);
     }
 
     @Override

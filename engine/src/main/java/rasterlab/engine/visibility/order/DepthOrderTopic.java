@@ -43,7 +43,7 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
     }
 
     @Override
-    public Painting record(DepthOrder method, Sight sight, int limit) {
+    public Painting run(DepthOrder method, Sight sight, int limit) {
         var painting = new Painting();
         method.order(
                 sight.polygons(),
