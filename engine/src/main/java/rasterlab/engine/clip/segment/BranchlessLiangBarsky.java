@@ -12,10 +12,10 @@ import rasterlab.contract.SegmentSink;
  * back}. Something is left where enter + back &lt; 1.
  *
  * <p>A share errs by 4·u of itself (u = 2⁻⁵³), so enter + back is known to within 2⁻⁵⁰: nearer to 1
- * than {@value #SURE}, it is handed over. A share is at most 0 exactly where the end is within, so
- * such an end stays where it is. A cut end gets the side's own coordinate on the axis with the
- * larger share; on the other axis it lies inside by {@value #SURE} of the segment's extent, more
- * than rounding takes, or else is handed over.
+ * than {@value #SURE}, it is handed over, and so is a share too small for a double. A share is at
+ * most 0 exactly where the end is within, so such an end stays where it is. A cut end gets the
+ * side's own coordinate on the axis with the larger share; on the other axis it lies inside by
+ * {@value #SURE} of the segment's extent, more than rounding takes, or else is handed over.
  *
  * <p>Where the segment lies is as good as random, so a processor guesses every branch on it wrong
  * often, which costs more than the arithmetic between two of them (the clipping benchmark shows
@@ -88,10 +88,10 @@ public final class BranchlessLiangBarsky implements SteppedSegmentClipper {
                 double x1,
                 double y1) {
             super(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-            nearX = picked(xmin, xmax, signs(dx));
-            farX = picked(xmax, xmin, signs(dx));
-            nearY = picked(ymin, ymax, signs(dy));
-            farY = picked(ymax, ymin, signs(dy));
+            nearX = picked(this.xmin, this.xmax, signs(dx));
+            farX = picked(this.xmax, this.xmin, signs(dx));
+            nearY = picked(this.ymin, this.ymax, signs(dy));
+            farY = picked(this.ymax, this.ymin, signs(dy));
         }
 
         /** Whether both ends are beyond one side: two differences have a sign bit in common. */
@@ -148,6 +148,13 @@ public final class BranchlessLiangBarsky implements SteppedSegmentClipper {
             if (Math.abs(left) <= SURE) handOver();
             if (Math.abs(enterX - enterY) <= SURE && enter > 0) handOver();
             if (Math.abs(backX - backY) <= SURE && back > 0) handOver();
+            if (vanished(enterX, x0, nearX) | vanished(enterY, y0, nearY)) handOver();
+            if (vanished(backX, x1, farX) | vanished(backY, y1, farY)) handOver();
+        }
+
+        /** Whether a share is 0 though the end is not on the side: too small for a double. */
+        private static boolean vanished(double share, double end, double side) {
+            return share == 0 & end != side;
         }
 
         private double enter() {

@@ -74,12 +74,12 @@ public final class CohenSutherland implements SteppedSegmentClipper {
                 double x1,
                 double y1) {
             super(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-            fromX = x0;
-            fromY = y0;
-            toX = x1;
-            toY = y1;
-            fromCode = code(x0, y0);
-            toCode = code(x1, y1);
+            fromX = this.x0;
+            fromY = this.y0;
+            toX = this.x1;
+            toY = this.y1;
+            fromCode = code(fromX, fromY);
+            toCode = code(toX, toY);
         }
 
         boolean open() {

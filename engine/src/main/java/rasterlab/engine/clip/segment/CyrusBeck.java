@@ -10,8 +10,9 @@ import rasterlab.engine.clip.polygon.ConvexWindow;
  * c) ≥ 0. On the segment n·(p(t) − c) = inside + t·rate, inside = n·(p0 − c), rate = n·(p1 − p0);
  * it enters at t = −inside/rate where rate &gt; 0, leaves there where rate &lt; 0, and runs along
  * the edge where rate = 0. The contract's window is a rectangle, corners counter-clockwise, so that
- * one of n's coordinates is 0 and t errs by less than 2⁻⁵⁰; {@link ConvexWindowWalk} takes any
- * other convex window.
+ * one of n's coordinates is 0 and t errs by less than 2⁻⁵⁰, unless a difference is so small that n
+ * times it is no double, which is handed over; {@link ConvexWindowWalk} takes any other convex
+ * window.
  *
  * <p>Source: M. Cyrus and J. Beck, Generalized two- and three-dimensional clipping, Computers and
  * Graphics 3, 1978, pp. 23–28.
@@ -84,6 +85,9 @@ public final class CyrusBeck implements SteppedSegmentClipper {
             corners = new double[] {xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax};
             // An edge without length has no normal.
             if (!(xmax - xmin >= NARROWEST && ymax - ymin >= NARROWEST)) handOver();
+            if (vanishing(dx) || vanishing(dy)) handOver();
+            if (vanishing(x0 - xmin) || vanishing(x0 - xmax)) handOver();
+            if (vanishing(y0 - ymin) || vanishing(y0 - ymax)) handOver();
         }
 
         @Override

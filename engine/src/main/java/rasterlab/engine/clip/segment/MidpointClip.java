@@ -13,7 +13,8 @@ import rasterlab.contract.SegmentSink;
  * are at most {@value #DEEPEST} halvings in each of the three parts.
  *
  * <p>A middle so near a side that rounding may decide, while a visible point is still sought, is
- * handed over; near a corner that is what the seeking comes down to.
+ * handed over; near a corner that is what the seeking comes down to. So is a segment of which one
+ * extent is about as short as the smallest double, which cannot be halved.
  *
  * <p>Source: R. F. Sproull and I. E. Sutherland, A clipping divider, AFIPS Fall Joint Computer
  * Conference, 1968, pp. 765–776.
@@ -68,8 +69,9 @@ public final class MidpointClip implements SteppedSegmentClipper {
                 double x1,
                 double y1) {
             super(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-            enterCode = code(x0, y0);
-            leaveCode = code(x1, y1);
+            if (vanishing(dx) || vanishing(dy)) handOver();
+            enterCode = code(this.x0, this.y0);
+            leaveCode = code(this.x1, this.y1);
             if ((enterCode & leaveCode) != 0) part = Part.OVER;
             else if (enterCode == 0) found(0);
             else if (leaveCode == 0) found(1);

@@ -25,6 +25,7 @@ final class SegmentClipHazards {
         all.addAll(around());
         all.addAll(touching());
         all.addAll(extreme());
+        all.addAll(vanishing());
         return all;
     }
 
@@ -211,6 +212,36 @@ final class SegmentClipHazards {
                         TEN,
                         recorded(WRONG, ENDLESS, WRONG, REFUSED),
                         s(Double.NEGATIVE_INFINITY, 5, 5, 5)));
+    }
+
+    /** Zeros with a sign, and differences that lose their digits when they are multiplied. */
+    private static List<Hazard<SegmentsInWindow>> vanishing() {
+        return List.of(
+                hazard(
+                        "signed-zeros",
+                        "On a side at −0.0, whose difference from 0.0 has a sign bit.",
+                        new ClipWindow(0, 0, 3, 6),
+                        recorded(EXACT, EXACT, EXACT, EXACT),
+                        s(0, -0.0, 0, -0.0),
+                        s(1, -0.0, 2, -0.0)),
+                hazard(
+                        "beyond-by-the-smallest-double",
+                        "An end so little outside that its share of the segment is no double.",
+                        new ClipWindow(0, 0, 5, 3),
+                        recorded(WRONG, ENDLESS, EXACT, EXACT),
+                        s(-3, 5, 5, -TINY)),
+                hazard(
+                        "as-wide-as-the-smallest-double",
+                        "A segment whose extent in x cannot be halved; its last point alone is left.",
+                        new ClipWindow(0, 3, 0, 6),
+                        recorded(WRONG, ENDLESS, WRONG, EXACT),
+                        s(TINY, 0, 0, 6)),
+                hazard(
+                        "rise-of-smallest-doubles",
+                        "Five smallest doubles up, cut at the second: their products keep no digits.",
+                        new ClipWindow(-7, 2 * TINY, 1.5, 6.375),
+                        recorded(WRONG, ENDLESS, WRONG, EXACT),
+                        s(-3.75, 0, 6.75, 5 * TINY)));
     }
 
     private static double[] s(double x0, double y0, double x1, double y1) {

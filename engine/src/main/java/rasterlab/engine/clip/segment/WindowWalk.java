@@ -20,6 +20,7 @@ abstract class WindowWalk implements SegmentWalk {
 
     private static final double LONGEST = 512;
     private static final double SMALLEST = 0x1p-300;
+    private static final double FLATTEST = 0x1p-600;
     private static final double LARGEST = 0x1p300;
 
     final double xmin;
@@ -45,16 +46,17 @@ abstract class WindowWalk implements SegmentWalk {
             double y0,
             double x1,
             double y1) {
-        this.xmin = xmin;
-        this.ymin = ymin;
-        this.xmax = xmax;
-        this.ymax = ymax;
-        this.x0 = x0;
-        this.y0 = y0;
-        this.x1 = x1;
-        this.y1 = y1;
-        dx = x1 - x0;
-        dy = y1 - y0;
+        // −0.0 becomes 0.0, so that the difference of two equal numbers has no sign bit.
+        this.xmin = xmin + 0.0;
+        this.ymin = ymin + 0.0;
+        this.xmax = xmax + 0.0;
+        this.ymax = ymax + 0.0;
+        this.x0 = x0 + 0.0;
+        this.y0 = y0 + 0.0;
+        this.x1 = x1 + 0.0;
+        this.y1 = y1 + 0.0;
+        dx = this.x1 - this.x0;
+        dy = this.y1 - this.y0;
         size = (xmax - xmin) + (ymax - ymin);
         // Written so that NaN makes it false.
         boolean sure =
@@ -73,8 +75,16 @@ abstract class WindowWalk implements SegmentWalk {
     }
 
     /**
+     * Whether a length is not 0, yet so short that its products with shares and with the window's
+     * sides may fall among the subnormal numbers, which have few digits.
+     */
+    static boolean vanishing(double length) {
+        return Math.abs(length) < FLATTEST && length != 0;
+    }
+
+    /**
      * Which sides a point lies beyond: the signs of four differences, bit by bit. A difference of
-     * doubles has the right sign always, and that of equals is +0.
+     * doubles has the right sign always, and that of equals is +0, none of them being −0.
      */
     final int code(double x, double y) {
         return columnCode(x) | rowCode(y);

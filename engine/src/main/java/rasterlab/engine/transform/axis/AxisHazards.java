@@ -11,6 +11,7 @@ import rasterlab.engine.study.Verdict;
 /** Axes on which the printed seven steps fail, and those that are hard for the right methods. */
 final class AxisHazards {
     private static final double THIRD = 1 / 3.0;
+    private static final double TINY = Double.MIN_VALUE;
 
     private AxisHazards() {}
 
@@ -46,6 +47,11 @@ final class AxisHazards {
                         "axis-nearly-z",
                         "d is so small that its square is no double.",
                         AxisTurn.about(3e-170, -4e-170, 1, 45, 1, 2, 3),
+                        WRONG),
+                hazard(
+                        "axis-beside-z",
+                        "l and m are smallest doubles: d cannot be √2 of them.",
+                        AxisTurn.about(TINY, TINY, 1, 45, 1, 0, 0),
                         WRONG),
                 hazard(
                         "axis-through-far-point",

@@ -1,0 +1,58 @@
+package rasterlab.engine.border;
+
+import java.util.function.BiPredicate;
+import java.util.function.Function;
+import rasterlab.engine.study.Topic;
+
+/**
+ * How an input of one topic is made of border numbers, and which refusals its methods may answer
+ * with.
+ *
+ * @param input makes an input; an IllegalArgumentException says that there is none of these numbers
+ * @param refusals whether a refusal is one that the method's text or the contract states
+ * @param promise what the contract promises of an answer beside what the topic compares
+ * @param share of the full number of inputs, for topics whose reference is slow; 1 for all
+ */
+record Border<C, I, O>(
+        Topic<C, I, O> topic,
+        Function<Draws, I> input,
+        Refusals<I> refusals,
+        BiPredicate<I, O> promise,
+        double share) {
+
+    /** Judges refusals. */
+    @FunctionalInterface
+    interface Refusals<I> {
+        /**
+         * Whether the method may refuse this input in these words.
+         *
+         * @param message of the IllegalArgumentException
+         */
+        boolean allowed(String method, I input, String message);
+    }
+
+    /** No method may refuse anything. */
+    static <C, I, O> Border<C, I, O> of(Topic<C, I, O> topic, Function<Draws, I> input) {
+        return of(topic, input, (method, any, message) -> false);
+    }
+
+    static <C, I, O> Border<C, I, O> of(
+            Topic<C, I, O> topic, Function<Draws, I> input, Refusals<I> refusals) {
+        return new Border<>(topic, input, refusals, (any, answer) -> true, 1);
+    }
+
+    /** The same with fewer inputs. */
+    Border<C, I, O> slow(double share) {
+        return new Border<>(topic, input, refusals, promise, share);
+    }
+
+    /** The same with a promise that each answer has to keep. */
+    Border<C, I, O> promising(BiPredicate<I, O> promise) {
+        return new Border<>(topic, input, refusals, promise, share);
+    }
+
+    @Override
+    public String toString() {
+        return topic.name();
+    }
+}

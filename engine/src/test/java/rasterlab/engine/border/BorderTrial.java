@@ -1,0 +1,130 @@
+package rasterlab.engine.border;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+
+/** Tries every method of a topic that promises to be right on inputs made of border numbers. */
+final class BorderTrial<C, I, O> {
+    /** A promise without exception, or within the range that the rest of the text states. */
+    private static final String PROMISE = "none known";
+
+    private final Border<C, I, O> border;
+    private int inputs;
+    private int answers;
+
+    BorderTrial(Border<C, I, O> border) {
+        this.border = border;
+    }
+
+    /** Whether the method says that it fails nowhere, or nowhere in its range. */
+    static boolean promises(Method<?> method) {
+        return method.about().failures().startsWith(PROMISE);
+    }
+
+    /** The right answer of one input, cut as a topic cuts it. */
+    private record Right<O>(O exact, boolean cut, int limit) {}
+
+    /**
+     * What methods do wrong, each told once with its numbers made as simple as they get.
+     *
+     * @param seed of the first input; the next one has the next seed
+     */
+    List<String> failures(long seed, int count) {
+        var methods = new ArrayList<Method<C>>();
+        for (Method<C> method : border.topic().methods()) if (promises(method)) methods.add(method);
+        var found = new ArrayList<String>();
+        for (long at = seed; at < seed + count && !methods.isEmpty(); at++) {
+            Draws draws = Draws.random(at);
+            Optional<I> input = input(draws);
+            if (input.isEmpty()) continue;
+            inputs++;
+            Right<O> right = right(input.get());
+            for (Method<C> method : List.copyOf(methods)) {
+                if (complaint(method, input.get(), right).isEmpty()) continue;
+                methods.remove(method);
+                found.add("seed " + at + ": " + told(method, draws.drawn()));
+            }
+        }
+        return found;
+    }
+
+    /** The numbers that {@link #failures} tried: inputs, and answers to compare. */
+    String counted() {
+        return inputs + " inputs, " + answers + " answers";
+    }
+
+    /** Whether half of the inputs and of the answers were there to be judged at all. */
+    boolean meant(int count) {
+        long promising = border.topic().methods().stream().filter(BorderTrial::promises).count();
+        return 2L * inputs >= count && 2L * answers >= inputs * promising;
+    }
+
+    private Optional<I> input(Draws draws) {
+        try {
+            return Optional.of(border.input().apply(draws));
+        } catch (IllegalArgumentException e) {
+            return Optional.empty();
+        }
+    }
+
+    private Right<O> right(I input) {
+        int most = border.topic().mostItems();
+        O exact = border.topic().exact(input, most + 1);
+        long items = border.topic().compare(input, exact, exact).of();
+        if (items > most) return new Right<>(border.topic().exact(input, most), true, most);
+        return new Right<>(exact, false, (int) border.topic().mostBeforeEndless(items));
+    }
+
+    /** What is wrong with the method's answer to the input. */
+    private Optional<String> complaint(Method<C> method, I input, Right<O> right) {
+        O made;
+        try {
+            made = border.topic().record(method.implementation(), input, right.limit());
+        } catch (IllegalArgumentException e) {
+            if (border.refusals().allowed(method.name(), input, e.getMessage()))
+                return Optional.empty();
+            return Optional.of("is refused: " + e.getMessage());
+        } catch (LimitReached e) {
+            if (!right.cut()) return Optional.of("gets an endless answer");
+            made = recorded(e);
+        } catch (RuntimeException | StackOverflowError e) {
+            return Optional.of("throws " + e);
+        }
+        answers++;
+        if (!border.promise().test(input, made))
+            return Optional.of("breaks a promise of the contract: " + Readable.text(made));
+        Deviation deviation = border.topic().compare(input, right.exact(), made);
+        return border.topic().correct(deviation)
+                ? Optional.empty()
+                : Optional.of(
+                        "is off by %s %s: %s"
+                                .formatted(
+                                        deviation.worst(),
+                                        border.topic().errorUnit(),
+                                        deviation.first()));
+    }
+
+    @SuppressWarnings("unchecked") // the topic's own sink threw it, with the topic's output
+    private O recorded(LimitReached reached) {
+        return (O) reached.recorded();
+    }
+
+    private String told(Method<C> method, List<Double> numbers) {
+        List<Double> few = Shrinking.shrunk(numbers, each -> wrong(method, each).isPresent());
+        return "%s %s on %s of the numbers %s %s"
+                .formatted(
+                        border.topic().name(),
+                        method.name(),
+                        input(Draws.of(few)).map(Readable::text).orElseThrow(),
+                        few,
+                        wrong(method, few).orElseThrow());
+    }
+
+    private Optional<String> wrong(Method<C> method, List<Double> numbers) {
+        return input(Draws.of(numbers)).flatMap(each -> complaint(method, each, right(each)));
+    }
+}

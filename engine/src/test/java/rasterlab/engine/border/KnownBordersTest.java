@@ -1,0 +1,104 @@
+package rasterlab.engine.border;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.contract.AxisRotation;
+import rasterlab.contract.SegmentClipper;
+import rasterlab.engine.clip.segment.ClipWindow;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.transform.axis.AxisTopic;
+
+/** Inputs that went wrong once, with answers found by hand. */
+class KnownBordersTest {
+    private static final double TINY = Double.MIN_VALUE;
+
+    static Stream<Arguments> segments() {
+        var cases = new ArrayList<Arguments>();
+        for (var method : promising(new SegmentClipTopic().methods())) {
+            cases.add(clip(method, "-0.0 on a side", "0 0 1 1", "0 -0.0 0 -0.0", 0, 0, 0, 0));
+            cases.add(clip(method, "along a side at -0.0", "0 0 3 6", "1 -0.0 2 -0.0", 1, 0, 2, 0));
+            cases.add(clip(method, "side at -0.0", "-0.0 -1 -0.0 1", "0 0 0 0", 0, 0, 0, 0));
+            cases.add(clip(method, "narrowest", "0 3 0 6", TINY + " 0 0 6", 0, 6, 0, 6));
+            cases.add(
+                    clip(
+                            method,
+                            "flattest",
+                            "-7 1e-323 1.5 6.375",
+                            "-3.75 0 6.75 2.5e-323",
+                            0.45,
+                            1e-323,
+                            1.5,
+                            1.5e-323));
+            cases.add(clip(method, "just beyond", "0 0 5 3", "-3 5 5 " + -TINY, 0.2, 3, 5, 0));
+        }
+        return cases.stream();
+    }
+
+    private static <C> List<Method<C>> promising(List<Method<C>> methods) {
+        return methods.stream().filter(BorderTrial::promises).toList();
+    }
+
+    private static Arguments clip(
+            Method<SegmentClipper> method,
+            String name,
+            String window,
+            String ends,
+            double... left) {
+        return argumentSet(
+                method.name() + ": " + name,
+                method.implementation(),
+                numbers(window),
+                numbers(ends),
+                left);
+    }
+
+    private static double[] numbers(String text) {
+        return Stream.of(text.split(" ")).mapToDouble(Double::parseDouble).toArray();
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("segments")
+    void aSegmentAtTheBordersIsClippedRight(
+            SegmentClipper method, double[] window, double[] ends, double[] right) {
+        var left = new ArrayList<double[]>();
+        method.clip(
+                window[0],
+                window[1],
+                window[2],
+                window[3],
+                ends[0],
+                ends[1],
+                ends[2],
+                ends[3],
+                (x0, y0, x1, y1) -> left.add(new double[] {x0, y0, x1, y1}));
+        assertEquals(1, left.size(), "what is sent");
+        double[] part = left.get(0);
+        assertArrayEquals(right, part, 1e-12);
+        var sides = new ClipWindow(window[0], window[1], window[2], window[3]);
+        assertEquals(0, sides.code(part[0], part[1]), "sides that its first end lies beyond");
+        assertEquals(0, sides.code(part[2], part[3]), "sides that its second end lies beyond");
+    }
+
+    static Stream<Arguments> turns() {
+        return promising(new AxisTopic().methods()).stream()
+                .map(method -> argumentSet(method.name(), method.implementation()));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("turns")
+    void anAxisThatIsBesideZByTheSmallestDoubleTurnsAboutZ(AxisRotation method) {
+        var point = new double[] {1, 0, 0};
+        method.rotate(new double[3], new double[] {TINY, TINY, 1}, 45, point);
+        double root = Math.sqrt(0.5);
+        assertArrayEquals(new double[] {root, root, 0}, point, 1e-15);
+    }
+}
