@@ -33,6 +33,11 @@ final class CircleHazards {
                         new Circle(5, 3, 1),
                         Map.of(PARAMETRIC, DEGRADED, TEXTBOOK, DEGRADED)),
                 hazard(
+                        "off-the-diagonal",
+                        "The centre's column is not its row.",
+                        new Circle(20, -7, 6),
+                        Map.of(PARAMETRIC, DEGRADED, TEXTBOOK, DEGRADED)),
+                hazard(
                         "corner",
                         "A pixel on the diagonal belongs to two octants.",
                         new Circle(0, 0, 4),

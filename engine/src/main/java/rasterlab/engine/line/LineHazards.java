@@ -37,6 +37,11 @@ final class LineHazards {
                         new Segment(0, 0, 11, 4),
                         Map.of()),
                 hazard(
+                        "both-ends",
+                        "The pixels of both ends are lit, and none beyond them.",
+                        new Segment(2, 1, 8, 3),
+                        Map.of()),
+                hazard(
                         "ties",
                         "The line passes midway between two pixels in every second column.",
                         new Segment(0, 0, 16, 8),

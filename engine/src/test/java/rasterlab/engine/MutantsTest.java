@@ -1,0 +1,134 @@
+package rasterlab.engine;
+
+import static org.junit.jupiter.api.Assertions.assertAll;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+
+/** One likely mistake in a right method is caught by the hazard that is there for it. */
+class MutantsTest {
+    private static final Duration AMPLE = Duration.ofSeconds(20);
+    private static final Method.About ABOUT = new Method.About("", "", "", "", "");
+
+    /** Topics whose lists are still to be written. */
+    private static final Set<String> WITHOUT_LIST =
+            Set.of(
+                    "clip-polygon",
+                    "clip-segment",
+                    "clip-volume",
+                    "color",
+                    "curve",
+                    "depth-buffer",
+                    "depth-order",
+                    "fill",
+                    "hidden-surfaces",
+                    "line-plane",
+                    "matrix",
+                    "point-in-polygon",
+                    "point-in-triangle",
+                    "polygon-fill",
+                    "rotate",
+                    "rotate-axis",
+                    "shade",
+                    "shade-face",
+                    "spline-function",
+                    "texture-filter",
+                    "texture-mapping",
+                    "transform",
+                    "triangulate",
+                    "vertex-normals",
+                    "view",
+                    "visible-faces");
+
+    static Stream<Named<Topic<?, ?, ?>>> topics() {
+        return Topics.all().stream()
+                .filter(topic -> !WITHOUT_LIST.contains(topic.name()))
+                .map(topic -> Named.of(topic.name(), topic));
+    }
+
+    /** So that a list that is written is also run. */
+    @ParameterizedTest
+    @FieldSource("WITHOUT_LIST")
+    void noListIsWaitedForThatIsThere(String name) {
+        assertThrows(AssertionError.class, () -> Mutants.of(Topics.named(name)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    <C, I, O> void eachIsCaughtByTheHazardOfItsMistake(Topic<C, I, O> topic) {
+        assertAll(Mutants.of(topic).all().stream().map(mutant -> () -> caught(topic, mutant)));
+    }
+
+    private static <C, I, O> void caught(Topic<C, I, O> topic, Mutant<C> mutant) {
+        Hazard<I> hazard =
+                topic.hazards().stream()
+                        .filter(each -> each.name().equals(mutant.hazard()))
+                        .findFirst()
+                        .orElseThrow(() -> new AssertionError("no hazard of " + mutant));
+        assertTrue(
+                hazard.recorded().containsValue(Verdict.Kind.EXACT),
+                mutant + ": a hazard that no method can pass catches nothing");
+        Verdict verdict = HazardTrial.judge(topic, method(mutant), hazard, AMPLE);
+        assertNotEquals(Verdict.Kind.EXACT, verdict.kind(), mutant + " gets away");
+        assertNotEquals(Verdict.Kind.CRASHED, verdict.kind(), mutant + ": " + verdict.detail());
+    }
+
+    /** Otherwise it would be rubbish, which everything catches. */
+    @ParameterizedTest
+    @MethodSource("topics")
+    <C, I, O> void eachIsRightOnSomethingElse(Topic<C, I, O> topic) {
+        for (Mutant<C> mutant : Mutants.of(topic).all())
+            assertTrue(
+                    inputs(topic).anyMatch(input -> isRight(topic, mutant, input)),
+                    mutant + " is right on nothing");
+    }
+
+    private static <I> Stream<Hazard<I>> inputs(Topic<?, I, ?> topic) {
+        Stream<Hazard<I>> smallest =
+                topic.workloads().get(0).inputs().stream()
+                        .map(input -> new Hazard<>("workload", "Ordinary.", input, Map.of()));
+        return Stream.concat(topic.hazards().stream(), smallest);
+    }
+
+    private static <C, I, O> boolean isRight(
+            Topic<C, I, O> topic, Mutant<C> mutant, Hazard<I> hazard) {
+        return HazardTrial.judge(topic, method(mutant), hazard, AMPLE).kind() == Verdict.Kind.EXACT;
+    }
+
+    private static <C> Method<C> method(Mutant<C> mutant) {
+        return new Method<>("mutant", ABOUT, mutant.implementation());
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    <C, I, O> void thereAreFiveToTenWithOneMistakeEach(Topic<C, I, O> topic) {
+        List<Mutant<C>> mutants = Mutants.of(topic).all();
+        assertTrue(mutants.size() >= 5 && mutants.size() <= 10, mutants.size() + " mutants");
+        var mistakes = new HashSet<String>();
+        for (Mutant<C> mutant : mutants) {
+            assertFalse(mutant.mistake().isBlank());
+            assertTrue(mistakes.add(mutant.mistake()), mutant + " stands twice");
+        }
+        assertEquals(mutants.size(), mistakes.size());
+    }
+}
