@@ -23,7 +23,7 @@ import rasterlab.exercises.score.Report;
         mixinStandardHelpOptions = true,
         description = {
             "Says what the grading server would say to a solution: public cases only.",
-            "A wrong case is drawn as text: # right, + extra, - missing pixels."
+            "A failed case is drawn as text: # right, + extra, - missing pixels."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -44,7 +44,7 @@ final class CheckCommand implements Callable<Integer> {
     @Option(
             names = "--out",
             paramLabel = "FOLDER",
-            description = "where pictures of wrong cases go; default: check-EXERCISE")
+            description = "where pictures of failed cases go; default: check-EXERCISE")
     private Path folder;
 
     CheckCommand(Console console) {

@@ -106,13 +106,13 @@ public final class Complaints {
     }
 
     /**
-     * The same on a terminal: numbers stay as Java writes and reads them, for who has to type them,
-     * and English stays as it is, for scripts that read it.
+     * The same on a terminal: numbers keep the point that one types there, whole ones without a
+     * fraction, and English stays as it is, for scripts that read it.
      */
     public static String saidToTypist(Language language, String english) {
         return language == Language.ENGLISH
                 ? english
-                : new Complaints(language, UnaryOperator.identity()).inQuotes(english);
+                : new Complaints(language, NumberForm::typed).inQuotes(english);
     }
 
     private String inQuotes(String english) {

@@ -16,6 +16,9 @@ final class NumberForm {
     private static final Pattern NUMBERS =
             Pattern.compile("[\\[(]*%1$s(?:, %1$s)*[])]*".formatted(NUMBER.pattern()));
 
+    /** Java's fraction of a whole number, and its capital in front of an exponent. */
+    private static final Pattern JAVA = Pattern.compile("\\.0(?!\\d)(?:E(?=-?\\d))?|E(?=-?\\d)");
+
     private static final MathContext DIGITS = new MathContext(6);
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
@@ -28,6 +31,12 @@ final class NumberForm {
         boolean fractions = point == ',' && text.contains(".");
         return NUMBER.matcher(fractions ? text.replace(", ", "; ") : text)
                 .replaceAll(number -> Matcher.quoteReplacement(one(number, point)));
+    }
+
+    /** The numbers as one types them: 3 and 1e-6 where Java writes 3.0 and 1.0E-6. */
+    static String typed(String text) {
+        if (!NUMBERS.matcher(text).matches()) return text;
+        return JAVA.matcher(text).replaceAll(found -> found.group().endsWith("E") ? "e" : "");
     }
 
     /** The number to six digits; the text itself where it is something else. */

@@ -191,11 +191,25 @@ class RussianComplaintsTest {
                 "nothing | неизвестная команда «nothing»",
                 "0.5 | неизвестная команда «0.5»",
                 "study circle --out points | points: неизвестное расширение",
-                "render vase --out a.png --zoom 1e-9 | zoom должно быть от 1.0E-6 до 1000000.0, получено 1.0E-9",
+                "render vase --out a.png --zoom 1e-9 | zoom должно быть от 1e-6 до 1000000, получено 1e-9",
             })
     void whatWasTypedStays(String call, String said) {
         String told = Ran.lab((call + " --lang ru").split(" ")).err();
         assertTrue(told.contains(said), told);
+    }
+
+    @ParameterizedTest(name = "numbers are in Java's form after: ./lab {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "render vase --depth-cue 3 | получено 3",
+                "render vase --depth-cue 2.5 | получено 2.5",
+                "render vase --near 5000 --far 100 | near 5000, far 100",
+                "render cyclic-overlap --visibility convex | на расстоянии 150 единиц",
+            })
+    void numbersAreAsOneTypesThem(String call, String end) {
+        String told = Ran.lab((call + " --out a.png --lang ru").split(" ")).err().strip();
+        assertTrue(told.endsWith(end), told);
     }
 
     @ParameterizedTest(name = "an empty name stands for the folder of the call: ./lab {0}")
