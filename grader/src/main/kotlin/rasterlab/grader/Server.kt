@@ -37,6 +37,7 @@ import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
+import rasterlab.grader.submission.SteadyClock
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
 import rasterlab.grader.web.ErrorPage
@@ -77,9 +78,10 @@ class Server(
     private val reports = Reports(database)
     private val results = Results(submissions, reports, live, exercises)
     private val intake = Intake(database, settings.intake, clock)
-    private val leases = Leases(database, reports, clock)
+    private val steady = SteadyClock(clock)
+    private val leases = Leases(database, reports, clock, steady)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
-    private val queue = GradingQueue(database, submissions, leases, attempts, live, clock, settings.workers)
+    private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
     private val pageParts = PageParts(accounts, courses, exercises, submissions, intake, queue, results, live)
 
     /** Begins to grade what waits. */
@@ -95,7 +97,7 @@ class Server(
             install(Authentication) { byToken(accounts) }
             install(RateLimit) {
                 register(ENTRY) {
-                    rateLimiter(limit = settings.entriesPerMinute, refillPeriod = 1.minutes)
+                    rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
                     requestKey { it.request.origin.remoteAddress }
                 }
             }

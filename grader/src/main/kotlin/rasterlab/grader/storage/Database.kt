@@ -54,41 +54,56 @@ class Database private constructor(
         private const val READERS = 4
         private const val BUSY_MILLIS = 5_000
 
-        /** Opens the file, creating or migrating its tables. */
-        fun open(file: Path): Database {
-            migrate(file)
-            return Database(file, pool(file, writing = true), pool(file, writing = false))
+        /** The pool takes no shorter time. */
+        private const val LEAST_PATIENCE_MILLIS = 250L
+
+        /**
+         * Opens the file, creating or migrating its tables.
+         *
+         * @param busyMillis how long a statement waits for another process that has the database
+         */
+        fun open(
+            file: Path,
+            busyMillis: Int = BUSY_MILLIS,
+        ): Database {
+            val source = source(file, busyMillis)
+            migrate(source)
+            return Database(file, pool(source, busyMillis, writing = true), pool(source, busyMillis, writing = false))
         }
 
-        private fun migrate(file: Path) {
+        private fun migrate(source: DataSource) {
             Flyway
                 .configure()
-                .dataSource(source(file))
+                .dataSource(source)
                 .locations("classpath:rasterlab/grader/storage")
                 .load()
                 .migrate()
         }
 
         private fun pool(
-            file: Path,
+            source: DataSource,
+            busyMillis: Int,
             writing: Boolean,
         ) = HikariDataSource(
             HikariConfig().apply {
                 poolName = if (writing) "writer" else "readers"
-                dataSource = source(file)
+                dataSource = source
                 maximumPoolSize = if (writing) 1 else READERS
-                connectionTimeout = 2L * BUSY_MILLIS
+                connectionTimeout = maxOf(2L * busyMillis, LEAST_PATIENCE_MILLIS)
                 if (!writing) connectionInitSql = "PRAGMA query_only = ON"
             },
         )
 
-        private fun source(file: Path) =
+        private fun source(
+            file: Path,
+            busyMillis: Int,
+        ): DataSource =
             SQLiteDataSource(
                 SQLiteConfig().apply {
                     setJournalMode(SQLiteConfig.JournalMode.WAL)
                     setSynchronous(SQLiteConfig.SynchronousMode.FULL)
                     setTransactionMode(SQLiteConfig.TransactionMode.IMMEDIATE)
-                    setBusyTimeout(BUSY_MILLIS)
+                    setBusyTimeout(busyMillis)
                     enforceForeignKeys(true)
                 },
             ).apply { url = "jdbc:sqlite:$file" }

@@ -11,7 +11,9 @@ import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.isForWantOfStorage
 import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.TimeUnit
 
 /** Whether the queue is done with a submission. */
 enum class Outcome {
@@ -36,24 +38,24 @@ class Attempts(
     private val held = ConcurrentHashMap.newKeySet<Lease>()
 
     /**
-     * Grades the submission unless it is graded already. A mistake of ours is tried again; the last
+     * Grades the submission whose turn it is, if one waits. A mistake of ours is tried again; the last
      * one stands as an `internal` result that a person has to look at.
      *
      * @throws InterruptedException when the server stops; the submission is back in the queue then
      */
-    fun attempt(id: String): Outcome {
+    fun attemptNext(): Outcome {
         if (!database.hasRoom()) return Outcome.TRY_AGAIN
-        val lease = leases.claim(id) ?: return Outcome.SETTLED
+        val lease = leases.claimNext() ?: return Outcome.SETTLED
         live.announce()
         held += lease
         try {
             return settle(lease, lease.submission)
-        } catch (stop: InterruptedException) {
-            leases.giveUp(lease, counts = false)
-            throw stop
+        } catch (failure: Exception) {
+            leases.giveUp(lease, counts = failure !is InterruptedException && !stopping())
+            throw failure
         } finally {
             held -= lease
-            live.ended(id)
+            live.ended(lease.submission.id)
         }
     }
 
@@ -86,16 +88,31 @@ class Attempts(
                 }
             }
         if (report.verdict() == GradingVerdict.INTERNAL && (submission.tries < TRIES || stopping())) {
-            leases.giveUp(lease, counts = !stopping())
+            stored { leases.giveUp(lease, counts = !stopping()) }
             return Outcome.TRY_AGAIN
         }
-        val written = leases.finish(lease, exercise?.revision() ?: submission.revision, report)
+        val written = stored { leases.finish(lease, exercise?.revision() ?: submission.revision, report) }
         if (written) {
             log.info("submission {} graded {} on try {}", submission.id, report.verdict().code(), submission.tries)
         } else {
             log.warn("submission {} was given to another worker; this result is dropped", submission.id)
         }
         return Outcome.SETTLED
+    }
+
+    /** Keeps at it while the disk is full or another process locks the database: a result is not lost by that. */
+    private fun <T> stored(write: () -> T): T {
+        var told = false
+        while (true) {
+            try {
+                return write()
+            } catch (failure: Exception) {
+                if (stopping() || !failure.isForWantOfStorage()) throw failure
+                if (!told) log.warn("what came of an attempt waits for the database: {}", failure.toString())
+                told = true
+                TimeUnit.NANOSECONDS.sleep(Leases.PAUSE.toNanos())
+            }
+        }
     }
 
     // Anything that the grading throws is our fault, whatever its type: the student's faults are verdicts.

@@ -10,15 +10,15 @@ import com.github.kagkarlsson.scheduler.task.helper.Tasks
 import com.github.kagkarlsson.shaded.jdbc.SQLRuntimeException
 import org.slf4j.LoggerFactory
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Secrets
 import java.time.Duration
-import java.time.InstantSource
 import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
 /**
- * Calls the worker for each waiting submission. The scheduler's table is only the doorbell: the
- * submission's row says whether there is anything to do, and the sweep rings again for every row
- * whose ring was lost.
+ * Calls a worker as often as submissions wait; whose turn it is then, [Leases] says. The scheduler's table is
+ * only the doorbell: the submissions' rows say whether there is anything to do, and the sweep makes up for
+ * rings that were lost. All of its times are of the steady clock, so that none is far off when the other is set.
  *
  * @param workers how many submissions are graded at the same time
  */
@@ -28,18 +28,20 @@ class GradingQueue(
     private val leases: Leases,
     private val attempts: Attempts,
     private val live: Live,
-    private val clock: InstantSource,
+    private val clock: SteadyClock,
     workers: Int,
 ) : AutoCloseable {
     private val log = LoggerFactory.getLogger(javaClass)
+    private var wallAhead = Duration.ZERO
+    private var failing = false
     private val sweeper = Executors.newSingleThreadScheduledExecutor { Thread(it, "sweep").apply { isDaemon = true } }
 
     private val task =
         Tasks
             .custom("grade", Void::class.java)
-            .onFailure(FailureHandler.maxRetries<Void>(FAILURES).withBackoff(PAUSE, 2.0).thenRemove())
-            .onDeadExecutionRevive()
-            .execute { instance, _ -> completion(attempts.attempt(instance.id)) }
+            .onFailure(FailureHandler.OnFailureRetryLater(Leases.PAUSE))
+            .onDeadExecution { _, operations -> operations.remove() }
+            .execute { _, _ -> completion(attempts.attemptNext()) }
 
     private val scheduler: Scheduler =
         Scheduler
@@ -76,11 +78,22 @@ class GradingQueue(
         live.announce()
     }
 
-    /** Rings for every waiting submission, and for those whose worker is gone. */
+    /** Puts back what nobody grades any more, and rings as often as rings are missing for what waits. */
     fun sweep() {
         leases.releaseExpired()
-        submissions.waiting().forEach { scheduler.scheduleIfNotExists(task.instance(it), clock.instant()) }
+        repeat(submissions.waiting() - rings()) {
+            scheduler.scheduleIfNotExists(task.instance(Secrets.newId()), clock.instant())
+        }
     }
+
+    /** Those not answered yet. One whose answering was cut short by a locked database looks answered for a while. */
+    private fun rings(): Int =
+        database.read {
+            it
+                .createQuery("SELECT count(*) FROM scheduled_tasks WHERE NOT picked")
+                .mapTo(Int::class.javaObjectType)
+                .one()
+        }
 
     /** Lets running attempts finish for a while, then interrupts them, which puts them back. */
     override fun close() {
@@ -90,12 +103,24 @@ class GradingQueue(
 
     // The scheduled executor would never call again after an exception.
     private fun keepAndSweep() {
+        tellSteps()
         try {
             attempts.renew()
             sweep()
+            if (failing) log.info("the sweep goes on")
+            failing = false
         } catch (failure: Exception) {
-            log.error("the sweep failed and is made again in {}", SWEEP, failure)
+            if (!failing) log.error("the sweep failed and is made again each {}", SWEEP, failure)
+            failing = true
         }
+    }
+
+    private fun tellSteps() {
+        val ahead = clock.wallAhead()
+        val step = ahead - wallAhead
+        if (step.abs() < STEP) return
+        wallAhead = ahead
+        log.warn("the system's clock was set by {}; nothing in the queue is moved by that", step)
     }
 
     private fun completion(outcome: Outcome): CompletionHandler<Void> =
@@ -108,7 +133,7 @@ class GradingQueue(
                 CompletionHandler { done, operations ->
                     operations.reschedule(
                         done,
-                        clock.instant() + PAUSE,
+                        clock.instant() + Leases.PAUSE,
                     )
                 }
             }
@@ -125,9 +150,10 @@ class GradingQueue(
     }
 
     private companion object {
-        const val FAILURES = 5
-        val PAUSE: Duration = Duration.ofSeconds(1)
-        val SWEEP: Duration = Duration.ofSeconds(10)
+        val SWEEP: Duration = Duration.ofSeconds(2)
+
+        /** More than a clock is moved that is kept right by and by. */
+        val STEP: Duration = Duration.ofSeconds(2)
 
         /** The scheduler waits this long twice: for the attempts to end, then for them to notice the interrupt. */
         val STOP_WAIT: Duration = Duration.ofSeconds(7)

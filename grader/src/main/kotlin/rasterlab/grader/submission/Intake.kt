@@ -64,8 +64,9 @@ class Intake(
         val id = Secrets.newId()
         handle
             .createUpdate(
-                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
-                   SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued'
+                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round)
+                   SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued',
+                       $ROUND
                    FROM submissions WHERE student_id = :student AND exercise = :exercise""",
             ).bind("id", id)
             .bind("student", student.id)
@@ -84,8 +85,16 @@ class Intake(
     ) {
         val waiting = count(student, handle.createQuery("$COUNT AND state <> 'done'"))
         if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, retryAfterSeconds = 5)
-        val minuteAgo = (clock.instant() - Duration.ofMinutes(1)).text()
-        val lately = count(student, handle.createQuery("$COUNT AND received_at > :since").bind("since", minuteAgo))
+        // Up to now only: before the clock was set back, some may have come at a time that is still to come.
+        val now = clock.instant()
+        val lately =
+            count(
+                student,
+                handle
+                    .createQuery("$COUNT AND received_at > :since AND received_at <= :now")
+                    .bind("since", (now - Duration.ofMinutes(1)).text())
+                    .bind("now", now.text()),
+            )
         if (lately >= limits.perMinute) throw Rejection.TooFast(limits.perMinute, retryAfterSeconds = 60)
     }
 
@@ -95,6 +104,12 @@ class Intake(
     ) = query.bind("student", student.id).mapTo(Int::class.javaObjectType).one()
 
     private companion object {
+        /** The round that grading has come to, or the one after this student's last. */
+        const val ROUND =
+            """max(coalesce((SELECT max(round) FROM submissions WHERE state = 'running'), 0),
+                   coalesce((SELECT max(round) FROM submissions WHERE state = 'done'), 0),
+                   coalesce((SELECT max(round) + 1 FROM submissions WHERE student_id = :student), 0))"""
+
         const val COUNT = "SELECT count(*) FROM submissions WHERE student_id = :student"
     }
 }

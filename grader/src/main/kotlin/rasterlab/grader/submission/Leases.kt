@@ -1,5 +1,6 @@
 package rasterlab.grader.submission
 
+import org.jdbi.v3.core.Handle
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
@@ -7,6 +8,7 @@ import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Reports
 import java.time.Duration
 import java.time.InstantSource
+import kotlin.jvm.optionals.getOrNull
 
 /** The right to grade a submission, until it runs out or the result is in. */
 data class Lease(
@@ -17,34 +19,47 @@ data class Lease(
 /**
  * Who grades what. A submission has at most one lease; a worker whose lease ran out and was given to
  * another can write nothing any more.
+ *
+ * @param steady tells when a lease has run out: the other clock may be set while it runs
  */
 class Leases(
     private val database: Database,
     private val reports: Reports,
     private val clock: InstantSource,
+    private val steady: InstantSource,
 ) {
-    /** Begins an attempt, or null if the submission is graded, being graded or unknown. */
-    fun claim(id: String): Lease? {
+    /** Begins an attempt at the submission whose turn it is, or null if none waits. */
+    fun claimNext(): Lease? {
         val token = Secrets.newId()
         return database.write { handle ->
-            val claimed =
-                handle
-                    .createUpdate(
-                        """UPDATE submissions SET state = 'running', lease = :lease, lease_until = :until, tries = tries + 1
-                           WHERE id = :id AND state = 'queued'""",
-                    ).bind("id", id)
-                    .bind("lease", token)
-                    .bind("until", end())
-                    .execute()
-            if (claimed == 0) null else Submissions.find(handle, id)?.let { Lease(it, token) }
+            val id = next(handle) ?: return@write null
+            handle
+                .createUpdate(
+                    """UPDATE submissions SET state = 'running', lease = :lease, lease_until = :until, tries = tries + 1
+                       WHERE id = :id""",
+                ).bind("id", id)
+                .bind("lease", token)
+                .bind("until", after(LENGTH))
+                .execute()
+            Submissions.find(handle, id)?.let { Lease(it, token) }
         }
     }
+
+    private fun next(handle: Handle): String? =
+        handle
+            .createQuery(
+                """SELECT id FROM submissions WHERE state = 'queued' AND coalesce(lease_until, '') <= :now
+                   ORDER BY round, sequence LIMIT 1""",
+            ).bind("now", after(Duration.ZERO))
+            .mapTo(String::class.java)
+            .findOne()
+            .getOrNull()
 
     fun renew(lease: Lease) {
         database.write {
             it
                 .createUpdate("UPDATE submissions SET lease_until = :until WHERE id = :id AND lease = :lease")
-                .bind("until", end())
+                .bind("until", after(LENGTH))
                 .bind("id", lease.submission.id)
                 .bind("lease", lease.token)
                 .execute()
@@ -52,7 +67,7 @@ class Leases(
     }
 
     /**
-     * Gives an attempt up, so that it is made again.
+     * Gives an attempt up, so that it is made again after [PAUSE].
      *
      * @param counts whether it counts among the tries: not if only the server stops
      */
@@ -63,9 +78,10 @@ class Leases(
         database.write {
             it
                 .createUpdate(
-                    """UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL, tries = tries - :uncounted
+                    """UPDATE submissions SET state = 'queued', lease = NULL, lease_until = :until, tries = tries - :uncounted
                        WHERE id = :id AND lease = :lease""",
-                ).bind("uncounted", if (counts) 0 else 1)
+                ).bind("until", after(PAUSE))
+                .bind("uncounted", if (counts) 0 else 1)
                 .bind("id", lease.submission.id)
                 .bind("lease", lease.token)
                 .execute()
@@ -94,22 +110,27 @@ class Leases(
     /** Puts back into the queue what nobody grades any more. */
     fun releaseExpired() {
         database.write {
-            it.createUpdate("$RELEASE AND lease_until <= :now").bind("now", clock.instant().text()).execute()
+            it
+                .createUpdate("$RELEASE WHERE state = 'running' AND lease_until <= :now")
+                .bind("now", after(Duration.ZERO))
+                .execute()
         }
     }
 
     /** Puts everything back: for a server that starts and is alone on its database. */
     fun releaseAll() {
-        database.write { it.execute(RELEASE) }
+        database.write { it.execute("$RELEASE WHERE state <> 'done'") }
     }
 
-    private fun end() = (clock.instant() + LENGTH).text()
+    private fun after(wait: Duration) = (steady.instant() + wait).text()
 
     companion object {
         /** Longer than a few missed renewals. */
         val LENGTH: Duration = Duration.ofSeconds(60)
 
-        private const val RELEASE =
-            "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL WHERE state = 'running'"
+        /** Before our fault is tried again: what was short may be there again. */
+        val PAUSE: Duration = Duration.ofSeconds(1)
+
+        private const val RELEASE = "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL"
     }
 }

@@ -36,13 +36,12 @@ class Submissions(
     /** 1 for the next one to be graded; 0 when it is not waiting. */
     fun position(id: String): Int = database.read { position(it, id) }
 
-    fun waiting(): List<String> =
+    fun waiting(): Int =
         database.read {
             it
-                .createQuery(
-                    "SELECT id FROM submissions WHERE state = 'queued' ORDER BY sequence",
-                ).mapTo(String::class.java)
-                .list()
+                .createQuery("SELECT count(*) FROM submissions WHERE state = 'queued'")
+                .mapTo(Int::class.javaObjectType)
+                .one()
         }
 
     fun ofStudent(
@@ -109,7 +108,7 @@ class Submissions(
             handle
                 .createQuery(
                     """SELECT count(*) FROM submissions mine JOIN submissions other
-                       ON other.state = 'queued' AND other.sequence <= mine.sequence
+                       ON other.state = 'queued' AND (other.round, other.sequence) <= (mine.round, mine.sequence)
                        WHERE mine.id = :id AND mine.state = 'queued'""",
                 ).bind("id", id)
                 .mapTo(Int::class.javaObjectType)

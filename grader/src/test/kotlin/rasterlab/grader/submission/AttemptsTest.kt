@@ -42,7 +42,7 @@ class AttemptsTest {
     fun open() {
         database = Database.open(folder.resolve("test.db"))
         reports = Reports(database)
-        leases = Leases(database, reports, clock)
+        leases = Leases(database, reports, clock, steady = clock)
         submissions = Submissions(database)
     }
 
@@ -54,7 +54,7 @@ class AttemptsTest {
         var calls = 0
         val attempts = attempts { _, _, _, _ -> right.also { calls++ } }
         val id = submission()
-        repeat(3) { assertEquals(Outcome.SETTLED, attempts.attempt(id)) }
+        repeat(3) { assertEquals(Outcome.SETTLED, attempts.attemptNext()) }
         assertEquals(1, calls)
         assertEquals(GradingVerdict.OK, reports.of(id)?.report?.verdict())
     }
@@ -64,8 +64,9 @@ class AttemptsTest {
         val seeds = mutableListOf<Grading.CaseSelection>()
         val attempts = attempts { _, _, cases, _ -> (if (seeds.size < 1) ours else right).also { seeds += cases } }
         val id = submission()
-        attempts.attempt(id)
-        attempts.attempt(id)
+        attempts.attemptNext()
+        now += Leases.PAUSE
+        attempts.attemptNext()
         val seed = checkNotNull(submissions.find(id)).seed
         assertEquals(List(2) { Grading.CaseSelection.all(seed) }, seeds)
     }
@@ -73,10 +74,10 @@ class AttemptsTest {
     @Test
     fun writesNothingOnceItsLeaseIsWithAnotherWorker() {
         val id = submission()
-        val late = checkNotNull(leases.claim(id))
+        val late = checkNotNull(leases.claimNext())
         now += Leases.LENGTH + Duration.ofMillis(1)
         leases.releaseExpired()
-        val other = checkNotNull(leases.claim(id))
+        val other = checkNotNull(leases.claimNext())
         assertFalse(leases.finish(late, "r1", ours), "the late worker wrote its result")
         assertEquals(null, reports.of(id))
         assertTrue(leases.finish(other, "r1", right))
@@ -86,7 +87,8 @@ class AttemptsTest {
 
     @Test
     fun keepsALeaseThatIsRenewed() {
-        val lease = checkNotNull(leases.claim(submission()))
+        submission()
+        val lease = checkNotNull(leases.claimNext())
         now += Leases.LENGTH - Duration.ofMillis(1)
         leases.renew(lease)
         now += Duration.ofSeconds(2)
@@ -108,10 +110,13 @@ class AttemptsTest {
                 }
             }
         val id = submission()
-        assertEquals(listOf(Outcome.TRY_AGAIN, Outcome.TRY_AGAIN, Outcome.SETTLED), List(3) { attempts.attempt(id) })
+        assertEquals(
+            listOf(Outcome.TRY_AGAIN, Outcome.TRY_AGAIN, Outcome.SETTLED),
+            List(3) { attempts.attemptNext().also { now += Leases.PAUSE } },
+        )
         assertEquals(3, calls)
         assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
-        assertEquals(Outcome.SETTLED, attempts.attempt(id))
+        assertEquals(Outcome.SETTLED, attempts.attemptNext())
         assertEquals(3, calls, "tried again although a person has it")
     }
 
@@ -119,11 +124,11 @@ class AttemptsTest {
     fun doesNotRunAgainWhatKilledTheServerThreeTimes() {
         val id = submission()
         repeat(Attempts.TRIES) {
-            checkNotNull(leases.claim(id))
+            checkNotNull(leases.claimNext())
             leases.releaseAll()
         }
         var calls = 0
-        assertEquals(Outcome.SETTLED, attempts { _, _, _, _ -> right.also { calls++ } }.attempt(id))
+        assertEquals(Outcome.SETTLED, attempts { _, _, _, _ -> right.also { calls++ } }.attemptNext())
         assertEquals(0, calls)
         assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
     }
@@ -139,7 +144,7 @@ class AttemptsTest {
                 _,
                 ->
                 throw InterruptedException()
-            }.attempt(id)
+            }.attemptNext()
         }
         val found = checkNotNull(submissions.find(id))
         assertEquals(State.QUEUED to 0, found.state to found.tries)
@@ -149,7 +154,10 @@ class AttemptsTest {
     fun doesNotCountATryThatTheStopCutShort() {
         stopping = true
         val id = submission()
-        repeat(Attempts.TRIES + 1) { assertEquals(Outcome.TRY_AGAIN, attempts { _, _, _, _ -> ours }.attempt(id)) }
+        repeat(Attempts.TRIES + 1) {
+            assertEquals(Outcome.TRY_AGAIN, attempts { _, _, _, _ -> ours }.attemptNext())
+            now += Leases.PAUSE
+        }
         assertEquals(0, submissions.find(id)?.tries)
         assertEquals(null, reports.of(id))
     }
@@ -158,11 +166,11 @@ class AttemptsTest {
     fun gradesAfterARestartWhatAnEarlierProcessLeft() {
         val left = submission()
         val waiting = submission()
-        leases.claim(left)
+        leases.claimNext()
         val graded = CountDownLatch(2)
         val live = Live()
         val attempts = attempts(live) { _, _, _, _ -> right.also { graded.countDown() } }
-        GradingQueue(database, submissions, leases, attempts, live, clock, workers = 1).use { queue ->
+        GradingQueue(database, submissions, leases, attempts, live, SteadyClock(clock), workers = 1).use { queue ->
             queue.start()
             assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 2 are not graded")
         }

@@ -126,9 +126,9 @@ class ReportsTest {
 
     private fun recorded(report: Report): Recorded {
         val reports = Reports(database)
-        val leases = Leases(database, reports, clock)
+        val leases = Leases(database, reports, clock, clock)
         val id = submission()
-        leases.finish(checkNotNull(leases.claim(id)), "r1", report)
+        leases.finish(checkNotNull(leases.claimNext()), "r1", report)
         return checkNotNull(reports.of(id))
     }
 

@@ -1,0 +1,22 @@
+package rasterlab.grader.storage
+
+import org.sqlite.SQLiteErrorCode.SQLITE_BUSY
+import org.sqlite.SQLiteErrorCode.SQLITE_CANTOPEN
+import org.sqlite.SQLiteErrorCode.SQLITE_FULL
+import org.sqlite.SQLiteErrorCode.SQLITE_IOERR
+import org.sqlite.SQLiteErrorCode.SQLITE_LOCKED
+import org.sqlite.SQLiteErrorCode.SQLITE_READONLY
+import org.sqlite.SQLiteException
+import java.sql.SQLTransientConnectionException
+
+private val WANTING =
+    setOf(SQLITE_BUSY, SQLITE_LOCKED, SQLITE_FULL, SQLITE_IOERR, SQLITE_READONLY, SQLITE_CANTOPEN).map { it.code }
+
+/** The low byte of a code; those above it say more of the same kind. */
+private const val KIND = 0xff
+
+/** Whether the same write may succeed later: the disk is full or away, or somebody else has the database. */
+fun Throwable.isForWantOfStorage(): Boolean =
+    generateSequence(this) { it.cause }.any {
+        it is SQLTransientConnectionException || (it is SQLiteException && (it.resultCode.code and KIND) in WANTING)
+    }

@@ -1,0 +1,24 @@
+package rasterlab.grader.submission
+
+import java.time.Duration
+import java.time.Instant
+import java.time.InstantSource
+
+/**
+ * Moved by nothing but the passing of time: it begins with what the wall clock shows then, and does not follow when that
+ * one is set. Whatever is due after a while is told by it; what people read is told by the wall clock.
+ *
+ * @param nanos a reading that only grows
+ */
+class SteadyClock(
+    private val wall: InstantSource,
+    private val nanos: () -> Long = System::nanoTime,
+) : InstantSource {
+    private val first = wall.instant()
+    private val firstNanos = nanos()
+
+    override fun instant(): Instant = first.plusNanos(nanos() - firstNanos)
+
+    /** How far the wall clock has been set ahead since the beginning; negative where it has been set back. */
+    fun wallAhead(): Duration = Duration.between(instant(), wall.instant())
+}

@@ -1,0 +1,60 @@
+package rasterlab.grader.storage
+
+import org.flywaydb.core.Flyway
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.submission.Leases
+import rasterlab.grader.submission.Reports
+import java.nio.file.Path
+import java.sql.DriverManager
+import java.time.InstantSource
+
+/** A database of an earlier version is opened by this one. */
+class MigrationTest {
+    @TempDir
+    lateinit var folder: Path
+    private val file get() = folder.resolve("course.db")
+
+    @Test
+    @DisplayName("what waited before turns went round by student is graded student after student, or not at all")
+    fun whatWaitsTakesTurnsToo() {
+        of("3")
+        for ((number, student) in "aaabab".withIndex()) {
+            val state = if (number == 0) "done" else "queued"
+            execute(
+                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+                   VALUES ('$number', '$student', 'draw-dot', 'r1', $number + 1, 'class Dot {}', 1,
+                       '2026-03-29T00:59:59.000Z', '$state')""",
+            )
+        }
+        Database.open(file).use { database ->
+            val clock = InstantSource.system()
+            val leases = Leases(database, Reports(database), clock, clock)
+            val order = generateSequence { leases.claimNext()?.submission?.id }.toList()
+            assertEquals(listOf("1", "3", "2", "5", "4"), order)
+        }
+    }
+
+    /** Makes the database as the server of that version left it, with the students a and b. */
+    private fun of(version: String) {
+        Flyway
+            .configure()
+            .dataSource("jdbc:sqlite:$file", null, null)
+            .locations("classpath:rasterlab/grader/storage")
+            .target(version)
+            .load()
+            .migrate()
+        execute("INSERT INTO courses (id, name, code, created_at) VALUES ('c', 'Graphics', 'CODE', '')")
+        for (student in listOf("a", "b")) {
+            execute(
+                """INSERT INTO students (id, course_id, name, token_hash, joined_at)
+                   VALUES ('$student', 'c', 'Ada', 'hash of $student', '')""",
+            )
+        }
+    }
+
+    private fun execute(sql: String) =
+        DriverManager.getConnection("jdbc:sqlite:$file").use { it.createStatement().use { one -> one.execute(sql) } }
+}

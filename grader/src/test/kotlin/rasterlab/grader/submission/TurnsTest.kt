@@ -1,0 +1,82 @@
+package rasterlab.grader.submission
+
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Points
+import rasterlab.grader.ClassOfStudents
+import rasterlab.grader.Classroom
+import rasterlab.grader.storage.Database
+import java.nio.file.Path
+import java.time.Instant
+import java.time.InstantSource
+
+/** Turns go round by student, and each round in the order of handing in. */
+class TurnsTest {
+    @TempDir
+    lateinit var folder: Path
+    private lateinit var database: Database
+    private lateinit var leases: Leases
+    private lateinit var students: ClassOfStudents
+    private val clock = InstantSource { Instant.parse("2026-03-29T00:59:59Z") }
+    private val names = mutableMapOf<String, String>()
+
+    @BeforeEach
+    fun open() {
+        database = Database.open(folder.resolve("test.db"))
+        leases = Leases(database, Reports(database), clock, steady = clock)
+        students = ClassOfStudents(database, clock)
+    }
+
+    @AfterEach
+    fun close() = database.close()
+
+    @Test
+    @DisplayName("who hands in one waits for all five of another")
+    fun oneOfEachComesBeforeTheSecondOfAny() {
+        val (ada, bob, cyd) = listOf("Ada", "Bob", "Cyd").map(students::student)
+        (1..5).forEach { names[students.handIn(ada)] = "Ada $it" }
+        assertEquals("Ada 1", graded())
+        names[students.handIn(bob)] = "Bob 1"
+        names[students.handIn(bob)] = "Bob 2"
+        assertEquals("Bob 1", graded())
+        names[students.handIn(cyd)] = "Cyd 1"
+        assertEquals(listOf("Cyd 1", "Ada 2", "Bob 2", "Ada 3", "Ada 4", "Ada 5"), List(6) { graded() })
+    }
+
+    @Test
+    @DisplayName("who hands in again and again keeps the second one of another waiting without end")
+    fun nobodyIsKeptWaitingByNewcomers() {
+        val (ada, bob, cyd) = listOf("Ada", "Bob", "Cyd").map(students::student)
+        listOf(ada, ada).forEachIndexed { i, it -> names[students.handIn(it)] = "Ada ${i + 1}" }
+        val order = mutableListOf<String>()
+        names[students.handIn(bob)] = "Bob"
+        names[students.handIn(cyd)] = "Cyd"
+        repeat(5) {
+            order += graded()
+            if (order.last() == "Bob") names[students.handIn(bob)] = "Bob"
+            if (order.last() == "Cyd") names[students.handIn(cyd)] = "Cyd"
+        }
+        assertEquals(listOf("Ada 1", "Bob", "Cyd", "Ada 2", "Bob"), order)
+    }
+
+    @Test
+    @DisplayName("the place in the queue is told as if the first to come were the first to be graded")
+    fun thePlaceIsThatOfTheTurn() {
+        val (ada, bob) = listOf("Ada", "Bob").map(students::student)
+        val last = (1..3).map { students.handIn(ada) }.last()
+        val bobs = students.handIn(bob)
+        val submissions = Submissions(database)
+        assertEquals(2 to 4, submissions.position(bobs) to submissions.position(last))
+    }
+
+    private fun graded(): String {
+        val lease = checkNotNull(leases.claimNext()) { "nothing waits" }
+        leases.finish(lease, "r1", Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10)))
+        return names.getValue(lease.submission.id)
+    }
+}
