@@ -15,4 +15,18 @@ public interface LinePlane {
      *     or in it, or the method cannot tell; the message says which
      */
     double meets(double[] normal, double c, double[] from, double[] through);
+
+    /**
+     * The same where a point of the plane is known: n·(p − a) = 0.
+     *
+     * <p>A method that is content with c is given n·a as doubles round it. One that must not lose
+     * what is rounded off there overrides this.
+     *
+     * @param normal as above, as are {@code from}, {@code through}, the answer and the refusals
+     * @param point a = (x, y, z), any point of the plane
+     */
+    default double meetsThrough(double[] normal, double[] point, double[] from, double[] through) {
+        double c = normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2];
+        return meets(normal, c, from, through);
+    }
 }

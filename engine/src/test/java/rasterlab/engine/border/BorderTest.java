@@ -27,7 +27,6 @@ class BorderTest {
                     "ellipse",
                     "fill",
                     "polygon-fill",
-                    "line-plane",
                     "point-in-triangle",
                     "point-in-polygon",
                     "triangulate",

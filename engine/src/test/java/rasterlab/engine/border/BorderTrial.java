@@ -57,10 +57,10 @@ final class BorderTrial<C, I, O> {
         return inputs + " inputs, " + answers + " answers";
     }
 
-    /** Whether half of the inputs and of the answers were there to be judged at all. */
+    /** Whether half of the inputs and a quarter of the answers were there to be judged at all. */
     boolean meant(int count) {
         long promising = border.topic().methods().stream().filter(BorderTrial::promises).count();
-        return 2L * inputs >= count && 2L * answers >= inputs * promising;
+        return 2L * inputs >= count && 4L * answers >= inputs * promising;
     }
 
     private Optional<I> input(Draws draws) {

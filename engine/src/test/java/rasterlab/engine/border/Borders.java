@@ -11,7 +11,8 @@ final class Borders {
     private Borders() {}
 
     static Stream<Border<?, ?, ?>> all() {
-        return Stream.of(ClippingBorders.all(), SpaceBorders.all()).flatMap(List::stream);
+        return Stream.of(List.of(LinePlaneBorders.all()), ClippingBorders.all(), SpaceBorders.all())
+                .flatMap(List::stream);
     }
 
     /** Topic name to its border. */

@@ -11,9 +11,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.AxisRotation;
+import rasterlab.contract.LinePlane;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.geometry.meeting.LinePlaneTopic;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.axis.AxisTopic;
 
@@ -86,6 +88,31 @@ class KnownBordersTest {
         var sides = new ClipWindow(window[0], window[1], window[2], window[3]);
         assertEquals(0, sides.code(part[0], part[1]), "sides that its first end lies beyond");
         assertEquals(0, sides.code(part[2], part[3]), "sides that its second end lies beyond");
+    }
+
+    static Stream<Arguments> meetings() {
+        return Stream.of(
+                argumentSet(
+                        "plane a step beside the line's first point",
+                        Math.nextUp(1.0),
+                        numbers("1 0 0"),
+                        numbers("2 0 0"),
+                        Math.ulp(1.0)),
+                argumentSet(
+                        "plane far away",
+                        100_000_000.3,
+                        numbers("100000000.1 0 0"),
+                        numbers("100000001.1 0 0"),
+                        0.2000000030));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("meetings")
+    void aPlanesPointIsTakenAsItIsGiven(double x, double[] from, double[] through, double mu) {
+        LinePlane unrounded = new LinePlaneTopic().method("unrounded").implementation();
+        double[] normal = numbers("0.1 0.3 0.7");
+        double[] point = {x, 0, 0};
+        assertEquals(mu, unrounded.meetsThrough(normal, point, from, through), 1e-9 * mu);
     }
 
     static Stream<Arguments> turns() {

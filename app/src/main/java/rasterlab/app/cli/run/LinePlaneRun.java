@@ -2,6 +2,7 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.TreeSet;
 import rasterlab.app.cli.run.json.Given;
@@ -65,7 +66,8 @@ final class LinePlaneRun implements TopicRun {
         Line line = line(given.get(LINE));
         Plane plane = plane(given);
         LinePlane meeting = topic.method(method).implementation();
-        Found found = watch.call(method, () -> Found.by(meeting, line, plane));
+        double[] point = given.has("point") ? given.get(POINT) : middle(given.get(PLANE));
+        Found found = watch.call(method, () -> Found.by(meeting, line, plane, point));
         return found::write;
     }
 
@@ -74,13 +76,14 @@ final class LinePlaneRun implements TopicRun {
      */
     private record Found(double mu, Vector point, double angle, Vector cosines, double projection) {
         /**
+         * @param point of the plane, as it was given
          * @throws IllegalArgumentException if one of the numbers is out of range
          */
-        static Found by(LinePlane meeting, Line line, Plane plane) {
+        static Found by(LinePlane meeting, Line line, Plane plane, double[] point) {
             double mu =
-                    meeting.meets(
+                    meeting.meetsThrough(
                             numbers(plane.normal()),
-                            plane.c(),
+                            point,
                             numbers(line.from()),
                             numbers(line.through()));
             return new Found(
@@ -128,6 +131,11 @@ final class LinePlaneRun implements TopicRun {
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput((byNormal ? "/normal: " : "/plane: ") + e.getMessage());
         }
+    }
+
+    /** The second of three points, at which the plane's c is taken. */
+    private static double[] middle(double[] plane) {
+        return Arrays.copyOfRange(plane, 3, 6);
     }
 
     private static Vector vector(double[] numbers, int from) {

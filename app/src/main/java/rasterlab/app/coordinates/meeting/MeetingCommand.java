@@ -14,7 +14,7 @@ final class MeetingCommand {
         Plane plane = choice.plane();
         Vector point;
         try {
-            point = plane.nearestToOrigin();
+            point = choice.point().orElseGet(plane::nearestToOrigin);
         } catch (IllegalArgumentException beyond) {
             return Optional.empty();
         }

@@ -146,7 +146,7 @@ class MeetingLabModelTest {
         model.show(named("vanishing-slope"));
         assertTrue(MeetingCommand.of(model.choice()).isPresent());
         var far = new Plane(new Vector(1e-200, 0, 0), 1e200);
-        var choice = new MeetingChoice("formula", far, model.choice().line());
+        var choice = new MeetingChoice("formula", far, Optional.empty(), model.choice().line());
         assertEquals(Optional.empty(), MeetingCommand.of(choice));
     }
 

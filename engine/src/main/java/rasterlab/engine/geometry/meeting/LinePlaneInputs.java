@@ -7,6 +7,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import rasterlab.engine.geometry.Line;
 import rasterlab.engine.geometry.Plane;
@@ -76,7 +77,19 @@ final class LinePlaneInputs {
                         "The common point is 10⁴⁰⁰ steps away.",
                         new Plane(at(0, 0, 1), 1e200),
                         new Line(O, at(1, 0, 1e-200)),
-                        recorded(WRONG, REFUSED, REFUSED)));
+                        recorded(WRONG, REFUSED, REFUSED)),
+                far());
+    }
+
+    private static Hazard<PlaneAndLines> far() {
+        Vector point = at(100_000_000.3, 0, 0);
+        Plane plane = Plane.through(point, at(0.1, 0.3, 0.7));
+        var line = new Line(at(100_000_000.1, 0, 0), at(100_000_001.1, 0, 0));
+        return new Hazard<>(
+                "plane-far-away",
+                "A plane given by a point 10⁸ away: c = n·a keeps too few digits of it.",
+                new PlaneAndLines(plane, Optional.of(point), List.of(line)),
+                recorded(WRONG, WRONG, EXACT));
     }
 
     private static Hazard<PlaneAndLines> hazard(

@@ -38,10 +38,12 @@ final class LinePlaneMethods {
                 new Method<>(
                         "unrounded",
                         new About(
-                                "μ = (c − n·p₁) / (n·p₂ − n·p₁), both sums without error",
+                                "μ = (c − n·p₁) / (n·p₂ − n·p₁), both sums without error, c = n·a"
+                                        + " unrounded where a point a of the plane is given",
                                 "n·(p₁ + μ·p*) = c",
                                 "9 products with their errors, each added to up to 12 parts",
-                                "none known; refuses coordinates more than 2⁴⁰⁰ apart",
+                                "none known; refuses coordinates more than 2⁴⁰⁰ apart, and a c more"
+                                        + " than 2⁹⁰⁰ from the largest n·p",
                                 "exact sums after J. R. Shewchuk, Adaptive precision floating-point"
                                         + " arithmetic and fast robust geometric predicates, 1997"),
                         new UnroundedMeeting()));

@@ -42,28 +42,28 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
 
     @Override
     public Meetings run(LinePlane method, PlaneAndLines input, int limit) {
-        Meetings all = answers(input, method::meets);
+        Meetings all = answers(input, method);
         if (all.size() > limit) throw new LimitReached(limit, all.first(limit));
         return all;
     }
 
-    private static Meetings answers(PlaneAndLines input, PlaneAndLines.Answers answers) {
+    private static Meetings answers(PlaneAndLines input, LinePlane method) {
         var mu = new double[input.size()];
-        Arrays.setAll(mu, i -> input.mu(answers, i));
+        Arrays.setAll(mu, i -> input.mu(method, i));
         return new Meetings(mu);
     }
 
     @Override
     public long spend(LinePlane method, PlaneAndLines input) {
         double sum = 0;
-        for (int i = 0; i < input.size(); i++) sum += input.mu(method::meets, i);
+        for (int i = 0; i < input.size(); i++) sum += input.mu(method, i);
         // Hardly ever true, but only this class knows: the answers have to be computed.
         return sum == Math.PI ? 0 : input.size();
     }
 
     @Override
     public Meetings exact(PlaneAndLines input, int limit) {
-        return answers(input, ExactMeeting::mu).first(limit);
+        return answers(input, new ExactMeeting()).first(limit);
     }
 
     @Override

@@ -2,6 +2,8 @@ package rasterlab.engine.geometry.meeting;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import rasterlab.contract.LinePlane;
 import rasterlab.engine.geometry.Line;
 import rasterlab.engine.geometry.Plane;
 import rasterlab.engine.geometry.Vector;
@@ -10,23 +12,30 @@ import rasterlab.engine.geometry.Vector;
  * A plane and the lines to meet it: an input of topic {@code line-plane}.
  *
  * @param normal x, y, z of n
- * @param c n·a for any point a of the plane
+ * @param point x, y, z of a point a of the plane; no numbers where only c is known
+ * @param c n·a, rounded where the point is known
  * @param from x, y, z of a point of each line
  * @param through x, y, z of another
  */
-public record PlaneAndLines(double[] normal, double c, double[][] from, double[][] through) {
+public record PlaneAndLines(
+        double[] normal, double[] point, double c, double[][] from, double[][] through) {
+    private static final double[] NO_POINT = {};
+
+    /** Of the plane only n and c are known. */
     public PlaneAndLines(Plane plane, List<Line> lines) {
+        this(plane, Optional.empty(), lines);
+    }
+
+    /**
+     * @param point of the plane, where one is known: c is rounded, so it need not be at a given one
+     */
+    public PlaneAndLines(Plane plane, Optional<Vector> point, List<Line> lines) {
         this(
                 numbers(plane.normal()),
+                point.map(PlaneAndLines::numbers).orElse(NO_POINT),
                 plane.c(),
                 lines.stream().map(line -> numbers(line.from())).toArray(double[][]::new),
                 lines.stream().map(line -> numbers(line.through())).toArray(double[][]::new));
-    }
-
-    /** Answers of a method, or of the reference. */
-    @FunctionalInterface
-    interface Answers {
-        double mu(double[] normal, double c, double[] from, double[] through);
     }
 
     private static double[] numbers(Vector v) {
@@ -52,8 +61,16 @@ public record PlaneAndLines(double[] normal, double c, double[][] from, double[]
         return from.length;
     }
 
-    double mu(Answers answers, int line) {
-        return answers.mu(normal, c, from[line], through[line]);
+    /** The point that is known of the plane. */
+    public Optional<Vector> pointOfPlane() {
+        return point.length == 0 ? Optional.empty() : Optional.of(vector(point));
+    }
+
+    /** The μ that a method, or the reference, finds for one line. */
+    double mu(LinePlane method, int line) {
+        return point.length == 0
+                ? method.meets(normal, c, from[line], through[line])
+                : method.meetsThrough(normal, point, from[line], through[line]);
     }
 
     @Override

@@ -5,7 +5,8 @@ import rasterlab.engine.geometry.Expansion;
 import rasterlab.engine.geometry.Finite;
 
 /**
- * The same formula with both sums kept without error: μ = (c − n·p₁) / (n·p₂ − n·p₁).
+ * The same formula with both sums kept without error: μ = (c − n·p₁) / (n·p₂ − n·p₁), or μ = (n·a −
+ * n·p₁) / (n·p₂ − n·p₁) where a point a of the plane is known.
  *
  * <p>Only the two sums and their quotient are rounded, so μ is off by at most 4·2⁻⁵³ of itself and
  * n·p* is 0 exactly where the line is parallel. All coordinates of one kind are multiplied by one
@@ -18,11 +19,28 @@ final class UnroundedMeeting implements LinePlane {
     private static final double LARGEST_C = 0x1p900;
 
     @Override
+    public double meetsThrough(double[] normal, double[] point, double[] from, double[] through) {
+        Finite.require("normal coordinate", normal);
+        Finite.require("point coordinate", point);
+        requireFinite(from, through);
+        double[] n = near1(normal, -Math.getExponent(largest(normal)));
+        double size = Math.max(largest(point), Math.max(largest(from), largest(through)));
+        int by = -Math.getExponent(size);
+        double[] inPlane = near1(point, by);
+        double[] start = near1(from, by);
+        var rise = new Expansion(12);
+        for (int axis = 0; axis < 3; axis++) {
+            rise.addProduct(n[axis], inPlane[axis]);
+            rise.addProduct(-n[axis], start[axis]);
+        }
+        return mu(rise, slope(n, start, near1(through, by)));
+    }
+
+    @Override
     public double meets(double[] normal, double c, double[] from, double[] through) {
         Finite.require("normal coordinate", normal);
         Finite.require("c", c);
-        Finite.require("point coordinate", from);
-        Finite.require("point coordinate", through);
+        requireFinite(from, through);
         int byNormal = -Math.getExponent(largest(normal));
         int byPoint = -Math.getExponent(Math.max(largest(from), largest(through)));
         double scaledC = Math.scalb(c, byNormal + byPoint);
@@ -32,15 +50,28 @@ final class UnroundedMeeting implements LinePlane {
                     "c must be 0 or within 2⁹⁰⁰ of the largest n·p, got " + c);
         double[] n = near1(normal, byNormal);
         double[] start = near1(from, byPoint);
-        double[] end = near1(through, byPoint);
         var rise = new Expansion(7);
-        var slope = new Expansion(12);
         rise.add(scaledC);
+        for (int axis = 0; axis < 3; axis++) rise.addProduct(-n[axis], start[axis]);
+        return mu(rise, slope(n, start, near1(through, byPoint)));
+    }
+
+    private static void requireFinite(double[] from, double[] through) {
+        Finite.require("point coordinate", from);
+        Finite.require("point coordinate", through);
+    }
+
+    /** n·p₂ − n·p₁. */
+    private static Expansion slope(double[] n, double[] start, double[] end) {
+        var slope = new Expansion(12);
         for (int axis = 0; axis < 3; axis++) {
-            rise.addProduct(-n[axis], start[axis]);
             slope.addProduct(n[axis], end[axis]);
             slope.addProduct(-n[axis], start[axis]);
         }
+        return slope;
+    }
+
+    private static double mu(Expansion rise, Expansion slope) {
         if (slope.sign() == 0)
             throw new IllegalArgumentException(
                     "line must not be parallel to the plane, but n·p* is 0");

@@ -28,7 +28,7 @@ class LinePlaneTest {
         double c = near(random);
         double[] from = {near(random), near(random), near(random)};
         double[] through = {near(random), near(random), 9};
-        double exact = ExactMeeting.mu(normal, c, from, through);
+        double exact = new ExactMeeting().meets(normal, c, from, through);
         LinePlane unrounded = TOPIC.method("unrounded").implementation();
         if (Double.isNaN(exact))
             assertThrows(
