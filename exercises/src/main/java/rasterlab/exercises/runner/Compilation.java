@@ -32,7 +32,12 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
         byte[] bytes = source.getBytes(StandardCharsets.UTF_8);
         Request request = new Request(Wire.COMPILE, out -> Frames.write(out, bytes));
         try {
-            return child.ask(request, limit, Compilation::read);
+            Compilation answer = child.ask(request, limit, Compilation::read);
+            return answer.verdict() == GradingVerdict.COMPILE_ERROR
+                    ? KotlinSource.in(source)
+                            .map(one -> failed(answer.verdict(), List.of(one)))
+                            .orElse(answer)
+                    : answer;
         } catch (ChildLost lost) {
             return switch (lost.reason()) {
                 case TIME -> tooComplex("complex.time", Child.seconds(limit));

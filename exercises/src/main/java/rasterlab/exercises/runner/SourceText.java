@@ -70,10 +70,18 @@ final class SourceText {
     }
 
     private static Optional<Fault> fault(String source, int at, Message said) {
-        String before = source.substring(0, at);
-        int line = 1 + (int) before.chars().filter(c -> c == '\n').count();
-        int column = at - before.lastIndexOf('\n');
+        int line = 1;
+        int lineStart = 0;
+        for (int i = 0; i < at; i++) {
+            char c = source.charAt(i);
+            if (c == '\n' || c == '\r' && source.charAt(i + 1) != '\n') {
+                line++;
+                lineStart = i + 1;
+            }
+        }
         return Optional.of(
-                new Fault(GradingVerdict.COMPILE_ERROR, new Diagnostic(line, column, said)));
+                new Fault(
+                        GradingVerdict.COMPILE_ERROR,
+                        new Diagnostic(line, at - lineStart + 1, said)));
     }
 }

@@ -67,6 +67,28 @@ class HostileSourcesTest {
                         "bidi control", "compile_error", "5:4 the invisible", method("// \u202E")),
                 argumentSet("lone surrogate", "compile_error", "5:4 half a", method("// \uD800")),
                 argumentSet(
+                        "lines that end in a carriage return alone",
+                        "compile_error",
+                        "3:2 half a",
+                        "\r\r\n/\uD800"),
+                argumentSet(
+                        "Kotlin",
+                        "compile_error",
+                        "4:14 Kotlin is not accepted; send Java",
+                        """
+                        import rasterlab.contract.*
+
+                        class Mine : LineRasterizer {
+                            override fun draw(x0: Int, y0: Int, x1: Int, y1: Int, out: Pixels) =
+                                out.plot(x0, y0)
+                        }
+                        """),
+                argumentSet(
+                        "a function that the compiler does not find",
+                        "compile_error",
+                        "5:1 cannot find symbol",
+                        method("fun(x0);\n")),
+                argumentSet(
                         "20,000 open braces",
                         "compile_error",
                         "too complex",

@@ -3,10 +3,11 @@ package rasterlab.exercises.runner.scan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.Optional;
+import java.util.Set;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Message;
 
@@ -16,7 +17,6 @@ import rasterlab.exercises.score.Message;
  */
 public final class ByteCodeCheck {
     private static final int LONGEST_NAME = 100;
-    private static final Pattern COMMENT = Pattern.compile("(?s)/\\*.*?\\*/|//[^\n]*");
 
     private final AllowList allowed;
 
@@ -36,24 +36,34 @@ public final class ByteCodeCheck {
      * @param contract internal name of the interface that the exercise asks for
      */
     public Result check(Map<String, byte[]> classes, String contract, String source) {
-        Refusals refusals = new Refusals(source);
-        OwnClasses own;
         try {
-            own = new OwnClasses(classes.values());
-            Uses uses = new Uses(allowed, own, refusals);
-            for (byte[] bytes : classes.values())
-                new ClassReader(bytes).accept(new ClassScan(uses), ClassReader.SKIP_FRAMES);
+            OwnClasses own = new OwnClasses(classes.values());
+            Optional<Result> misnamed = misnamed(own, classes.keySet(), source);
+            if (misnamed.isPresent()) return misnamed.get();
+            List<Diagnostic> refusals = refusals(classes.values(), own, source);
+            return refusals.isEmpty() ? entry(own, contract) : new Result("", refusals);
         } catch (RuntimeException malformed) {
             return refused("classes.unreadable", malformed);
         }
+    }
+
+    private static Optional<Result> misnamed(OwnClasses own, Set<String> names, String source) {
         for (String name : own.names()) {
-            if (name.contains("/")) return packageRefused(packageOf(name), source);
+            if (name.contains("/")) return Optional.of(packageRefused(packageOf(name), source));
             if (name.length() > LONGEST_NAME)
-                return refused("classes.name", LONGEST_NAME, name.length());
-            if (!classes.containsKey(name)) return refused("classes.unexpected", name);
+                return Optional.of(refused("classes.name", LONGEST_NAME, name.length()));
+            if (!names.contains(name)) return Optional.of(refused("classes.unexpected", name));
         }
-        if (!refusals.list().isEmpty()) return new Result("", refusals.list());
-        return entry(own, contract);
+        return Optional.empty();
+    }
+
+    private List<Diagnostic> refusals(Iterable<byte[]> classes, OwnClasses own, String source) {
+        Refusals refusals = new Refusals(source);
+        for (byte[] bytes : classes) {
+            Uses uses = new Uses(allowed, own, refusals);
+            new ClassReader(bytes).accept(new ClassScan(uses), ClassReader.SKIP_FRAMES);
+        }
+        return refusals.list();
     }
 
     private static Result entry(OwnClasses own, String contract) {
@@ -65,8 +75,7 @@ public final class ByteCodeCheck {
         if (entries.isEmpty()) return refused("classes.none", readable);
         if (entries.size() > 1) return refused("classes.several", entries, readable);
         String entry = entries.get(0);
-        if (!own.shape(entry).members().contains("public <init>()V"))
-            return refused("classes.constructor", entry);
+        if (!own.shape(entry).constructible()) return refused("classes.constructor", entry);
         return new Result(entry, List.of());
     }
 
@@ -83,20 +92,13 @@ public final class ByteCodeCheck {
                 "", List.of(new Diagnostic(line, 0, Message.of("classes.package", name))));
     }
 
-    /** Only comments may come before the package line. */
+    /** Annotations may come before it, and comments that speak of packages. */
     private static int lineOfPackage(String source) {
-        String code =
-                COMMENT.matcher(source).replaceAll(found -> "\n".repeat(lineEnds(found.group())));
-        Matcher found = Pattern.compile("\\bpackage\\b").matcher(code);
-        return found.find() ? 1 + lineEnds(code.substring(0, found.start())) : 0;
-    }
-
-    private static int lineEnds(String text) {
-        return (int) text.chars().filter(c -> c == '\n').count();
+        return WordPlaces.in(source, Set.of("package"), Set.of()).firstLine("package");
     }
 
     private static String packageOf(String name) {
-        return name.substring(0, name.lastIndexOf('/')).replace('/', '.');
+        return Wire.cut(name.substring(0, name.lastIndexOf('/')).replace('/', '.'));
     }
 
     private static Result refused(String key, Object... arguments) {

@@ -8,7 +8,6 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.ModuleVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.RecordComponentVisitor;
-import org.objectweb.asm.Type;
 import org.objectweb.asm.TypePath;
 
 /** Shows everything that one class file can reach to {@link Uses}. */
@@ -36,7 +35,7 @@ final class ClassScan extends ClassVisitor {
     @Override
     public FieldVisitor visitField(
             int access, String name, String descriptor, String signature, Object value) {
-        uses.type(0, Type.getType(descriptor));
+        uses.descriptor(0, descriptor);
         return new FieldScan();
     }
 
@@ -45,7 +44,7 @@ final class ClassScan extends ClassVisitor {
             int access, String name, String descriptor, String signature, String[] thrown) {
         if ((access & Opcodes.ACC_NATIVE) != 0) uses.refuse(0, "native");
         if (name.equals("finalize") && descriptor.equals("()V")) uses.refuse(0, "finalize");
-        uses.type(0, Type.getMethodType(descriptor));
+        uses.descriptor(0, descriptor);
         if (thrown != null) for (String one : thrown) uses.type(0, one);
         return new MethodScan(uses);
     }
@@ -53,20 +52,20 @@ final class ClassScan extends ClassVisitor {
     @Override
     public RecordComponentVisitor visitRecordComponent(
             String name, String descriptor, String signature) {
-        uses.type(0, Type.getType(descriptor));
+        uses.descriptor(0, descriptor);
         return null;
     }
 
     @Override
     public AnnotationVisitor visitAnnotation(String descriptor, boolean visible) {
-        uses.type(0, Type.getType(descriptor));
+        uses.descriptor(0, descriptor);
         return null;
     }
 
     @Override
     public AnnotationVisitor visitTypeAnnotation(
             int reference, TypePath path, String descriptor, boolean visible) {
-        uses.type(0, Type.getType(descriptor));
+        uses.descriptor(0, descriptor);
         return null;
     }
 
@@ -83,7 +82,7 @@ final class ClassScan extends ClassVisitor {
 
         @Override
         public AnnotationVisitor visitAnnotation(String descriptor, boolean visible) {
-            uses.type(0, Type.getType(descriptor));
+            uses.descriptor(0, descriptor);
             return null;
         }
 

@@ -6,7 +6,6 @@ import org.objectweb.asm.Handle;
 import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
-import org.objectweb.asm.Type;
 
 /** Shows every instruction of one method that names a type or a member to {@link Uses}. */
 final class MethodScan extends MethodVisitor {
@@ -52,7 +51,7 @@ final class MethodScan extends MethodVisitor {
 
     @Override
     public void visitMultiANewArrayInsn(String descriptor, int dimensions) {
-        uses.type(line, Type.getType(descriptor));
+        uses.descriptor(line, descriptor);
     }
 
     @Override
@@ -62,14 +61,14 @@ final class MethodScan extends MethodVisitor {
 
     @Override
     public AnnotationVisitor visitAnnotation(String descriptor, boolean visible) {
-        uses.type(0, Type.getType(descriptor));
+        uses.descriptor(0, descriptor);
         return null;
     }
 
     @Override
     public AnnotationVisitor visitParameterAnnotation(
             int parameter, String descriptor, boolean visible) {
-        uses.type(0, Type.getType(descriptor));
+        uses.descriptor(0, descriptor);
         return null;
     }
 

@@ -2,6 +2,7 @@ package rasterlab.exercises.runner.scan;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -20,9 +21,24 @@ final class OwnClasses {
     /**
      * @param access flags of the class file
      * @param parents superclass first, then interfaces; internal names
-     * @param members name and descriptor of each declared field and method, joined
+     * @param members each declared field and method
+     * @param constructible whether everybody may make an instance from nothing
      */
-    record Shape(int access, List<String> parents, Set<String> members) {}
+    record Shape(int access, List<String> parents, Set<Member> members, boolean constructible) {}
+
+    /**
+     * Shares the texts of its class file, in which many members may have one long descriptor. In an
+     * order, so that a map of names that were chosen to have one hash code stays fast.
+     */
+    record Member(String name, String descriptor) implements Comparable<Member> {
+        private static final Comparator<Member> ORDER =
+                Comparator.comparing(Member::name).thenComparing(Member::descriptor);
+
+        @Override
+        public int compareTo(Member other) {
+            return ORDER.compare(this, other);
+        }
+    }
 
     private final Map<String, Shape> shapes = new HashMap<>();
     private final Map<String, Set<String>> lineages = new HashMap<>();
@@ -33,36 +49,44 @@ final class OwnClasses {
     OwnClasses(Iterable<byte[]> classFiles) {
         for (byte[] bytes : classFiles) {
             ClassReader reader = new ClassReader(bytes);
-            Set<String> members = new HashSet<>();
-            reader.accept(collector(members), ClassReader.SKIP_CODE);
+            Declarations declared = new Declarations();
+            reader.accept(declared, ClassReader.SKIP_CODE);
             List<String> parents = new ArrayList<>();
             if (reader.getSuperName() != null) parents.add(reader.getSuperName());
             parents.addAll(List.of(reader.getInterfaces()));
-            shapes.put(reader.getClassName(), new Shape(reader.getAccess(), parents, members));
+            shapes.put(
+                    reader.getClassName(),
+                    new Shape(
+                            reader.getAccess(), parents, declared.members, declared.constructible));
         }
     }
 
-    private static ClassVisitor collector(Set<String> members) {
-        return new ClassVisitor(Opcodes.ASM9) {
-            @Override
-            public FieldVisitor visitField(
-                    int access, String name, String type, String signature, Object value) {
-                members.add(name + type);
-                return null;
-            }
+    /** Collects what one class declares. */
+    private static final class Declarations extends ClassVisitor {
+        private final Set<Member> members = new HashSet<>();
+        private boolean constructible;
 
-            @Override
-            public MethodVisitor visitMethod(
-                    int access, String name, String type, String signature, String[] thrown) {
-                members.add(access(access) + name + type);
-                members.add(name + type);
-                return null;
-            }
-        };
-    }
+        Declarations() {
+            super(Opcodes.ASM9);
+        }
 
-    private static String access(int access) {
-        return (access & Opcodes.ACC_PUBLIC) != 0 ? "public " : "";
+        @Override
+        public FieldVisitor visitField(
+                int access, String name, String type, String signature, Object value) {
+            members.add(new Member(name, type));
+            return null;
+        }
+
+        @Override
+        public MethodVisitor visitMethod(
+                int access, String name, String type, String signature, String[] thrown) {
+            members.add(new Member(name, type));
+            constructible |=
+                    (access & Opcodes.ACC_PUBLIC) != 0
+                            && name.equals("<init>")
+                            && type.equals("()V");
+            return null;
+        }
     }
 
     boolean contains(String type) {

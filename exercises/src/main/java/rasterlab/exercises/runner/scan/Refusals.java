@@ -2,6 +2,7 @@ package rasterlab.exercises.runner.scan;
 
 import static java.util.stream.Collectors.groupingBy;
 import static java.util.stream.Collectors.toList;
+import static java.util.stream.Collectors.toSet;
 
 import java.util.Comparator;
 import java.util.HashMap;
@@ -11,8 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Message;
@@ -28,7 +28,7 @@ import rasterlab.exercises.score.Message;
 final class Refusals {
     private static final int MOST = 20;
 
-    private final List<String> sourceLines;
+    private final String source;
 
     /**
      * @param word that stands in the source, as a rule
@@ -44,16 +44,23 @@ final class Refusals {
         }
     }
 
-    /** In the order of instructions; classes by their internal names, others by what is said. */
-    private final Map<String, Found> found = new LinkedHashMap<>();
+    /**
+     * One mistake, however often the instructions of its line repeat it.
+     *
+     * @param owner empty where the name is no member's
+     */
+    private record Mistake(int line, String owner, String name) {}
 
-    private final Map<String, Found> exceptions = new LinkedHashMap<>();
+    /** In the order of instructions; classes by their internal names, others by their mistakes. */
+    private final Map<Object, Found> found = new LinkedHashMap<>();
+
+    private final Map<Object, Found> exceptions = new LinkedHashMap<>();
 
     /** By lines, the classes of what refused calls in them answer. */
     private final Map<Integer, Set<String>> answers = new HashMap<>();
 
     Refusals(String source) {
-        this.sourceLines = source.lines().toList();
+        this.source = source;
     }
 
     /**
@@ -62,7 +69,7 @@ final class Refusals {
      * @param type internal name of a class
      */
     void addClass(int line, String type) {
-        Map<String, Found> same = type.endsWith("Exception") ? exceptions : found;
+        Map<Object, Found> same = type.endsWith("Exception") ? exceptions : found;
         Found before = same.get(type);
         boolean better = before != null && before.line() == 0 && line > 0;
         if (!better && (before != null || same.size() >= MOST)) return;
@@ -96,7 +103,13 @@ final class Refusals {
      * @param name of a method or field, or that of constructors
      * @param some members of the class that may be used; none where most may
      */
-    void addMember(int line, String owner, String name, List<String> some) {
+    void addMember(int line, String owner, String name, Supplier<List<String>> some) {
+        if (isFull()) return;
+        found.computeIfAbsent(
+                new Mistake(line, owner, name), key -> member(line, owner, name, some.get()));
+    }
+
+    private static Found member(int line, String owner, String name, List<String> some) {
         String type = readable(owner);
         Message refused =
                 name.equals("<init>")
@@ -106,19 +119,20 @@ final class Refusals {
                 some.isEmpty()
                         ? Message.NONE
                         : Message.of("allowed.members", type, String.join(", ", some));
-        add(line, name.equals("<init>") ? type : name, refused, instead);
+        return new Found(line, refused, lastWord(name.equals("<init>") ? type : name), instead);
     }
 
     /** Something that has no name in the source, or only the one it is told by. */
     void add(int line, String thing) {
-        add(line, thing, Message.of("not-allowed", readable(thing)), Message.NONE);
-    }
-
-    private void add(int line, String word, Message said, Message allowed) {
         if (isFull()) return;
-        int place = line > 0 ? line : mention(word);
         found.computeIfAbsent(
-                line + ": " + said, key -> new Found(place, said, lastWord(word), allowed));
+                new Mistake(line, "", thing),
+                key ->
+                        new Found(
+                                line,
+                                Message.of("not-allowed", readable(thing)),
+                                lastWord(thing),
+                                Message.NONE));
     }
 
     private static String lastWord(String name) {
@@ -134,47 +148,36 @@ final class Refusals {
         return found.size() >= MOST;
     }
 
-    private int mention(String thing) {
-        String word = lastWord(thing);
-        for (int line = 1; line <= sourceLines.size(); line++) if (stands(word, line)) return line;
-        return 0;
-    }
-
-    private boolean stands(String word, int line) {
-        return place(word, line) >= 0;
-    }
-
-    /** Where in that line the word stands first; negative where it does not. */
-    private int place(String word, int line) {
-        if (line > sourceLines.size()) return -1;
-        Pattern pattern = Pattern.compile("\\b" + Pattern.quote(word) + "\\b");
-        Matcher matcher = pattern.matcher(sourceLines.get(line - 1));
-        return matcher.find() ? matcher.start() : -1;
-    }
-
     /**
      * In the order of their places in the source; of a line at least the first, and all that stands
      * in it. What may be used instead is said with the last that it is said of.
      */
     List<Diagnostic> list() {
+        var all = (found.isEmpty() ? exceptions : found).values();
+        if (all.isEmpty()) return List.of();
+        WordPlaces places =
+                WordPlaces.in(
+                        source,
+                        all.stream().map(Found::word).collect(toSet()),
+                        all.stream().map(Found::line).collect(toSet()));
         Map<Integer, List<Found>> lines =
-                (found.isEmpty() ? exceptions : found)
-                        .values().stream()
-                                .map(one -> one.line() > 0 ? one : one.at(mention(one.word())))
-                                .collect(groupingBy(Found::line, TreeMap::new, toList()));
-        List<Found> told = lines.values().stream().flatMap(this::toBeTold).toList();
+                all.stream()
+                        .map(one -> one.line() > 0 ? one : one.at(places.firstLine(one.word())))
+                        .collect(groupingBy(Found::line, TreeMap::new, toList()));
+        List<Found> told =
+                lines.values().stream().flatMap(inOneLine -> toBeTold(inOneLine, places)).toList();
         Map<Message, Found> last = new HashMap<>();
         told.forEach(one -> last.put(one.allowed(), one));
         return told.stream().map(one -> one.told(last.get(one.allowed()) == one)).toList();
     }
 
-    private Stream<Found> toBeTold(List<Found> inOneLine) {
+    private static Stream<Found> toBeTold(List<Found> inOneLine, WordPlaces places) {
         int line = inOneLine.get(0).line();
         if (line == 0) return inOneLine.stream();
         List<Found> standing =
                 inOneLine.stream()
-                        .filter(one -> stands(one.word(), line))
-                        .sorted(Comparator.comparing(one -> place(one.word(), line)))
+                        .filter(one -> places.column(one.word(), line) > 0)
+                        .sorted(Comparator.comparing(one -> places.column(one.word(), line)))
                         .toList();
         return standing.isEmpty() ? inOneLine.stream().limit(1) : standing.stream();
     }
