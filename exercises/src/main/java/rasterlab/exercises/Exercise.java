@@ -2,6 +2,8 @@ package rasterlab.exercises;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 
@@ -17,6 +19,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param revision changes whenever anything that grading depends on changes
  * @param tolerance what still counts as right
  * @param points the most points for accuracy, stability and speed
+ * @param groups what cases ask for, where several ask for the same
  */
 public record Exercise(
         String id,
@@ -28,6 +31,7 @@ public record Exercise(
         String revision,
         Tolerance tolerance,
         PointPlan points,
+        List<Group> groups,
         List<Case> cases) {
     /** In all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
@@ -36,7 +40,30 @@ public record Exercise(
         title = withEnglish("title", title);
         statement = withEnglish("statement", statement);
         pictures = Map.copyOf(pictures);
+        groups = List.copyOf(groups);
         cases = List.copyOf(cases);
+    }
+
+    /** An exercise each of whose cases asks for something else. */
+    public Exercise(
+            String id,
+            String topic,
+            Map<String, String> title,
+            Map<String, String> statement,
+            Map<String, Picture> pictures,
+            String starter,
+            String revision,
+            Tolerance tolerance,
+            PointPlan points,
+            List<Case> cases) {
+        this(
+                id, topic, title, statement, pictures, starter, revision, tolerance, points,
+                List.of(), cases);
+    }
+
+    /** The group that a case belongs to; empty where it stands alone. */
+    public Optional<Group> group(Case one) {
+        return groups.stream().filter(group -> group.name().equals(one.group())).findFirst();
     }
 
     private static Map<String, String> withEnglish(String name, Map<String, String> texts) {
@@ -103,10 +130,31 @@ public record Exercise(
     }
 
     /**
+     * Cases that ask for the same.
+     *
+     * @param name lower-case with hyphens
+     * @param title what they ask for, by language code
+     * @param mistakes codes of causes that cost points here, and only here where they are found
+     *     here
+     */
+    public record Group(String name, Map<String, String> title, Set<String> mistakes) {
+        public Group {
+            title = Map.copyOf(title);
+            mistakes = Set.copyOf(mistakes);
+        }
+
+        /** The title in that language, or the English one; the name where there is neither. */
+        public String title(String language) {
+            return title.getOrDefault(language, title.getOrDefault("en", name));
+        }
+    }
+
+    /**
      * One case as data; the topic's own package reads {@code input}.
      *
      * @param name what mistake it catches, lower-case with hyphens
-     * @param title the same for people, by language code; may be empty
+     * @param title what it asks for, by language code; may be empty
+     * @param group name of the group of cases that ask for the same; its own where it stands alone
      * @param kind whether it earns accuracy or stability
      * @param input the topic's input as JSON text; for a generated case, how to draw it from the
      *     seed
@@ -115,11 +163,24 @@ public record Exercise(
     public record Case(
             String name,
             Map<String, String> title,
+            String group,
             Kind kind,
             Disclosure visibility,
             int points,
             String input,
             boolean generated) {
+        /** A case that stands alone. */
+        public Case(
+                String name,
+                Map<String, String> title,
+                Kind kind,
+                Disclosure visibility,
+                int points,
+                String input,
+                boolean generated) {
+            this(name, title, name, kind, visibility, points, input, generated);
+        }
+
         public Case {
             title = Map.copyOf(title);
             inRange("case '" + name + "'", points);

@@ -5,11 +5,13 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.Message;
 
 /**
  * All that grading has to know of one topic: what a student implements, how a case is read, handed
@@ -29,6 +31,9 @@ public interface TopicGrading {
      * @throws CatalogueException when the case's input is not what the topic reads
      */
     List<Call> calls(Case one, Tolerance tolerance, long seed);
+
+    /** Codes of the mistakes that this topic can tell, which a group of cases may claim. */
+    Set<String> mistakes();
 
     /** The right method that a student's speed is held against. */
     Class<?> reference();
@@ -53,7 +58,20 @@ public interface TopicGrading {
         /** The method is stopped beyond. */
         int mostPixels();
 
+        /** The whole finding, with pictures. */
         Finding judge(Answer answer);
+
+        /** The same at less cost: verdict and causes alone count. */
+        Finding check(Answer answer);
+
+        /**
+         * What distinguishes this input from others, as codes of texts {@code where.CODE}: a cause
+         * may be found on such inputs only.
+         */
+        Set<String> traits();
+
+        /** The input in words, as an example of where a cause is seen. */
+        Message example();
 
         /** The input as a scene file that the lab opens. */
         default String scene() {
@@ -71,7 +89,13 @@ public interface TopicGrading {
         /** Number of pixels of the right answers. */
         long count();
 
-        /** Sum of the right answers. */
-        long sum();
+        /**
+         * The mistakes that explain what was drawn: none for the right answer.
+         *
+         * @param count number of pixels that were drawn
+         * @param sum of them
+         * @return their codes; empty where nothing that is known explains it
+         */
+        Optional<Set<String>> mistakes(long count, long sum);
     }
 }

@@ -77,7 +77,8 @@ final class CheckCommand implements Callable<Integer> {
 
     private Report graded(Exercise chosen, String source) {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
-            console.err().println(judge.isolation().describe(console.language().code()));
+            String isolation = Report.isolationIn(language(), judge.isolation().name());
+            console.err().println(console.language().texts().text("here", isolation));
             return judge.grade(
                     chosen, source, CaseSelection.open(), done -> showProgress(chosen, done));
         } catch (InterruptedException e) {
@@ -87,7 +88,11 @@ final class CheckCommand implements Callable<Integer> {
     }
 
     private void showProgress(Exercise chosen, CaseReport done) {
-        String title = chosen.caseTitle(done.name(), console.language().code());
-        console.err().println(title + ": " + done.verdict().word(console.language().code()));
+        String title = chosen.caseTitle(done.name(), language());
+        console.err().println(title + ": " + done.verdict().word(language()));
+    }
+
+    private String language() {
+        return console.language().code();
     }
 }

@@ -56,10 +56,10 @@ class CaseTableTest {
                     Exercise exercise = Catalogue.builtIn().all().get(0);
                     var table = new CaseTable(texts, () -> {});
                     table.show(List.of(one("")), name -> exercise.caseTitle(name, "ru"));
-                    assertEquals("потерян последний пиксель", table.getValueAt(0, 1));
+                    assertEquals("последний пиксель нарисован", table.getValueAt(0, 1));
                     var cell = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
                     assertEquals(
-                            "потерян последний пиксель (last-pixel-is-dropped)",
+                            "последний пиксель нарисован (last-pixel-is-dropped)",
                             ((JComponent) cell).getToolTipText());
                 });
     }

@@ -10,6 +10,7 @@ import java.util.Set;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Group;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
@@ -25,7 +26,7 @@ import rasterlab.exercises.topic.TopicGradings;
 final class ExerciseReader {
     private static final List<String> LANGUAGES = List.of("en", "ru");
     private static final String[] CASE_FIELDS = {
-        "name", "title", "kind", "visibility", "points", "input", "generate"
+        "name", "title", "group", "kind", "visibility", "points", "input", "generate"
     };
 
     private final ExerciseFolder folder;
@@ -47,11 +48,14 @@ final class ExerciseReader {
                         "title",
                         "tolerance",
                         "points",
+                        "groups",
                         "cases");
         TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
         PointPlan points = points(fields.object("points", "accuracy", "stability", "speed"));
+        List<Group> groups = GroupReader.read(fields, topic);
         List<Case> cases = new ArrayList<>();
-        for (String caseFile : fields.texts("cases")) cases.addAll(cases(caseFile, topic));
+        for (String caseFile : fields.texts("cases"))
+            cases.addAll(cases(caseFile, topic, GroupReader.names(groups)));
         checkNames(cases);
         checkSum(cases, Kind.ACCURACY, points.accuracy());
         checkSum(cases, Kind.STABILITY, points.stability());
@@ -68,10 +72,11 @@ final class ExerciseReader {
                         fields.object("tolerance", "eitherPixelOnTies")
                                 .flag("eitherPixelOnTies", false)),
                 points,
+                groups,
                 cases);
     }
 
-    private static Map<String, String> titles(JsonFields fields) {
+    static Map<String, String> titles(JsonFields fields) {
         Map<String, String> titles = new LinkedHashMap<>();
         for (String language : LANGUAGES) titles.put(language, fields.text(language));
         return titles;
@@ -96,18 +101,16 @@ final class ExerciseReader {
         return plan;
     }
 
-    private List<Case> cases(String file, TopicGrading topic) {
+    private List<Case> cases(String file, TopicGrading topic, List<String> groups) {
         List<Case> cases = new ArrayList<>();
         for (JsonFields fields :
                 JsonFields.parseArray(folder.place(file), folder.text(file), CASE_FIELDS))
-            cases.add(checked(fields, oneCase(fields), topic));
+            cases.add(checked(fields, oneCase(fields, groups), topic));
         return cases;
     }
 
-    private static Case oneCase(JsonFields fields) {
-        String name = fields.text("name");
-        if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
-            throw fields.wrong("name", Phrase.of("field.words", name));
+    private static Case oneCase(JsonFields fields, List<String> groups) {
+        String name = name(fields);
         boolean generated = fields.has("generate");
         if (generated == fields.has("input"))
             throw fields.wrong("", Phrase.of("field.either", "input", "generate"));
@@ -126,11 +129,20 @@ final class ExerciseReader {
         return new Case(
                 name,
                 fields.has("title") ? titles(fields.object("title", "en", "ru")) : Map.of(),
+                fields.has("group") ? fields.word("group", groups) : name,
                 Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
                 visibility,
                 fields.integer("points", 0, Exercise.MOST_POINTS),
                 fields.json(generated ? "generate" : "input"),
                 generated);
+    }
+
+    /** Lower-case words with hyphens. */
+    static String name(JsonFields fields) {
+        String name = fields.text("name");
+        if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
+            throw fields.wrong("name", Phrase.of("field.words", name));
+        return name;
     }
 
     /** Reads the input as the runner will, so that a mistake shows before anybody submits. */

@@ -80,6 +80,17 @@ public final class JsonFields {
         return new JsonFields(place(field), required(field), known);
     }
 
+    /** An array of objects, each of which may have the known fields; none where it is missing. */
+    public List<JsonFields> objects(String field, String... known) {
+        if (!has(field)) return List.of();
+        JsonNode array = node.get(field);
+        if (!array.isArray()) throw wrong(field, Phrase.of("field.array", shown(array)));
+        List<JsonFields> objects = new ArrayList<>();
+        for (JsonNode item : array)
+            objects.add(new JsonFields(place(field + "[" + objects.size() + "]"), item, known));
+        return objects;
+    }
+
     public String text(String field) {
         JsonNode value = required(field);
         if (!value.isTextual() || value.textValue().isBlank())

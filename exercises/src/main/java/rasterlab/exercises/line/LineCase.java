@@ -5,21 +5,16 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 
 /**
- * One case on drawing a segment.
+ * One case on drawing a segment. The pixels must come once each, from the first end to the second.
  *
  * @param segments to draw one after the other; the case is right when all are
  * @param strictTies whether a tie must go to the smaller coordinate even where the exercise
  *     tolerates either pixel
- * @param inOrder whether the pixels must come from the first end to the second
  * @param firstPixels the most pixels of a segment to look at; the method is stopped there
  * @param mayRefuse whether an IllegalArgumentException is as good as the pixels
  */
 public record LineCase(
-        List<Segment> segments,
-        boolean strictTies,
-        boolean inOrder,
-        int firstPixels,
-        boolean mayRefuse) {
+        List<Segment> segments, boolean strictTies, int firstPixels, boolean mayRefuse) {
     /** What {@code firstPixels} may be at most, and is where a case does not say. */
     public static final int MOST_PIXELS = 20_000;
 

@@ -15,8 +15,6 @@ import rasterlab.exercises.score.Phrase;
  * seed.
  */
 public final class LineCaseReader {
-    private static final int OCTANTS = 8;
-
     private LineCaseReader() {}
 
     /**
@@ -48,12 +46,13 @@ public final class LineCaseReader {
                         "firstPixels",
                         "mayRefuse");
         Segment segment = fields.has("hazard") ? hazard(fields) : segment(fields);
+        // the order of pixels counts in every case; older files ask for it where they meant it
+        fields.flag("inOrder", true);
         boolean swapped = fields.flag("alsoSwapped", false);
         LineCase read =
                 new LineCase(
                         swapped ? List.of(segment, segment.reversed()) : List.of(segment),
                         fields.flag("strictTies", false),
-                        fields.flag("inOrder", false),
                         fields.integer(
                                 "firstPixels", 1, LineCase.MOST_PIXELS, LineCase.MOST_PIXELS),
                         fields.flag("mayRefuse", false));
@@ -83,31 +82,13 @@ public final class LineCaseReader {
 
     private static LineCase generated(Case one, Phrase place, long seed) {
         JsonFields fields =
-                JsonFields.parse(place, one.input(), "octant", "count", "longest", "within");
-        int octant = fields.integer("octant", 1, OCTANTS);
-        int longest = fields.integer("longest", 2, 1000);
-        int within = fields.integer("within", 0, 1_000_000);
+                JsonFields.parse(
+                        place, one.input(), "octant", "shape", "count", "longest", "within");
         Random random = new Random(31 * seed + one.name().hashCode());
+        LineShape shape = LineShape.read(fields);
         List<Segment> segments = new ArrayList<>();
         for (int left = fields.integer("count", 1, 50); left > 0; left--)
-            segments.add(inOctant(octant, longest, within, random));
-        return new LineCase(segments, false, false, LineCase.MOST_PIXELS, false);
-    }
-
-    /**
-     * Octant k has directions from (k − 1)·45° to k·45°, counted from the x axis towards the y
-     * axis, which grows down.
-     */
-    private static Segment inOctant(int octant, int longest, int within, Random random) {
-        int x = random.nextInt(2 * within + 1) - within;
-        int y = random.nextInt(2 * within + 1) - within;
-        int along = 2 + random.nextInt(longest - 1);
-        int across = random.nextInt(along + 1);
-        boolean steep = octant == 2 || octant == 3 || octant == 6 || octant == 7;
-        int dx = steep ? across : along;
-        int dy = steep ? along : across;
-        boolean left = octant >= 3 && octant <= 6;
-        boolean up = octant >= 5;
-        return new Segment(x, y, left ? x - dx : x + dx, up ? y - dy : y + dy);
+            shape.next(random).forEach(segments::add);
+        return new LineCase(segments, shape.strictTies(), LineCase.MOST_PIXELS, false);
     }
 }

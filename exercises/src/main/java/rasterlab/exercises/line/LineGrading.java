@@ -5,9 +5,11 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
@@ -15,6 +17,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.Message;
 
 /** How the topic {@code line} is graded: each call draws one segment. */
 public final class LineGrading implements TopicGrading {
@@ -38,6 +41,11 @@ public final class LineGrading implements TopicGrading {
     }
 
     @Override
+    public Set<String> mistakes() {
+        return LineMistakes.CODES;
+    }
+
+    @Override
     public Class<?> reference() {
         return BresenhamLine.class;
     }
@@ -45,7 +53,7 @@ public final class LineGrading implements TopicGrading {
     @Override
     public Call warmUp() {
         Segment segment = new Segment(0, 0, LineTiming.STEPS, LineTiming.STEPS / 2);
-        LineCase demand = new LineCase(List.of(segment), false, false, LineCase.MOST_PIXELS, false);
+        LineCase demand = new LineCase(List.of(segment), false, LineCase.MOST_PIXELS, false);
         return new SegmentCall(segment, demand, new LineJudge(demand, true));
     }
 
@@ -81,6 +89,24 @@ public final class LineGrading implements TopicGrading {
         @Override
         public Finding judge(Answer answer) {
             return judge.judge(segment, answer);
+        }
+
+        @Override
+        public Finding check(Answer answer) {
+            return judge.check(segment, answer);
+        }
+
+        @Override
+        public Set<String> traits() {
+            return LineTraits.of(segment);
+        }
+
+        @Override
+        public Message example() {
+            return Message.of(
+                    "line.example",
+                    new Pixel(segment.x0(), segment.y0()),
+                    new Pixel(segment.x1(), segment.y1()));
         }
 
         @Override

@@ -2,6 +2,7 @@ package rasterlab.exercises.line;
 
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import rasterlab.contract.LineRasterizer;
@@ -12,12 +13,12 @@ import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.Plotted;
-import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -42,21 +43,37 @@ public final class LineJudge {
         this.eitherOnTies = eitherOnTies && !demand.strictTies();
     }
 
+    /** The finding with pictures and the textbook method that draws the same. */
     public Finding judge(Segment segment, Answer answer) {
+        return judged(segment, answer, true);
+    }
+
+    /** The same without what takes time. */
+    public Finding check(Segment segment, Answer answer) {
+        return judged(segment, answer, false);
+    }
+
+    private Finding judged(Segment segment, Answer answer, boolean whole) {
         if (answer.ending() == Answer.Ending.THREW) return thrown(answer);
-        int limit = demand.cutShort(segment) ? demand.firstPixels() : (int) segment.steps() + 1;
+        boolean cut = demand.cutShort(segment);
+        int limit = cut ? demand.firstPixels() : (int) segment.steps() + 1;
         PixelRecording actual = answer.pixels();
         WantedPixels pixels = new WantedPixels(segment);
         PixelRecording wanted = eitherOnTies ? pixels.nearest(actual, limit) : pixels.exact(limit);
-        if (answer.ending() == Answer.Ending.CUT && !demand.cutShort(segment))
-            return shown(
-                    GradingVerdict.OUTPUT_LIMIT,
-                    Message.of("still-plotting", actual.size(), wanted.size()),
-                    wanted,
-                    answer);
-        if (isAccepted(segment, wanted, actual)) return Finding.OK;
-        Message wrong = said(FirstDifference.of(wanted, actual).orElseThrow());
-        return shown(GradingVerdict.WRONG, wrong.and(knownFault(segment, actual)), wanted, answer);
+        if (answer.ending() == Answer.Ending.CUT && !cut) {
+            Message endless = Message.of("still-plotting", actual.size(), wanted.size());
+            Finding finding = Finding.of(GradingVerdict.OUTPUT_LIMIT, endless);
+            return whole ? shown(finding, wanted, answer) : finding;
+        }
+        if (same(wanted, actual)) return Finding.OK;
+        List<List<Cause>> causes = new LineMistakes(segment, limit, cut, eitherOnTies).of(actual);
+        if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
+        Message said = said(FirstDifference.of(wanted, actual).orElseThrow());
+        for (Cause cause : causes.stream().findFirst().orElse(List.of()))
+            said = said.and(cause.said());
+        Finding wrong =
+                Finding.of(GradingVerdict.WRONG, said.and(knownFault(segment, actual)), causes);
+        return shown(wrong, wanted, answer);
     }
 
     private Finding thrown(Answer answer) {
@@ -65,16 +82,17 @@ public final class LineJudge {
                 answer.exception().equals(OutOfMemoryError.class.getName())
                         ? GradingVerdict.MEMORY_LIMIT
                         : GradingVerdict.RUNTIME_ERROR;
-        return Finding.of(verdict, Message.quoted(answer.thrown()).and(answer.place()));
+        return Finding.of(
+                verdict,
+                Message.quoted(answer.thrown()).and(answer.place()),
+                List.of(List.of(thrownCause(answer.exception()))));
     }
 
-    private boolean isAccepted(Segment segment, PixelRecording wanted, PixelRecording actual) {
-        Deviation deviation = topic.compare(segment, wanted, actual);
-        boolean eachOnce =
-                deviation.missing() == 0
-                        && deviation.extra() == 0
-                        && actual.size() == wanted.size();
-        return demand.inOrder() ? deviation.exact() : eachOnce;
+    /** By its name where it is the JDK's; the student's own may tell what it was thrown for. */
+    private static Cause thrownCause(String exception) {
+        return exception.startsWith("java.")
+                ? Cause.of("throws", exception)
+                : Cause.of("throws-own");
     }
 
     private static Message said(FirstDifference first) {
@@ -110,14 +128,13 @@ public final class LineJudge {
         return true;
     }
 
-    private Finding shown(
-            GradingVerdict verdict, Message said, PixelRecording wanted, Answer answer) {
+    private static Finding shown(Finding finding, PixelRecording wanted, Answer answer) {
         PixelRecording actual = answer.pixels();
         PixelDifference difference = PixelDifference.of(wanted, actual);
-        PixelSet amiss = PixelSet.of(new Turns(wanted, actual).amiss(difference, demand.inOrder()));
+        PixelSet amiss = PixelSet.of(new Turns(wanted, actual).amiss(difference));
         return new Finding(
-                verdict,
-                said,
+                finding.verdict(),
+                finding.said(),
                 FirstDifference.of(wanted, actual)
                         .map(
                                 first ->
@@ -125,7 +142,8 @@ public final class LineJudge {
                                                 difference,
                                                 amiss.filter(difference.right()::contains),
                                                 first.pixel())),
-                Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)));
+                Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)),
+                finding.explanations());
     }
 
     /**

@@ -12,12 +12,12 @@ record Turns(PixelRecording wanted, PixelRecording actual) {
      *
      * @param difference of the two
      */
-    PixelRecording amiss(PixelDifference difference, boolean inOrder) {
+    PixelRecording amiss(PixelDifference difference) {
         var amiss = new PixelRecording(Math.max(1, actual.size()));
         var drawn = new HashSet<Long>();
         for (int i = 0; i < actual.size(); i++)
             if (!drawn.add(key(i))) amiss.plot(actual.x(i), actual.y(i));
-        if (inOrder && amiss.size() == 0 && difference.isEmpty())
+        if (amiss.size() == 0 && difference.isEmpty())
             for (int i = 0; i < actual.size(); i++)
                 if (actual.x(i) != wanted.x(i) || actual.y(i) != wanted.y(i))
                     amiss.plot(actual.x(i), actual.y(i));

@@ -14,6 +14,8 @@ final class WantedPixels {
     private final long n;
     private final long across;
     private final boolean steep;
+    private PixelRecording known = new PixelRecording(1);
+    private int knownLimit;
 
     WantedPixels(Segment segment) {
         this.segment = segment;
@@ -26,7 +28,11 @@ final class WantedPixels {
 
     /** The first {@code limit} exact pixels. */
     PixelRecording exact(int limit) {
-        return new ExactLine(segment).record(limit);
+        if (limit != knownLimit) {
+            known = new ExactLine(segment).record(limit);
+            knownLimit = limit;
+        }
+        return known;
     }
 
     /** The same, with tied pixels as {@code actual} has them. */

@@ -8,8 +8,9 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.marking.TriedCase;
 import rasterlab.exercises.score.Answer;
-import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
@@ -59,27 +60,27 @@ final class CaseRun {
     }
 
     /** The case is not tried for a reason that came before it. */
-    CaseReport skip(Case one, Finding reason) {
+    TriedCase skip(Case one, Finding reason) {
         stopped = Optional.of(reason);
-        return report(one, reason, "");
+        return TriedCase.untried(one, reason);
     }
 
     /**
      * @throws ChildLost when the child was killed from outside: no fault of the student's
      */
-    CaseReport judge(Case one) throws ChildLost, InterruptedException {
+    TriedCase tryOut(Case one) throws ChildLost, InterruptedException {
         if (stopped.isPresent())
-            return report(one, Finding.of(GradingVerdict.NOT_RUN, Message.of("not-run")), "");
-        List<Call> calls = topic.calls(one, exercise.tolerance(), seed);
-        for (Call call : calls) {
-            Finding finding = tried(one, call);
-            if (finding.verdict() != GradingVerdict.OK)
-                return report(one, finding, call.scene(finding.drawn()));
+            return TriedCase.untried(
+                    one, Finding.of(GradingVerdict.NOT_RUN, Message.of("not-run")));
+        List<TriedCall> tried = new ArrayList<>();
+        for (Call call : topic.calls(one, exercise.tolerance(), seed)) {
+            tried.add(tried(one, call));
+            if (stopped.isPresent()) break;
         }
-        return report(one, Finding.OK, calls.get(0).scene());
+        return TriedCase.tried(one, tried);
     }
 
-    private Finding tried(Case one, Call call) throws ChildLost, InterruptedException {
+    private TriedCall tried(Case one, Call call) throws ChildLost, InterruptedException {
         try {
             Answer answer = run.call(call);
             if (one.visibility() == Disclosure.OPEN && !answer.printed().isBlank())
@@ -92,12 +93,12 @@ final class CaseRun {
                                         one.title("en"),
                                         one.title("ru"),
                                         answer.printed().stripTrailing())));
-            Finding finding = call.judge(answer);
-            if (run.over()) stopped = Optional.of(finding);
-            return finding;
+            TriedCall tried = TriedCall.answered(call, answer);
+            if (run.over()) stopped = Optional.of(tried.finding());
+            return tried;
         } catch (ChildLost lost) {
             stopped = Optional.of(finding(lost));
-            return stopped.get();
+            return TriedCall.failed(call, stopped.get());
         }
     }
 
@@ -111,17 +112,5 @@ final class CaseRun {
                     case KILLED -> throw lost;
                 };
         return Finding.of(verdict, lost.said());
-    }
-
-    private static CaseReport report(Case one, Finding finding, String scene) {
-        return new CaseReport(
-                one.name(),
-                one.visibility(),
-                finding.verdict(),
-                finding.verdict() == GradingVerdict.OK ? one.points() : 0,
-                one.points(),
-                finding.said(),
-                finding.pictures(),
-                scene);
     }
 }

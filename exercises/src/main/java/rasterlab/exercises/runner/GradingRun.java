@@ -5,14 +5,17 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -86,21 +89,21 @@ final class GradingRun {
             Compilation compiled, String entry, StudentRun student, StudentRun reference)
             throws ChildLost, InterruptedException {
         CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student);
+        Marking marking = new Marking(exercise);
         Optional<Finding> unloaded = cases.load(entry, compiled.classes());
-        List<CaseReport> reports = new ArrayList<>();
         for (Case one : selected(exercise, selection)) {
-            boolean first = reports.isEmpty();
-            CaseReport report =
-                    first && unloaded.isPresent()
-                            ? cases.skip(one, unloaded.get())
-                            : cases.judge(one);
-            reports.add(report);
-            progress.accept(report);
+            boolean first = marking.isEmpty();
+            progress.accept(
+                    marking.add(
+                            first && unloaded.isPresent()
+                                    ? cases.skip(one, unloaded.get())
+                                    : cases.tryOut(one)));
         }
+        List<CaseReport> reports = marking.reports();
         SpeedTrial.Outcome speed =
                 cases.isStopped() || !aboveFloor(reports)
                         ? SpeedTrial.Outcome.none(tooInaccurate())
-                        : speed(student, reference);
+                        : speed(student, reference, marking.charged());
         int most = exercise.points().speed();
         CaseReport speedReport =
                 speed.obstacle().isEmpty()
@@ -108,7 +111,11 @@ final class GradingRun {
                                 speed.nanosPerPixel(), speed.reference(), speed.printed(), most)
                         : SpeedPoints.none(most, speed.obstacle());
         progress.accept(speedReport);
-        return sheet.graded(reports, speedReport, cases.printed(), speed.nanosPerPixel());
+        List<Diagnostic> said = new ArrayList<>();
+        Message shared = marking.shared();
+        if (!shared.isEmpty()) said.add(new Diagnostic(0, 0, shared));
+        said.addAll(cases.printed());
+        return sheet.graded(reports, speedReport, said, speed.nanosPerPixel());
     }
 
     private static Message tooInaccurate() {
@@ -129,10 +136,10 @@ final class GradingRun {
     }
 
     /** A method that is stopped while it is timed loses the points for speed only. */
-    private SpeedTrial.Outcome speed(StudentRun student, StudentRun reference)
+    private SpeedTrial.Outcome speed(StudentRun student, StudentRun reference, Set<String> charged)
             throws ChildLost, InterruptedException {
         try {
-            return new SpeedTrial(topic, student, reference, new SecureRandom().nextLong())
+            return new SpeedTrial(topic, student, reference, charged, new SecureRandom().nextLong())
                     .measure();
         } catch (ChildLost lost) {
             if (lost.reason() == ChildLost.Reason.KILLED) throw lost;

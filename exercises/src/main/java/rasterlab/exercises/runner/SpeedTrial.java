@@ -3,6 +3,7 @@ package rasterlab.exercises.runner;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.score.Message;
 
@@ -19,15 +20,23 @@ final class SpeedTrial {
     private final TopicGrading topic;
     private final StudentRun student;
     private final StudentRun reference;
+    private final Set<String> charged;
     private final Random random;
 
     /**
+     * @param charged codes of mistakes that cost points already, and cost none here
      * @param seed not known to the student, so that nothing can be computed beforehand
      */
-    SpeedTrial(TopicGrading topic, StudentRun student, StudentRun reference, long seed) {
+    SpeedTrial(
+            TopicGrading topic,
+            StudentRun student,
+            StudentRun reference,
+            Set<String> charged,
+            long seed) {
         this.topic = topic;
         this.student = student;
         this.reference = reference;
+        this.charged = charged;
         this.random = new Random(seed);
     }
 
@@ -56,8 +65,9 @@ final class SpeedTrial {
             StudentRun.Timed reply = student.time(timing);
             if (!reply.thrown().isEmpty())
                 return Outcome.none(Message.of("speed.threw", reply.thrown()));
-            if (reply.count() != timing.count() || reply.sum() != timing.sum())
-                return Outcome.none(Message.of("speed.wrong"));
+            if (!timing.mistakes(reply.count(), reply.sum())
+                    .filter(charged::containsAll)
+                    .isPresent()) return Outcome.none(Message.of("speed.wrong"));
             printed |= reply.printed() > 0;
             theirs.add(reply, timing.count());
             ours.add(reference.time(timing), timing.count());

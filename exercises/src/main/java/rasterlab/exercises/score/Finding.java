@@ -1,5 +1,6 @@
 package rasterlab.exercises.score;
 
+import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.raster.Plotted;
 
@@ -9,16 +10,32 @@ import rasterlab.engine.raster.Plotted;
  * @param said what is wrong; nothing when nothing is
  * @param pictures where something can be shown
  * @param drawn what was plotted, where it is not right
+ * @param explanations of a wrong answer, each some mistakes that together explain it; several where
+ *     it cannot be told which they are
  */
 public record Finding(
         GradingVerdict verdict,
         Message said,
         Optional<CasePictures> pictures,
-        Optional<Plotted> drawn) {
+        Optional<Plotted> drawn,
+        List<List<Cause>> explanations) {
     public static final Finding OK = of(GradingVerdict.OK, Message.NONE);
+
+    public Finding {
+        explanations = List.copyOf(explanations);
+    }
 
     /** A finding without pictures. */
     public static Finding of(GradingVerdict verdict, Message said) {
-        return new Finding(verdict, said, Optional.empty(), Optional.empty());
+        return of(verdict, said, List.of());
+    }
+
+    /** The same with what explains it. */
+    public static Finding of(GradingVerdict verdict, Message said, List<List<Cause>> explanations) {
+        return new Finding(verdict, said, Optional.empty(), Optional.empty(), explanations);
+    }
+
+    public boolean right() {
+        return verdict == GradingVerdict.OK;
     }
 }

@@ -206,7 +206,7 @@ class CatalogueTest {
                 argumentSet(
                         "case's title without Russian",
                         cases,
-                        ", \"ru\": \"потерян последний пиксель\"",
+                        ", \"ru\": \"последний пиксель нарисован\"",
                         "",
                         "cases.json[0], field 'title', field 'ru' is missing"),
                 argumentSet(
@@ -224,8 +224,8 @@ class CatalogueTest {
                 argumentSet(
                         "cases not adding up",
                         cases,
-                        "\"points\": 4",
-                        "\"points\": 3",
+                        "\"points\": 2",
+                        "\"points\": 1",
                         "accuracy cases have 69 points together, field 'points' says 70"),
                 argumentSet(
                         "case file outside",
@@ -245,6 +245,30 @@ class CatalogueTest {
                         "\"accuracy\"",
                         "\"speed\"",
                         "cases.json[0], field 'kind' must be one of accuracy, stability, got "),
+                argumentSet(
+                        "group that the exercise has not",
+                        cases,
+                        "\"group\": \"order\"",
+                        "\"group\": \"turn\"",
+                        "field 'group' must be one of last-pixel, first-pixel, order"),
+                argumentSet(
+                        "mistake that the topic cannot tell",
+                        json,
+                        "\"shifted\"",
+                        "\"moved\"",
+                        "field 'mistakes' must be one of again, beyond-first-pixel"),
+                argumentSet(
+                        "two groups of one name",
+                        json,
+                        "\"name\": \"first-pixel\"",
+                        "\"name\": \"last-pixel\"",
+                        "two groups are called 'last-pixel'"),
+                argumentSet(
+                        "shape and octant",
+                        "hidden-cases.json",
+                        "\"octant\": 1",
+                        "\"shape\": \"any\", \"octant\": 1",
+                        "field 'octant' must not stand beside 'shape'"),
                 argumentSet(
                         "same name twice",
                         cases,

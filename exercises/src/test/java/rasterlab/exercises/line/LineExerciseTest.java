@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -24,12 +23,12 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelRecording;
-import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePictures;
@@ -109,8 +108,8 @@ class LineExerciseTest {
     void everyNamedMistakeIsMadeByAMutant() {
         assertEquals(
                 EXERCISE.cases().stream()
+                        .filter(one -> !one.generated() || one.name().equals("long-line-drifts"))
                         .map(Case::name)
-                        .filter(name -> !name.startsWith("octant-"))
                         .collect(toSet()),
                 LineMutants.all().map(mutant -> mutant.get()[0]).collect(toSet()));
     }
@@ -118,7 +117,7 @@ class LineExerciseTest {
     @Test
     void theSeedDrawsTheHiddenSegmentsInTheirOctant() {
         for (Case one : EXERCISE.cases()) {
-            if (!one.generated()) continue;
+            if (!one.generated() || one.input().contains("shape")) continue;
             assertEquals(LineCaseReader.read(one, 5), LineCaseReader.read(one, 5));
             assertNotEquals(LineCaseReader.read(one, 5), LineCaseReader.read(one, 6));
             int octant = one.name().startsWith("octant-") ? one.name().charAt(7) - '0' : 8;
@@ -137,55 +136,8 @@ class LineExerciseTest {
                 () -> segment + " at " + turned + "° is not in octant " + octant);
     }
 
-    @Test
-    void aRefusalCountsOnlyWhereTheCaseSaysSo() {
-        LineRasterizer refusing =
-                (x0, y0, x1, y1, out) -> {
-                    throw new IllegalArgumentException("no");
-                };
-        List<String> failed = failed(refusing, EXERCISE.cases(), 0);
-        assertEquals(
-                List.of("beyond-2-30-overflows", "last-column-never-ends"),
-                EXERCISE.cases().stream()
-                        .map(Case::name)
-                        .filter(name -> !failed.contains(name))
-                        .toList());
-    }
-
     private static List<String> failed(LineRasterizer method, List<Case> cases, long seed) {
-        List<String> failed = new ArrayList<>();
-        for (Case one : cases) {
-            LineCase demand = LineCaseReader.read(one, seed);
-            LineJudge judge = new LineJudge(demand, EXERCISE.tolerance().eitherPixelOnTies());
-            if (demand.segments().stream()
-                    .map(segment -> judge.judge(segment, answer(method, segment, demand)))
-                    .map(Finding::verdict)
-                    .anyMatch(verdict -> verdict != GradingVerdict.OK)) failed.add(one.name());
-        }
-        return failed;
-    }
-
-    private static Answer answer(LineRasterizer method, Segment segment, LineCase demand) {
-        try {
-            return new Answer(
-                    Answer.Ending.RETURNED,
-                    new LineTopic().record(method, segment, demand.mostPixels(segment)),
-                    "",
-                    "",
-                    0,
-                    "");
-        } catch (LimitReached reached) {
-            PixelRecording recorded = (PixelRecording) reached.recorded();
-            return new Answer(Answer.Ending.CUT, recorded, "", "", 0, "");
-        } catch (IllegalArgumentException | ArithmeticException e) {
-            return new Answer(
-                    Answer.Ending.THREW,
-                    new PixelRecording(1),
-                    e.getClass().getName(),
-                    e.getMessage(),
-                    0,
-                    "");
-        }
+        return MarkedMethod.of(EXERCISE, method, CaseSelection.all(seed)).failed(cases);
     }
 
     @Test
@@ -194,8 +146,8 @@ class LineExerciseTest {
         PixelRecording upper = new PixelRecording(3);
         IntStream.of(0, 1, 2).forEach(x -> upper.plot(x, (x + 1) / 2));
         Answer answer = new Answer(Answer.Ending.RETURNED, upper, "", "", 0, "");
-        LineCase loose = new LineCase(List.of(tied), false, false, 100, false);
-        LineCase strict = new LineCase(List.of(tied), true, false, 100, false);
+        LineCase loose = new LineCase(List.of(tied), false, 100, false);
+        LineCase strict = new LineCase(List.of(tied), true, 100, false);
         assertEquals(Finding.OK, new LineJudge(loose, true).judge(tied, answer));
         assertEquals(
                 GradingVerdict.WRONG, new LineJudge(loose, false).judge(tied, answer).verdict());
@@ -218,7 +170,7 @@ class LineExerciseTest {
         for (String pixel : drawn.split(" "))
             pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
         Segment segment = new Segment(0, 0, 2, 0);
-        LineCase demand = new LineCase(List.of(segment), true, true, 100, false);
+        LineCase demand = new LineCase(List.of(segment), true, 100, false);
         Answer answer = new Answer(Answer.Ending.RETURNED, pixels, "", "", 0, "");
         String said = new LineJudge(demand, false).judge(segment, answer).said().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
@@ -244,7 +196,7 @@ class LineExerciseTest {
         PixelRecording wrong = new PixelRecording(3);
         wrong.plot(0, -1);
         wrong.plot(1, 0);
-        LineCase demand = new LineCase(List.of(segment), false, false, 100, false);
+        LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Finding finding =
                 new LineJudge(demand, true)
                         .judge(segment, new Answer(Answer.Ending.RETURNED, wrong, "", "", 0, ""));
@@ -257,7 +209,7 @@ class LineExerciseTest {
         Segment segment = new Segment(0, 0, 9, 0);
         PixelRecording wrong = new PixelRecording(1);
         wrong.plot(0, -1);
-        LineCase demand = new LineCase(List.of(segment), false, false, 1, false);
+        LineCase demand = new LineCase(List.of(segment), false, 1, false);
         Finding finding =
                 new LineJudge(demand, true)
                         .judge(segment, new Answer(Answer.Ending.CUT, wrong, "", "", 0, ""));
@@ -272,7 +224,7 @@ class LineExerciseTest {
         twice.plot(0, 0);
         twice.plot(1, 0);
         twice.plot(1, 0);
-        LineCase demand = new LineCase(List.of(segment), false, false, 100, false);
+        LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Finding finding =
                 new LineJudge(demand, true)
                         .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", 0, ""));
@@ -285,7 +237,7 @@ class LineExerciseTest {
         Segment point = new Segment(4, 3, 4, 3);
         PixelRecording endless = new PixelRecording(9);
         for (int i = 0; i < 9; i++) endless.plot(4, 3);
-        assertMarked(point, endless, Answer.Ending.CUT, false);
+        assertMarked(point, endless, Answer.Ending.CUT);
     }
 
     @Test
@@ -294,7 +246,7 @@ class LineExerciseTest {
         PixelRecording backwards = new PixelRecording(2);
         backwards.plot(1, 0);
         backwards.plot(0, 0);
-        assertMarked(new Segment(0, 0, 1, 0), backwards, Answer.Ending.RETURNED, true);
+        assertMarked(new Segment(0, 0, 1, 0), backwards, Answer.Ending.RETURNED);
     }
 
     @Test
@@ -303,7 +255,7 @@ class LineExerciseTest {
         PixelRecording again = new PixelRecording(100);
         for (int x = 0; x < 99; x++) again.plot(x, 0);
         again.plot(98, 0);
-        assertMarked(new Segment(0, 0, 98, 0), again, Answer.Ending.RETURNED, false);
+        assertMarked(new Segment(0, 0, 98, 0), again, Answer.Ending.RETURNED);
     }
 
     @ParameterizedTest(name = "the picture shows another place than the message names: {0}, {1}")
@@ -312,7 +264,7 @@ class LineExerciseTest {
         Segment segment = new Segment(0, 0, 500, 0);
         PixelRecording drawn = new PixelRecording(501);
         for (int i = 0; i <= 500; i++) drawn.plot(i == 300 ? x : i, i == 300 ? y : 0);
-        LineCase demand = new LineCase(List.of(segment), false, false, 1000, false);
+        LineCase demand = new LineCase(List.of(segment), false, 1000, false);
         Answer answer = new Answer(Answer.Ending.RETURNED, drawn, "", "", 0, "");
         Finding finding = new LineJudge(demand, true).judge(segment, answer);
         assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
@@ -321,9 +273,8 @@ class LineExerciseTest {
         assertEquals(new Pixel(300, 0), part.pixel());
     }
 
-    private static void assertMarked(
-            Segment segment, PixelRecording drawn, Answer.Ending ending, boolean inOrder) {
-        LineCase demand = new LineCase(List.of(segment), false, inOrder, 100, false);
+    private static void assertMarked(Segment segment, PixelRecording drawn, Answer.Ending ending) {
+        LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Answer answer = new Answer(ending, drawn, "", "", 0, "");
         CasePictures pictures =
                 new LineJudge(demand, true).judge(segment, answer).pictures().orElseThrow();

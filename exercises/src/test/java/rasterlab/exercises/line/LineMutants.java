@@ -18,7 +18,15 @@ final class LineMutants {
 
     static Stream<Arguments> all() {
         return Stream.of(
-                mutant("last-pixel-is-dropped", withoutLastPixel((dx, dy) -> true)),
+                mutant("last-pixel-is-dropped", LineMutants::withoutLastPixel),
+                mutant("first-pixel-is-dropped", LineMutants::withoutFirstPixel),
+                mutant("line-is-shifted", LineMutants::shifted),
+                mutant(
+                        "axes-are-swapped",
+                        (x0, y0, x1, y1, out) ->
+                                RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(y, x))),
+                mutant("gentle-line-leaves-gaps", LineMutants::oncePerRow),
+                mutant("far-line-drifts", LineMutants::floatSum),
                 mutant(
                         "slope-one-loses-a-corner",
                         withoutLastPixel((dx, dy) -> dx != 0 && Math.abs(dx) == Math.abs(dy))),
@@ -68,6 +76,15 @@ final class LineMutants {
         boolean is(int dx, int dy);
     }
 
+    static void withoutLastPixel(int x0, int y0, int x1, int y1, Pixels out) {
+        withoutLastPixel((dx, dy) -> true).draw(x0, y0, x1, y1, out);
+    }
+
+    /** Where the line passes midway between two pixels, the one with the larger coordinate. */
+    static void tiesToTheLarger(int x0, int y0, int x1, int y1, Pixels out) {
+        RIGHT.draw(~x0, ~y0, ~x1, ~y1, (x, y) -> out.plot(~x, ~y));
+    }
+
     private static LineRasterizer withoutLastPixel(Slope slope) {
         return (x0, y0, x1, y1, out) ->
                 RIGHT.draw(
@@ -80,7 +97,35 @@ final class LineMutants {
                         });
     }
 
-    private static void oncePerColumn(int x0, int y0, int x1, int y1, Pixels out) {
+    static void withoutFirstPixel(int x0, int y0, int x1, int y1, Pixels out) {
+        RIGHT.draw(
+                x0,
+                y0,
+                x1,
+                y1,
+                (x, y) -> {
+                    if (x != x0 || y != y0) out.plot(x, y);
+                });
+    }
+
+    static void shifted(int x0, int y0, int x1, int y1, Pixels out) {
+        RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(x, y + 1));
+    }
+
+    private static void oncePerRow(int x0, int y0, int x1, int y1, Pixels out) {
+        boolean gentle = Math.abs((long) y1 - y0) < Math.abs((long) x1 - x0);
+        Set<Integer> seen = new HashSet<>();
+        RIGHT.draw(
+                x0,
+                y0,
+                x1,
+                y1,
+                (x, y) -> {
+                    if (!gentle || seen.add(y)) out.plot(x, y);
+                });
+    }
+
+    static void oncePerColumn(int x0, int y0, int x1, int y1, Pixels out) {
         Set<Integer> seen = new HashSet<>();
         RIGHT.draw(
                 x0,
@@ -92,11 +137,14 @@ final class LineMutants {
                 });
     }
 
-    /** The axes change places for a steep line, but not back where it goes left. */
+    /** A steep line to the left gets its width for its height, and goes down for up. */
     private static void axesMixed(int x0, int y0, int x1, int y1, Pixels out) {
         boolean steep = Math.abs((long) y1 - y0) > Math.abs((long) x1 - x0);
-        if (steep && x1 < x0) RIGHT.draw(y0, x0, y1, x1, out);
-        else RIGHT.draw(x0, y0, x1, y1, out);
+        if (steep && x1 < x0) {
+            int across = Math.abs(y1 - y0);
+            int along = y1 < y0 ? x0 - x1 : x1 - x0;
+            RIGHT.draw(x0, y0, x0 - across, y0 + along, out);
+        } else RIGHT.draw(x0, y0, x1, y1, out);
     }
 
     private static void roundedToZero(int x0, int y0, int x1, int y1, Pixels out) {

@@ -340,7 +340,7 @@ class HostileSourcesTest {
                 argumentSet(
                         "a little print",
                         "wrong",
-                        "printed in “last pixel is dropped”: to (7, 3)",
+                        "printed in “the last pixel is drawn”: to (7, 3)",
                         method("System.out.println(\"to (\" + x1 + \", \" + y1 + \")\");\n")));
     }
 

@@ -1,0 +1,72 @@
+package rasterlab.exercises.marking;
+
+import static java.util.stream.Collectors.toUnmodifiableSet;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Group;
+
+/**
+ * The mistakes that a group of cases pays for, so that no other case has to: a mistake that the
+ * cases named after it did not meet is paid for wherever it is met.
+ */
+final class Charges {
+    private final Exercise exercise;
+    private final Set<String> charged;
+
+    Charges(Exercise exercise, Collection<TriedCase> cases) {
+        this.exercise = exercise;
+        this.charged =
+                cases.stream()
+                        .flatMap(
+                                tried ->
+                                        tried.calls().stream()
+                                                .map(TriedCall::explanations)
+                                                .filter(known -> known.size() == 1)
+                                                .flatMap(known -> known.get(0).stream())
+                                                .filter(claimedBy(tried.one())::contains))
+                        .collect(toUnmodifiableSet());
+    }
+
+    Set<String> charged() {
+        return charged;
+    }
+
+    private Set<String> claimedBy(Case one) {
+        return exercise.group(one).map(Group::mistakes).orElse(Set.of());
+    }
+
+    /**
+     * The calls that count for that case and are not right: those of a case on one mistake count
+     * where they meet it, as long as half of its calls are right.
+     */
+    List<TriedCall> counted(TriedCase tried) {
+        List<TriedCall> wrong =
+                tried.calls().stream()
+                        .filter(call -> !call.right() && !isPaidElsewhere(tried.one(), call))
+                        .toList();
+        Set<String> claimed = claimedBy(tried.one());
+        List<TriedCall> named =
+                wrong.stream().filter(call -> call.alwaysCounts() || call.mayBe(claimed)).toList();
+        boolean asksForOne = !claimed.isEmpty();
+        boolean mostlyRight = 2 * wrong.size() <= tried.calls().size();
+        return asksForOne && (mostlyRight || !named.isEmpty()) ? named : wrong;
+    }
+
+    /** The first of them. */
+    Optional<TriedCall> first(TriedCase tried) {
+        return counted(tried).stream().findFirst();
+    }
+
+    private boolean isPaidElsewhere(Case one, TriedCall call) {
+        Set<String> claimed = claimedBy(one);
+        return call.drewSomething()
+                && call.explanations().stream()
+                        .filter(charged::containsAll)
+                        .anyMatch(known -> known.stream().noneMatch(claimed::contains));
+    }
+}

@@ -1,0 +1,68 @@
+package rasterlab.exercises.marking;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+
+/**
+ * One call of a case and what came of it.
+ *
+ * @param answer nothing where the method was stopped
+ * @param finding verdict and causes
+ */
+public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
+    /** What an answer is worth by itself. */
+    public static TriedCall answered(Call call, Answer answer) {
+        return new TriedCall(call, Optional.of(answer), call.check(answer));
+    }
+
+    /** The method was stopped, or gave another answer the second time. */
+    public static TriedCall failed(Call call, Finding finding) {
+        return new TriedCall(call, Optional.empty(), finding);
+    }
+
+    boolean right() {
+        return finding.right();
+    }
+
+    /** Whether it is right because a refusal is as good as an answer here. */
+    boolean refused() {
+        return right() && answer.filter(one -> one.ending() == Answer.Ending.THREW).isPresent();
+    }
+
+    /** Where it is wrong, what may explain all of it: each some codes of mistakes. */
+    List<List<String>> explanations() {
+        return finding.verdict() == GradingVerdict.WRONG
+                ? finding.explanations().stream().map(Cause::codes).toList()
+                : List.of();
+    }
+
+    boolean mayBe(Set<String> mistakes) {
+        return explanations().stream().flatMap(List::stream).anyMatch(mistakes::contains);
+    }
+
+    /** Stopped, or answered otherwise the second time: no other case can be meant by that. */
+    boolean alwaysCounts() {
+        return !right() && answer.isEmpty();
+    }
+
+    /** A line of nothing is no line with a mistake, even where one pixel is all that it lacks. */
+    boolean drewSomething() {
+        return answer.filter(one -> one.pixels().size() > 0).isPresent();
+    }
+
+    /** A single point is its own first and last pixel: what is wrong there tells no mistake. */
+    boolean tellsLittle() {
+        return call.traits().contains("point");
+    }
+
+    /** The finding with pictures. */
+    Finding shown() {
+        return answer.map(call::judge).orElse(finding);
+    }
+}

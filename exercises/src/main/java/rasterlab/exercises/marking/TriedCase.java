@@ -1,0 +1,38 @@
+package rasterlab.exercises.marking;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.Finding;
+
+/**
+ * One case and its calls.
+ *
+ * @param calls as far as they were tried
+ * @param untried why no call was tried; nothing where some were
+ */
+public record TriedCase(Case one, List<TriedCall> calls, Optional<Finding> untried) {
+    public TriedCase {
+        calls = List.copyOf(calls);
+        if (calls.isEmpty() == untried.isEmpty())
+            throw new IllegalArgumentException(
+                    "case '" + one.name() + "' must either be tried or have a reason why not");
+    }
+
+    public static TriedCase tried(Case one, List<TriedCall> calls) {
+        return new TriedCase(one, calls, Optional.empty());
+    }
+
+    public static TriedCase untried(Case one, Finding reason) {
+        return new TriedCase(one, List.of(), Optional.of(reason));
+    }
+
+    boolean open() {
+        return one.visibility() == Disclosure.OPEN;
+    }
+
+    boolean refused() {
+        return calls.stream().anyMatch(TriedCall::refused);
+    }
+}

@@ -1,0 +1,6 @@
+/**
+ * What the tried cases are worth: which case pays for a mistake, and what all failures share.
+ *
+ * <p>Nothing is run here. Start with {@link rasterlab.exercises.marking.Marking}.
+ */
+package rasterlab.exercises.marking;

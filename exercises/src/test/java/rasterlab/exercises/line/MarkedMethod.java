@@ -1,0 +1,79 @@
+package rasterlab.exercises.line;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Disclosure;
+
+/** What the cases of an exercise are worth to a method that runs here, without a child. */
+record MarkedMethod(Exercise exercise, Marking marking) {
+    static MarkedMethod of(Exercise exercise, LineRasterizer method, CaseSelection selection) {
+        Marking marking = new Marking(exercise);
+        for (Case one : exercise.cases())
+            if (selection.hidden() || one.visibility() == Disclosure.OPEN)
+                marking.put(tried(exercise, one, method, selection.seed()));
+        return new MarkedMethod(exercise, marking);
+    }
+
+    private static TriedCase tried(Exercise exercise, Case one, LineRasterizer method, long seed) {
+        List<Segment> segments = LineCaseReader.read(one, seed).segments();
+        List<Call> calls = new LineGrading().calls(one, exercise.tolerance(), seed);
+        List<TriedCall> tried = new ArrayList<>();
+        for (int i = 0; i < calls.size(); i++) {
+            Answer answer = answer(method, segments.get(i), calls.get(i).mostPixels());
+            tried.add(TriedCall.answered(calls.get(i), answer));
+        }
+        return TriedCase.tried(one, tried);
+    }
+
+    private static Answer answer(LineRasterizer method, Segment segment, int most) {
+        try {
+            PixelRecording drawn = new LineTopic().record(method, segment, most);
+            return new Answer(Answer.Ending.RETURNED, drawn, "", "", 0, "");
+        } catch (LimitReached reached) {
+            PixelRecording recorded = (PixelRecording) reached.recorded();
+            return new Answer(Answer.Ending.CUT, recorded, "", "", 0, "");
+        } catch (IllegalArgumentException | ArithmeticException e) {
+            String type = e.getClass().getName();
+            PixelRecording none = new PixelRecording(1);
+            return new Answer(Answer.Ending.THREW, none, type, e.getMessage(), 0, "");
+        }
+    }
+
+    /** Points for accuracy and stability together. */
+    int points() {
+        return exercise.cases().stream()
+                .filter(one -> marking.paying().contains(one.name()))
+                .mapToInt(Case::points)
+                .sum();
+    }
+
+    List<String> failed() {
+        return exercise.cases().stream()
+                .map(Case::name)
+                .filter(name -> !marking.paying().contains(name))
+                .toList();
+    }
+
+    /** Of those cases. */
+    List<String> failed(List<Case> cases) {
+        List<String> names = cases.stream().map(Case::name).toList();
+        return failed().stream().filter(names::contains).toList();
+    }
+
+    String shared() {
+        return marking.shared().toString();
+    }
+}
