@@ -1,11 +1,13 @@
 package rasterlab.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +28,44 @@ class RunSplineTest {
                         + "\"coefficients\":[[0.0,1.5,0.0,-0.5],[1.0,0.0,-1.5,0.5]]}\n",
                 ran.out());
         ran.assertDone();
+    }
+
+    @Test
+    void aMethodThatKeepsTheShapeNeedsNoEnds() {
+        String knots = "{\"x\":[0,1,3],\"y\":[0,2,3],\"at\":[0.5,2]";
+        Ran without = Ran.labReading(knots + "}", "run", "spline-function", "monotone");
+        Ran natural =
+                Ran.labReading(
+                        knots + ",\"ends\":{\"kind\":\"natural\"}}",
+                        "run",
+                        "spline-function",
+                        "monotone");
+        without.assertDone();
+        assertEquals(natural.out(), without.out());
+        Ran.labReading(knots + "}", "run", "spline-function", "cubic")
+                .assertComplains(2, "./lab run: /ends: missing");
+    }
+
+    @Test
+    void aPeriodThatClosesWithinRoundingIsClosedAndSaid() {
+        String periodic =
+                "{\"x\":[0,1,2,3],\"y\":[0,1,-1,%s],\"ends\":{\"kind\":\"periodic\"},\"at\":[3]}";
+        String sine = periodic.formatted("-2.4492935982947064E-16");
+        for (String method : List.of("cubic", "monotone")) {
+            Ran ran = Ran.labReading(sine, "run", "spline-function", method);
+            ran.assertDone();
+            assertTrue(
+                    ran.out()
+                            .endsWith(
+                                    ",\"note\":\"y[3] = -2.4492935982947064E-16 is taken as y[0] ="
+                                            + " 0.0: the period closes within rounding\"}\n"),
+                    ran.out());
+        }
+        Ran exact = Ran.labReading(periodic.formatted("0"), "run", "spline-function", "cubic");
+        exact.assertDone();
+        assertFalse(exact.out().contains("note"), exact.out());
+        Ran open = Ran.labReading(periodic.formatted("1e-14"), "run", "spline-function", "cubic");
+        assertEquals(3, open.exitCode(), open.out());
     }
 
     @Test

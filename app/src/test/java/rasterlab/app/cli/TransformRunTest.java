@@ -25,6 +25,19 @@ class TransformRunTest {
     static Stream<Arguments> answers() {
         return Stream.of(
                 argumentSet(
+                        "a homogeneous point is refused",
+                        "transform",
+                        "double",
+                        "{\"matrices\":[],\"points\":[[0,0,1,0],[2,4,6,2],[1,2,3]]}",
+                        "{\"points\":[null,[1.0,2.0,3.0],[1.0,2.0,3.0]],\"h\":[0.0,2.0,1.0]}"),
+                argumentSet(
+                        "a direction has no vanishing point",
+                        "transform",
+                        "double",
+                        "{\"matrices\":[{\"name\":\"PERSPECTIVE\",\"p\":0,\"q\":0,\"r\":0.25}],"
+                                + "\"points\":[[0,0,1,0]]}",
+                        "{\"points\":[[0.0,0.0,4.0]],\"h\":[0.25]}"),
+                argumentSet(
                         "a right angle has dust beside its zeros",
                         "matrix",
                         "formula",
@@ -147,6 +160,28 @@ class TransformRunTest {
                         "{\"name\":\"ROT3DX\",\"angle\":1,\"k\":2}",
                         "/k: ROT3DX has no such parameter; allowed are angle"),
                 argumentSet(
+                        "the fields of all matrices are listed",
+                        2,
+                        "matrix",
+                        "formula",
+                        "{\"foo\":[2,{}],\"name\":\"ROT3DX\",\"angle\":1}",
+                        "/foo: ROT3DX has no such parameter; allowed are angle"),
+                argumentSet(
+                        "the fields of all matrices are listed in a list",
+                        2,
+                        "transform",
+                        "double",
+                        "{\"matrices\":[{\"name\":\"BEZIER\",\"foo\":3}],\"points\":[]}",
+                        "/matrices/0/foo: BEZIER has no such parameter; it has none"),
+                argumentSet(
+                        "up that is nearly along the sight is said to lie along it",
+                        3,
+                        "matrix",
+                        "formula",
+                        "{\"name\":\"LOOKAT\",\"eye\":[10,38,2],\"center\":[10,8,2.000000001],\"up\":[0,1,0]}",
+                        "formula refuses: up must lie at least 1.0E-8 radians off the line of sight, got"
+                                + " (0.0, 1.0, 0.0) along (0.0, -1.0, 3.33333360913457E-11)"),
+                argumentSet(
                         "a value out of range",
                         2,
                         "matrix",
@@ -217,7 +252,7 @@ class TransformRunTest {
                         "transform",
                         "double",
                         "{\"matrices\":[{\"name\":\"IDENTITY\"}],\"points\":[[1,2,3],[1,2]]}",
-                        "/points/1: has 2 numbers; expected 3, one less than the matrices have rows"),
+                        "/points/1: has 2 numbers; expected 3, one less than the matrices have rows, or 4, with h"),
                 argumentSet(
                         "turns without end",
                         2,

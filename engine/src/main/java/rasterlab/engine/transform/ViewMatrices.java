@@ -38,7 +38,7 @@ public final class ViewMatrices {
      * LOOKAT: to the right-handed eye space of OpenGL, x right, y up, z backward.
      *
      * @throws IllegalArgumentException where the eye is at the centre, or {@code up} is zero or
-     *     along the line of sight
+     *     within 10⁻⁸ radians of the line of sight
      */
     public static Matrix4d lookAt(Vector3d eye, Vector3d center, Vector3d up) {
         if (eye.equals(center))
@@ -50,7 +50,9 @@ public final class ViewMatrices {
         Vector3d side = new Vector3d(forward).cross(Directions.unit(up));
         if (side.length() < Directions.PARALLEL)
             throw new IllegalArgumentException(
-                    "up must not lie along the line of sight, got "
+                    "up must lie at least "
+                            + Directions.PARALLEL
+                            + " radians off the line of sight, got "
                             + text(up)
                             + " along "
                             + text(forward));

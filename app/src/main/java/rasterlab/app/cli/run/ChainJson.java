@@ -13,7 +13,8 @@ import rasterlab.engine.transform.matrix.NamedMatrices;
 /**
  * A list of matrices, each by name or by its rows, and the points that go through them, as JSON.
  *
- * <p>All matrices have 4 rows and the points 3 numbers, or all have 3 and the points 2.
+ * <p>All matrices have 4 rows and the points 3 numbers, or all have 3 and the points 2. A point may
+ * have one number more, its homogeneous coordinate h, which is 0 at infinity.
  */
 final class ChainJson {
     private static final int MOST_MATRICES = 1_000;
@@ -23,7 +24,7 @@ final class ChainJson {
     private static final JsonField<List<double[]>> POINTS =
             JsonField.required(
                     "points",
-                    json -> json.list("points", point -> point.numbers(2, 3), 0, PointJson.MOST));
+                    json -> json.list("points", point -> point.numbers(2, 4), 0, PointJson.MOST));
 
     private ChainJson() {}
 
@@ -38,22 +39,26 @@ final class ChainJson {
                         "/matrices/%d: has %d rows; expected %d as /matrices/0 has"
                                 .formatted(i, matrices.get(i).length, dimension + 1));
         var coordinates = new double[points.size() * dimension];
+        var h = new double[points.size()];
         for (int i = 0; i < points.size(); i++) {
-            if (points.get(i).length != dimension)
+            double[] point = points.get(i);
+            if (point.length != dimension && point.length != dimension + 1)
                 throw Complaint.badInput(
-                        "/points/%d: has %d numbers; expected %d, one less than the matrices have rows"
-                                .formatted(i, points.get(i).length, dimension));
-            System.arraycopy(points.get(i), 0, coordinates, i * dimension, dimension);
+                        "/points/%d: has %d numbers; expected %d, one less than the matrices have rows, or %d, with h"
+                                .formatted(i, point.length, dimension, dimension + 1));
+            System.arraycopy(point, 0, coordinates, i * dimension, dimension);
+            h[i] = point.length == dimension ? 1 : point[dimension];
         }
         return new Chain(
                 dimension,
                 matrices.stream().map(ChainJson::cells).toArray(double[][]::new),
-                coordinates);
+                coordinates,
+                h);
     }
 
     private static int dimension(List<double[][]> matrices, List<double[]> points) {
         if (!matrices.isEmpty()) return matrices.get(0).length - 1;
-        return points.isEmpty() ? 3 : points.get(0).length;
+        return points.isEmpty() ? 3 : Math.min(3, points.get(0).length);
     }
 
     private static double[][] matrix(StrictJson json) throws IOException {

@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.StrictJson;
@@ -51,7 +52,7 @@ final class MatrixJson {
 
     /** Reads an object inside the input. */
     static MatrixCall read(StrictJson json) throws IOException {
-        return call(json.object(fields()));
+        return call(json.openObject(fields()));
     }
 
     /** The matrix that the fields ask for, each parameter in its range. */
@@ -73,7 +74,8 @@ final class MatrixJson {
 
     private static void requireOwn(Given given, NamedMatrix matrix) {
         List<String> own = matrix.parameters().stream().map(MatrixParameter::name).toList();
-        for (String field : given.names().stream().sorted().toList())
+        for (String field :
+                Stream.concat(given.unknown().stream(), given.names().stream().sorted()).toList())
             if (!field.equals(NAME.name()) && !own.contains(field))
                 throw given.complaint(
                         field,

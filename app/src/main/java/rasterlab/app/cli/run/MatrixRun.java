@@ -36,7 +36,7 @@ final class MatrixRun implements TopicRun {
     @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
-        MatrixCall call = MatrixJson.call(StrictJson.object(text, length, MatrixJson.fields()));
+        MatrixCall call = MatrixJson.call(StrictJson.openObject(text, length, MatrixJson.fields()));
         MatrixFormula formula = topic.method(method).implementation();
         double[][] rows = watch.call(method, () -> topic.record(formula, call, 1));
         return json -> {

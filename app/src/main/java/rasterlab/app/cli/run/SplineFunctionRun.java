@@ -13,6 +13,7 @@ import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
+import rasterlab.engine.spline.ClosedValues;
 import rasterlab.engine.spline.PiecewiseCubic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineWalk;
@@ -43,7 +44,7 @@ public final class SplineFunctionRun implements TopicRun {
     private static final JsonField<Double> LEFT = JsonField.optional("left", StrictJson::number);
     private static final JsonField<Double> RIGHT = JsonField.optional("right", StrictJson::number);
     private static final JsonField<SplineEnds> ENDS =
-            JsonField.required("ends", json -> ends(json.object(KIND, LEFT, RIGHT)));
+            JsonField.optional("ends", json -> ends(json.object(KIND, LEFT, RIGHT)));
 
     private final Topic<SplineFunction, ?, ?> topic;
     private final Watch watch;
@@ -70,10 +71,12 @@ public final class SplineFunctionRun implements TopicRun {
         return new Form(
                 """
                 {"x":[...], "y":[...], "ends":{"kind":KIND}, "at":[...]}, KIND being slopes \
-                with "left" and "right", natural, not-a-knot or periodic""",
+                with "left" and "right", natural, not-a-knot or periodic; a method that keeps the shape \
+                needs no ends and takes natural ones; periodic values may differ at the ends by \
+                rounding, of which the answer's note tells""",
                 """
                 {"y":[...], "coefficients":[[a,b,c,d],...]}, a + b*s + c*s^2 + d*s^3 for \
-                each piece""");
+                each piece, and perhaps "note\"""");
     }
 
     @Override
@@ -84,7 +87,23 @@ public final class SplineFunctionRun implements TopicRun {
                     "/y: expected as many values as /x has, %d, got %d"
                             .formatted(given.get(X).length, given.get(Y).length));
         SplineFunction function = topic.method(method).implementation();
-        return watch.call(method, () -> solved(method, function, given, steps));
+        SplineEnds ends = given.find(ENDS).orElseGet(() -> ends(function));
+        ClosedValues values = ClosedValues.of(given.get(Y), ends);
+        var data = new Data(given.get(X), values, ends, given.get(AT));
+        return watch.call(method, () -> solved(method, function, data, steps));
+    }
+
+    /** What a method computes from. */
+    private record Data(double[] x, ClosedValues closed, SplineEnds ends, double[] at) {
+        double[] y() {
+            return closed.values();
+        }
+    }
+
+    /** The ends of a function whose slopes follow from its knots' neighbours. */
+    private static SplineEnds ends(SplineFunction function) {
+        if (function.promise() == SplineFunction.Promise.SHAPE) return SplineEnds.natural();
+        throw Complaint.badInput("/ends: missing");
     }
 
     private static SplineEnds ends(Given given) {
@@ -99,19 +118,17 @@ public final class SplineFunctionRun implements TopicRun {
         return new SplineEnds(kind, given.find(LEFT).orElse(0.0), given.find(RIGHT).orElse(0.0));
     }
 
-    private static Answer solved(
-            String method, SplineFunction function, Given given, boolean steps) {
+    private static Answer solved(String method, SplineFunction function, Data data, boolean steps) {
         List<Step> walked =
-                steps ? steps(Steps.of(method, function, SteppedSpline.class), given) : List.of();
-        double[] x = given.get(X);
-        SplineEnds ends = given.get(ENDS);
-        double[] coefficients = function.coefficients(x, given.get(Y), ends);
-        double[] values = new PiecewiseCubic(x, coefficients, ends).at(given.get(AT));
+                steps ? steps(Steps.of(method, function, SteppedSpline.class), data) : List.of();
+        double[] coefficients = function.coefficients(data.x(), data.y(), data.ends());
+        double[] values = new PiecewiseCubic(data.x(), coefficients, data.ends()).at(data.at());
         return json -> {
             json.writeFieldName("y");
             JsonNumbers.write(json, values);
             json.writeFieldName("coefficients");
             JsonNumbers.writePoints(json, coefficients, 4);
+            if (data.closed().moved()) json.writeStringField("note", data.closed().note());
             if (function instanceof SteppedSpline stepped && steps)
                 Steps.write(
                         json, stepped.decisionFormula(), walked, (out, step) -> step.write(out));
@@ -126,9 +143,9 @@ public final class SplineFunctionRun implements TopicRun {
         }
     }
 
-    private static List<Step> steps(SteppedSpline stepped, Given given) {
+    private static List<Step> steps(SteppedSpline stepped, Data data) {
         var steps = new ArrayList<Step>();
-        SplineWalk walk = stepped.walk(given.get(X), given.get(Y), given.get(ENDS));
+        SplineWalk walk = stepped.walk(data.x(), data.y(), data.ends());
         while (walk.advance()) steps.add(new Step(walk.phase(), walk.index(), walk.decision()));
         return steps;
     }

@@ -40,7 +40,7 @@ final class TransformRun implements TopicRun {
         return new Form(
                 """
                 {"matrices":[...], "points":[[x,y,z],...]}, each matrix by name as for topic \
-                matrix or by its rows""",
+                matrix or by its rows; a point may be homogeneous, [x,y,z,h], at infinity with h = 0""",
                 """
                 {"points":[...], "h":[...]}, null where h is 0""");
     }
@@ -73,7 +73,8 @@ final class TransformRun implements TopicRun {
                             new Chain(
                                     chain.dimension(),
                                     Arrays.copyOf(chain.matrices(), i),
-                                    chain.points())));
+                                    chain.points(),
+                                    chain.h())));
         return stages;
     }
 

@@ -2,6 +2,7 @@ package rasterlab.app.coordinates.list;
 
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.PointTransformer;
@@ -32,7 +33,11 @@ final class ChainTrial extends TrialKind<PointTransformer, Chain, TransformTopic
 
     @Override
     Chain only(Chain chain, int point) {
-        return new Chain(chain.dimension(), chain.matrices(), xyz(chain.points(), point));
+        return new Chain(
+                chain.dimension(),
+                chain.matrices(),
+                xyz(chain.points(), point),
+                new double[] {chain.h()[point]});
     }
 
     @Override
@@ -48,7 +53,17 @@ final class ChainTrial extends TrialKind<PointTransformer, Chain, TransformTopic
                 Stream.of(chain.matrices())
                         .map(cells -> CallJson.rows(4, cells))
                         .collect(Collectors.joining(", ", "[", "]"));
-        return "{\"matrices\": %s, \"points\": %s}"
-                .formatted(matrices, CallJson.points(3, chain.points()));
+        return "{\"matrices\": %s, \"points\": %s}".formatted(matrices, points(chain));
+    }
+
+    private static String points(Chain chain) {
+        if (DoubleStream.of(chain.h()).allMatch(h -> h == 1))
+            return CallJson.points(3, chain.points());
+        var homogeneous = new double[4 * chain.h().length];
+        for (int i = 0; i < chain.h().length; i++) {
+            System.arraycopy(chain.points(), 3 * i, homogeneous, 4 * i, 3);
+            homogeneous[4 * i + 3] = chain.h()[i];
+        }
+        return CallJson.points(4, homogeneous);
     }
 }

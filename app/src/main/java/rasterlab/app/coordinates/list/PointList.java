@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import rasterlab.engine.transform.axis.AxisTurn;
 import rasterlab.engine.transform.chain.Chain;
 import rasterlab.engine.transform.view.Look;
@@ -21,13 +22,22 @@ record PointList(List<ListItem> items, List<Double> points) {
     }
 
     /**
-     * @throws IllegalArgumentException for a chain of the plane
+     * The chain's matrices, after one that gives plain points their common h where it is not 1.
+     *
+     * @throws IllegalArgumentException for a chain of the plane, or one whose points differ in h
      */
     static PointList of(Chain chain) {
         if (chain.dimension() != 3)
             throw new IllegalArgumentException(
                     "dimension must be 3 to be shown in space, got " + chain.dimension());
         var items = new ArrayList<ListItem>();
+        double h = chain.h().length == 0 ? 1 : chain.h()[0];
+        if (DoubleStream.of(chain.h()).anyMatch(each -> each != h))
+            throw new IllegalArgumentException(
+                    "h must be the same for all points to be shown, got "
+                            + Arrays.toString(chain.h()));
+        if (h != 1)
+            items.add(ListItem.of(ListItem.FREE, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, h));
         for (double[] cells : chain.matrices()) items.add(ListItem.of(ListItem.FREE, cells));
         Collections.reverse(items);
         return new PointList(items, list(chain.points()));

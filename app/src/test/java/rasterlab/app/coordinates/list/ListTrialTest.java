@@ -49,6 +49,8 @@ class ListTrialTest {
                     "transform at-the-eye", EnumSet.of(NO_IMAGE),
                     "transform behind-the-eye", EnumSet.of(POINTS_TOGETHER),
                     "transform close-to-the-eye", EnumSet.of(POINTS_TOGETHER),
+                    "transform many-representations", EnumSet.of(POINTS_TOGETHER),
+                    "transform stays-at-infinity", EnumSet.of(NO_IMAGE),
                     "transform turn-about-a-far-point", EnumSet.of(POINTS_TOGETHER),
                     "rotate-axis axis-through-far-point", EnumSet.of(POINTS_TOGETHER));
 

@@ -13,8 +13,13 @@ final class ChainCheck {
         Coordinates.require(points, dimension, Coordinates.LARGEST);
         if (h.length != points.length / dimension)
             throw new IllegalArgumentException(
-                    "h must have one place per point, %d, got %d"
+                    "h must have one number per point, %d, got %d"
                             .formatted(points.length / dimension, h.length));
+        for (int i = 0; i < h.length; i++)
+            if (!(Math.abs(h[i]) <= Coordinates.LARGEST))
+                throw new IllegalArgumentException(
+                        "h[%d] must be a finite number from %s to %s, got %s"
+                                .formatted(i, -Coordinates.LARGEST, Coordinates.LARGEST, h[i]));
     }
 
     private static void requireMatrix(int size, double[] cells, int i) {
@@ -46,6 +51,11 @@ final class ChainCheck {
             throw new IllegalArgumentException(
                     "the product of %s and %s is too small for the method's numbers, below %s"
                             .formatted(a, b, smallest));
+    }
+
+    /** The same for the matrix's last row, which a plain point takes as it is. */
+    static void requireShiftKept(double h, double cell, double smallest) {
+        if (h != 1) requireKept(h, cell, smallest);
     }
 
     static IllegalArgumentException tooLarge(int point) {

@@ -42,12 +42,18 @@ final class CountingChain {
         var product = new double[size * size];
         for (int i = 0; i < size; i++) product[i * size + i] = 1;
         for (double[] matrix : chain.matrices()) product = product(size, product, matrix);
-        for (int i = 0; i < chain.size(); i++) image(product, points, i * chain.dimension());
+        for (int i = 0; i < chain.size(); i++)
+            image(product, points, i * chain.dimension(), chain.h()[i]);
     }
 
     void divideFirst(Chain chain, double[] points) {
-        for (int i = 0; i < chain.size(); i++)
-            for (double[] matrix : chain.matrices()) image(matrix, points, i * chain.dimension());
+        for (int i = 0; i < chain.size(); i++) {
+            int at = i * chain.dimension();
+            if (chain.h()[i] != 1)
+                for (int j = 0; j < chain.dimension(); j++)
+                    points[at + j] = on.over(points[at + j], chain.h()[i]);
+            for (double[] matrix : chain.matrices()) image(matrix, points, at, 1);
+        }
     }
 
     private double[] product(int size, double[] left, double[] right) {
@@ -61,13 +67,15 @@ final class CountingChain {
         return product;
     }
 
-    private void image(double[] m, double[] points, int at) {
+    /** A plain point takes the last row as it is, without a multiplication. */
+    private void image(double[] m, double[] points, int at, double h) {
         int size = (int) Math.sqrt(m.length);
         var image = new double[size];
         for (int j = 0; j < size; j++) {
             for (int k = 0; k < size - 1; k++)
                 image[j] = plus(image[j], times(rounded(points[at + k]), m[k * size + j]));
-            image[j] = plus(image[j], m[(size - 1) * size + j]);
+            double shift = m[(size - 1) * size + j];
+            image[j] = plus(image[j], h == 1 ? shift : times(h, shift));
         }
         for (int j = 0; j < size - 1; j++)
             points[at + j] = rounded(on.over(image[j], image[size - 1]));

@@ -8,7 +8,7 @@ import rasterlab.contract.PointTransformer;
  *
  * <p>The picture is the same as long as every H is above 0. A point behind the eye is drawn as if
  * it stood before it, since the sign of H, by which it could be clipped, is divided away; at the
- * eye the division is by 0.
+ * eye, and for a point at infinity, the division is by 0.
  *
  * <p>Source: Ponomarev, course text on computer graphics, "homogeneous coordinates" and
  * "perspective transformations", where no H is looked at before the division.
@@ -19,8 +19,9 @@ final class DivideFirstTransformer implements PointTransformer {
         ChainCheck.require(dimension, matrices, points, h);
         var image = new double[dimension + 1];
         for (int i = 0; i < h.length; i++) {
+            for (int j = 0; j < dimension; j++) points[i * dimension + j] /= h[i];
             for (double[] matrix : matrices) {
-                DoubleTransformer.image(matrix, points, i * dimension, image);
+                DoubleTransformer.image(matrix, points, i * dimension, 1, image);
                 for (int j = 0; j < dimension; j++)
                     points[i * dimension + j] = image[j] / image[dimension];
             }

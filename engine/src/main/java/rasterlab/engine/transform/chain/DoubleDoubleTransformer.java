@@ -19,7 +19,7 @@ final class DoubleDoubleTransformer implements PointTransformer {
         DoubleDouble[] product = product(size, matrices);
         var image = new DoubleDouble[size];
         for (int i = 0; i < h.length; i++) {
-            image(product, points, i * dimension, image);
+            image(product, points, i * dimension, h[i], image);
             DoubleDouble divisor = image[dimension];
             h[i] = divisor.high();
             for (int j = 0; j < dimension; j++) {
@@ -55,17 +55,21 @@ final class DoubleDoubleTransformer implements PointTransformer {
         return product;
     }
 
-    /** {@code [point 1] · M}. */
-    private static void image(DoubleDouble[] m, double[] points, int at, DoubleDouble[] image) {
+    /** {@code [point h] · M}. */
+    private static void image(
+            DoubleDouble[] m, double[] points, int at, double h, DoubleDouble[] image) {
         int size = image.length;
         for (int j = 0; j < size; j++) {
             DoubleDouble sum = DoubleDouble.ZERO;
             for (int k = 0; k < size - 1; k++)
                 sum = sum.plus(m[k * size + j].times(points[at + k]));
-            sum = sum.plus(m[(size - 1) * size + j]);
-            if (Math.abs(sum.high()) < SMALLEST)
+            DoubleDouble shift = m[(size - 1) * size + j];
+            sum = sum.plus(h == 1 ? shift : shift.times(h));
+            if (Math.abs(sum.high()) < SMALLEST) {
                 for (int k = 0; k < size - 1; k++)
                     ChainCheck.requireKept(points[at + k], m[k * size + j].high(), SMALLEST);
+                ChainCheck.requireShiftKept(h, shift.high(), SMALLEST);
+            }
             image[j] = sum;
         }
     }

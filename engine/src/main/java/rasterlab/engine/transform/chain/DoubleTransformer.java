@@ -18,7 +18,7 @@ final class DoubleTransformer implements PointTransformer {
         double[] product = product(size, matrices);
         var image = new double[size];
         for (int i = 0; i < h.length; i++) {
-            image(product, points, i * dimension, image);
+            image(product, points, i * dimension, h[i], image);
             h[i] = image[dimension];
             for (int j = 0; j < dimension; j++) {
                 double coordinate = h[i] == 0 ? Double.NaN : image[j] / h[i];
@@ -52,16 +52,18 @@ final class DoubleTransformer implements PointTransformer {
         return product;
     }
 
-    /** {@code [point 1] · M}. */
-    static void image(double[] m, double[] points, int at, double[] image) {
+    /** {@code [point h] · M}. */
+    static void image(double[] m, double[] points, int at, double h, double[] image) {
         int size = image.length;
         for (int j = 0; j < size; j++) {
             double sum = 0;
             for (int k = 0; k < size - 1; k++) sum += points[at + k] * m[k * size + j];
-            image[j] = sum + m[(size - 1) * size + j];
-            if (Math.abs(image[j]) < SMALLEST)
+            image[j] = sum + h * m[(size - 1) * size + j];
+            if (Math.abs(image[j]) < SMALLEST) {
                 for (int k = 0; k < size - 1; k++)
                     ChainCheck.requireKept(points[at + k], m[k * size + j], SMALLEST);
+                ChainCheck.requireShiftKept(h, m[(size - 1) * size + j], SMALLEST);
+            }
         }
     }
 }

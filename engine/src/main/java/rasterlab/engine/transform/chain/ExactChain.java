@@ -23,7 +23,7 @@ final class ExactChain {
             BigDecimal[] row = new BigDecimal[dimension + 1];
             for (int j = 0; j < dimension; j++)
                 row[j] = new BigDecimal(chain.points()[i * dimension + j]);
-            row[dimension] = BigDecimal.ONE;
+            row[dimension] = new BigDecimal(chain.h()[i]);
             for (BigMatrix matrix : matrices) row = matrix.image(row);
             put(row, images, i * (dimension + 1));
         }

@@ -11,11 +11,12 @@ final class FloatTransformer implements PointTransformer {
     public void transform(int dimension, double[][] matrices, double[] points, double[] h) {
         ChainCheck.require(dimension, matrices, points, h);
         Coordinates.requireFloat(points, dimension);
+        requireFloat(h);
         int size = dimension + 1;
         float[] product = product(size, matrices);
         var image = new float[size];
         for (int i = 0; i < h.length; i++) {
-            image(product, points, i * dimension, image);
+            image(product, points, i * dimension, (float) h[i], image);
             float divisor = image[dimension];
             h[i] = divisor;
             for (int j = 0; j < dimension; j++) {
@@ -65,16 +66,26 @@ final class FloatTransformer implements PointTransformer {
         return narrow;
     }
 
-    /** {@code [point 1] · M}. */
-    private static void image(float[] m, double[] points, int at, float[] image) {
+    private static void requireFloat(double[] h) {
+        for (int i = 0; i < h.length; i++)
+            if (!Float.isFinite((float) h[i]) || (float) h[i] == 0 && h[i] != 0)
+                throw new IllegalArgumentException(
+                        "h[%d]: a float holds 0 and magnitudes from 1.4E-45 to 3.4E38, got %s"
+                                .formatted(i, h[i]));
+    }
+
+    /** {@code [point h] · M}. */
+    private static void image(float[] m, double[] points, int at, float h, float[] image) {
         int size = image.length;
         for (int j = 0; j < size; j++) {
             float sum = 0;
             for (int k = 0; k < size - 1; k++) sum += (float) points[at + k] * m[k * size + j];
-            image[j] = sum + m[(size - 1) * size + j];
-            if (Math.abs(image[j]) < SMALLEST)
+            image[j] = sum + h * m[(size - 1) * size + j];
+            if (Math.abs(image[j]) < SMALLEST) {
                 for (int k = 0; k < size - 1; k++)
                     ChainCheck.requireKept(points[at + k], m[k * size + j], SMALLEST);
+                ChainCheck.requireShiftKept(h, m[(size - 1) * size + j], SMALLEST);
+            }
         }
     }
 }

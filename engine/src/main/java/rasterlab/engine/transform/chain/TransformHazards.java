@@ -48,7 +48,28 @@ final class TransformHazards {
                         "H is about 10⁻⁹: nine digits of the image are lost.",
                         Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, DEGRADED),
                         new double[] {3, 4, 700 - 7e-7},
-                        cells("PERSPECTIVE", 0, 0, -1 / 700.0)));
+                        cells("PERSPECTIVE", 0, 0, -1 / 700.0)),
+                homogeneous(
+                        "vanishing-point",
+                        "h = 0, a point at infinity: its image is where parallels meet.",
+                        Map.of(TEXTBOOK, WRONG),
+                        new double[] {0, 0, 1},
+                        0,
+                        cells("PERSPECTIVE", 0, 0, 0.25)),
+                homogeneous(
+                        "stays-at-infinity",
+                        "h = 0 and no perspective: the image is at infinity, shifts move nothing.",
+                        Map.of(TEXTBOOK, WRONG),
+                        new double[] {3, 4, 0},
+                        0,
+                        cells("TRANSL3D", 5, 6, 7)),
+                homogeneous(
+                        "many-representations",
+                        "h = −2: one point has many representations, this one is (−1.5, −2, −2.5).",
+                        Map.of(TEXTBOOK, WRONG),
+                        new double[] {3, 4, 5},
+                        -2,
+                        cells("TRANSL3D", 1, 0, 0)));
     }
 
     private static List<Hazard<Chain>> cancellation() {
@@ -83,6 +104,21 @@ final class TransformHazards {
                         Map.of(FLOAT, REFUSED),
                         new double[] {1e200, 2e200, 3e200},
                         cells("SCALE3DX", 2)));
+    }
+
+    private static Hazard<Chain> homogeneous(
+            String name,
+            String description,
+            Map<String, Verdict.Kind> failing,
+            double[] point,
+            double h,
+            double[]... matrices) {
+        return Hazard.allExactBut(
+                failing,
+                TransformMethods.all(),
+                name,
+                description,
+                new Chain(3, matrices, point, new double[] {h}));
     }
 
     private static Hazard<Chain> hazard(

@@ -53,7 +53,7 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     @Override
     public Output run(PointTransformer method, Chain chain, int limit) {
         double[] points = chain.points().clone();
-        var h = new double[chain.size()];
+        double[] h = chain.h().clone();
         method.transform(chain.dimension(), chain.matrices(), points, h);
         return new Output(
                 new Images(points, chain.dimension()).first(limit),
@@ -63,10 +63,7 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     @Override
     public long spend(PointTransformer method, Chain chain) {
         method.transform(
-                chain.dimension(),
-                chain.matrices(),
-                chain.points().clone(),
-                new double[chain.size()]);
+                chain.dimension(), chain.matrices(), chain.points().clone(), chain.h().clone());
         return chain.size();
     }
 

@@ -9,6 +9,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.engine.transform.chain.TransformWorkloads.cells;
 
 import java.util.Random;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -32,8 +33,13 @@ class TransformTest {
 
     private static double[] image(Method<PointTransformer> method, double[] h, Chain chain) {
         double[] points = chain.points().clone();
+        System.arraycopy(chain.h(), 0, h, 0, h.length);
         method.implementation().transform(chain.dimension(), chain.matrices(), points, h);
         return points;
+    }
+
+    private static double[] ones(int count) {
+        return DoubleStream.generate(() -> 1).limit(count).toArray();
     }
 
     @ParameterizedTest
@@ -79,12 +85,33 @@ class TransformTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("methods")
+    void pointAtInfinityGoesToTheVanishingPoint(Method<PointTransformer> method) {
+        double[][] list = {cells("ROT3DY", 90), cells("PERSPECTIVE", 0, 0, -0.25)};
+        var chain = new Chain(3, list, new double[] {1, 0, 0}, new double[] {0});
+        var h = new double[1];
+        assertArrayEquals(new double[] {0, 0, -4}, image(method, h, chain), 1e-6);
+        assertEquals(0.25, h[0], 1e-7);
+    }
+
+    @ParameterizedTest
+    @MethodSource("methods")
+    void allRepresentationsOfAPointHaveOneImage(Method<PointTransformer> method) {
+        double[][] list = {cells("TRANSL3D", 5, 6, 7)};
+        double[] points = {2, 4, 6, -1, -2, -3, 1, 2, 3};
+        var h = new double[3];
+        double[] image = image(method, h, new Chain(3, list, points, new double[] {2, -1, 1}));
+        assertArrayEquals(new double[] {6, 8, 10, 6, 8, 10, 6, 8, 10}, image);
+        assertArrayEquals(new double[] {2, -1, 1}, h);
+    }
+
     /** H = −1: mirrored, and by its H no longer to be told from the point before the eye. */
     @Test
     void textbookTakesAPointBehindTheEyeForOneBeforeIt() {
         double[][] list = {cells("PERSPECTIVE", 0, 0, -1 / 512.0)};
         double[] points = {3, 4, 256, 3, 4, 1024, 3, 4, 512};
-        var h = new double[3];
+        double[] h = ones(3);
         TOPIC.method("divide-first-textbook").implementation().transform(3, list, points, h);
         assertArrayEquals(new double[] {1, 1, 1}, h);
         double far = Double.POSITIVE_INFINITY;
@@ -129,7 +156,7 @@ class TransformTest {
         // Two parallel segments and the middle of the first.
         double[] points = {1, 2, 5, 8, 3, 5, 0, 0, 4, 6};
         var method = TOPIC.method("double").implementation();
-        method.transform(2, new double[][] {cells}, points, new double[5]);
+        method.transform(2, new double[][] {cells}, points, ones(5));
         assertEquals((points[0] + points[2]) / 2, points[4], 1e-14);
         assertEquals((points[1] + points[3]) / 2, points[5], 1e-14);
         double cross =
@@ -196,7 +223,7 @@ class TransformTest {
         double[] before = points.clone();
         double[][] list = {cells("ROT3DX", 33), cells("ROT3DX", -33)};
         var method = TOPIC.method("double").implementation();
-        method.transform(3, list, points, new double[1_000_000]);
+        method.transform(3, list, points, ones(1_000_000));
         assertArrayEquals(before, points, 1e-15);
     }
 
@@ -213,7 +240,7 @@ class TransformTest {
                                                     dimension,
                                                     matrices,
                                                     points.clone(),
-                                                    new double[points.length / 3]),
+                                                    ones(points.length / 3)),
                             method.name());
             String said = refusal.getMessage();
             assertTrue(said.matches(message), method.name() + ": " + said);

@@ -1,5 +1,6 @@
 package rasterlab.app.cli.run.json;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,6 +13,7 @@ public final class Given {
     private final String place;
     private final List<JsonField<?>> allowed;
     private final Map<String, Object> values = new HashMap<>();
+    private final List<String> unknown = new ArrayList<>();
 
     /**
      * @param place the object's JSON pointer; empty for the whole input
@@ -39,6 +41,15 @@ public final class Given {
 
     public boolean has(String name) {
         return values.containsKey(name);
+    }
+
+    /** The names of the fields that were passed over, in their order. */
+    public List<String> unknown() {
+        return List.copyOf(unknown);
+    }
+
+    void putUnknown(String name) {
+        unknown.add(name);
     }
 
     Optional<JsonField<?>> allowed(String name) {

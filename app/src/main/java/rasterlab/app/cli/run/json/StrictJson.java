@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -58,26 +59,47 @@ public final class StrictJson {
      * @throws Complaint if the text is anything else
      */
     public static Given object(byte[] text, int length, JsonField<?>... fields) {
+        return object(text, length, json -> json.whole(json::object, fields));
+    }
+
+    /**
+     * The same where what else is allowed depends on a field's value: {@link Given#unknown} names
+     * the fields that are not among {@code fields}.
+     *
+     * @throws Complaint if the text is anything else
+     */
+    public static Given openObject(byte[] text, int length, JsonField<?>... fields) {
+        return object(text, length, json -> json.whole(json::openObject, fields));
+    }
+
+    private static Given object(byte[] text, int length, JsonField.Reader<Given> reader) {
         try (JsonParser parser = FACTORY.createParser(text, 0, length)) {
-            return read(new StrictJson(parser), text, length, fields);
+            return read(new StrictJson(parser), text, length, reader);
         } catch (IOException e) {
             throw new AssertionError("reading from memory failed", e);
         }
     }
 
-    private static Given read(StrictJson json, byte[] text, int length, JsonField<?>... fields)
+    private static Given read(
+            StrictJson json, byte[] text, int length, JsonField.Reader<Given> reader)
             throws IOException {
         try {
-            return json.whole(fields);
+            return reader.read(json);
         } catch (JacksonException e) {
             throw new NotJson(text, length).complaint(e, json.parser.currentLocation());
         }
     }
 
-    private Given whole(JsonField<?>... fields) throws IOException {
+    /** Reads the object that the input stands on. */
+    @FunctionalInterface
+    private interface ObjectReader {
+        Given read(JsonField<?>... fields) throws IOException;
+    }
+
+    private Given whole(ObjectReader reader, JsonField<?>... fields) throws IOException {
         if (parser.nextToken() == null)
             throw Complaint.badInput("the input is empty; expected " + anObjectWith(fields));
-        Given given = object(fields);
+        Given given = reader.read(fields);
         if (parser.nextToken() != null)
             throw Complaint.badInput(
                     NotJson.place(parser.currentTokenLocation())
@@ -89,24 +111,35 @@ public final class StrictJson {
 
     /** Reads an object inside the input. */
     public Given object(JsonField<?>... fields) throws IOException {
+        return object(false, fields);
+    }
+
+    /** The same for an object as {@link #openObject(byte[], int, JsonField[])} reads. */
+    public Given openObject(JsonField<?>... fields) throws IOException {
+        return object(true, fields);
+    }
+
+    private Given object(boolean open, JsonField<?>... fields) throws IOException {
         if (!startsObject()) throw expected(anObjectWith(fields));
         var given =
                 new Given(parser.getParsingContext().pathAsPointer().toString(), List.of(fields));
         while (parser.nextToken() == JsonToken.FIELD_NAME) {
             String name = parser.currentName();
-            JsonField<?> field =
-                    given.allowed(name)
-                            .orElseThrow(
-                                    () ->
-                                            complaint(
-                                                    "unknown field; allowed are "
-                                                            + sorted(fields)));
+            Optional<JsonField<?>> field = given.allowed(name);
+            if (field.isEmpty() && !open)
+                throw complaint("unknown field; allowed are " + sorted(fields));
             if (given.has(name)) throw complaint("the field is given twice");
             parser.nextToken();
-            given.put(field, field.reader().read(this));
+            if (field.isPresent()) given.put(field.get(), field.get().reader().read(this));
+            else passOver(given, name);
         }
         given.requireAll();
         return given;
+    }
+
+    private void passOver(Given given, String name) throws IOException {
+        given.putUnknown(name);
+        parser.skipChildren();
     }
 
     private static String anObjectWith(JsonField<?>... fields) {
