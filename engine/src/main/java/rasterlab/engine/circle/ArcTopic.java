@@ -5,6 +5,7 @@ import java.util.Optional;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.SampledPixels;
 import rasterlab.engine.raster.SetComparison;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Topic;
@@ -19,7 +20,12 @@ import rasterlab.engine.study.Topic;
  * @param <I> one input
  */
 abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
-    private static final int MOST_ITEMS = 1_000_000;
+    /** The most pixels of a figure that {@link #whole} answers, to be drawn in a lab. */
+    private static final int MOST_SHOWN = 1_000_000;
+
+    /** The most pixels of a figure that is judged by all of them. */
+    private static final int MOST_ITEMS = 2_000_000;
+
     private static final int SLACK = 1_000;
 
     abstract void draw(C method, I input, Pixels out);
@@ -48,10 +54,31 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
 
     @Override
     public long spend(C method, I input) {
-        Ellipse e = ellipse(input);
-        var counting = new CountingPixels(8L * ((long) e.radiusX() + e.radiusY()) + SLACK);
+        var counting = new CountingPixels(mostDrawn(ellipse(input)));
         draw(method, input, counting);
         return counting.count();
+    }
+
+    /** Twice the pixels that a figure has at most, four for each column and row of a quadrant. */
+    private static long mostDrawn(Ellipse e) {
+        return 8L * ((long) e.radiusX() + e.radiusY()) + SLACK;
+    }
+
+    /** {@inheritDoc} Methods draw in different orders, so the part is chosen by place. */
+    @Override
+    public PixelRecording recordPart(C method, I input, int limit) {
+        Ellipse e = ellipse(input);
+        if (mostDrawn(e) / 2 <= MOST_ITEMS) return record(method, input, limit);
+        var sample = new SampledPixels(new ArcSample(e), mostDrawn(e), limit);
+        draw(method, input, sample);
+        return sample.recording();
+    }
+
+    @Override
+    public PixelRecording exactPart(I input, int limit) {
+        Ellipse e = ellipse(input);
+        if (mostDrawn(e) / 2 <= MOST_ITEMS) return exact(input, limit);
+        return new ArcSample(e).exact(limit);
     }
 
     @Override
@@ -64,13 +91,13 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
     }
 
     /**
-     * The right answer with nothing cut off; empty where it has more than {@link #mostItems}
-     * pixels. A figure has at least one pixel for each of its columns and of its rows.
+     * The right answer with nothing cut off; empty where it has more than 1,000,000 pixels. A
+     * figure has at least one pixel for each of its columns and of its rows.
      */
     public Optional<PixelRecording> whole(I input) {
         Ellipse e = ellipse(input);
-        if (2L * Math.max(e.radiusX(), e.radiusY()) + 1 > MOST_ITEMS) return Optional.empty();
-        return Optional.of(exact(input, MOST_ITEMS + 1)).filter(all -> all.size() <= MOST_ITEMS);
+        if (2L * Math.max(e.radiusX(), e.radiusY()) + 1 > MOST_SHOWN) return Optional.empty();
+        return Optional.of(exact(input, MOST_SHOWN + 1)).filter(all -> all.size() <= MOST_SHOWN);
     }
 
     private static void keep(PixelRecording recording, int limit, int x, int y) {
@@ -92,7 +119,7 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
         return walk(method, input).map(WalkAndWork::operations).orElse(Map.of());
     }
 
-    /** Methods draw in different orders, so a cut answer judges none: see {@link #whole}. */
+    /** {@inheritDoc} No part of a larger one reaches it. */
     @Override
     public int mostItems() {
         return MOST_ITEMS;

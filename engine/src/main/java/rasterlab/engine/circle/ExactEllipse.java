@@ -51,6 +51,23 @@ public final class ExactEllipse {
         }
     }
 
+    /** The row nearest to the curve in column {@code u} of 0..a. */
+    int row(int u) {
+        return nearest(a, b, u, notBelow(a, b, u));
+    }
+
+    /** The column nearest to the curve in row {@code v} of 0..b. */
+    int column(int v) {
+        return nearest(b, a, v, notBelow(b, a, v));
+    }
+
+    /** A whole number that is not below other·√(1 − at²/along²) + ½, by at most 1. */
+    private static int notBelow(int along, int other, int at) {
+        if (along == 0) return other;
+        BigInteger squares = square(along).subtract(square(at)).multiply(square(other));
+        return squares.divide(square(along)).sqrt().intValueExact() + 1;
+    }
+
     /**
      * The least whole number w ≥ 0 with w + ½ ≥ other·√(1 − at²/along²).
      *

@@ -4,7 +4,9 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.raster.CountingPixels;
+import rasterlab.engine.raster.PixelPredicate;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.SampledPixels;
 import rasterlab.engine.raster.SetComparison;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -20,6 +22,9 @@ import rasterlab.engine.study.Workload;
  */
 public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecording> {
     private static final int MOST_ITEMS = 1_000_000;
+
+    /** Rows that are kept one below the other where not all are, to see what goes wrong between. */
+    private static final int ROWS_TOGETHER = 8;
 
     @Override
     public String name() {
@@ -47,6 +52,48 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
         var picture = new WatchedPicture(new TextPicture(task.rows()), recording);
         method.fill(picture, task.x(), task.y(), task.with(), task.connectivity());
         return recording;
+    }
+
+    /** {@inheritDoc} Methods fill in different orders, so the part is made of whole rows. */
+    @Override
+    public PixelRecording recordPart(SeedFiller method, FillTask task, int limit) {
+        if (rowStep(task) == 1) return record(method, task, limit);
+        var text = new TextPicture(task.rows());
+        long pixels = (long) text.width() * text.height();
+        var sample = new SampledPixels(part(task), 2 * pixels, limit);
+        method.fill(
+                new WatchedPicture(text, sample),
+                task.x(),
+                task.y(),
+                task.with(),
+                task.connectivity());
+        return sample.recording();
+    }
+
+    @Override
+    public PixelRecording exactPart(FillTask task, int limit) {
+        if (rowStep(task) == 1) return exact(task, limit);
+        PixelPredicate part = part(task);
+        var recording = new PixelRecording(limit);
+        new ExactFill(task)
+                .fill(
+                        (x, y) -> {
+                            if (part.test(x, y) && recording.size() < limit) recording.plot(x, y);
+                        });
+        return recording;
+    }
+
+    /** Of how many groups of rows one is kept: 1 where the picture has no more than a million. */
+    private static int rowStep(FillTask task) {
+        long pixels = task.rows().stream().mapToLong(String::length).sum();
+        return pixels <= MOST_ITEMS ? 1 : (int) (2 * pixels / MOST_ITEMS + 1);
+    }
+
+    /** Groups of rows, the seed's among them. */
+    private static PixelPredicate part(FillTask task) {
+        int step = rowStep(task);
+        int seed = task.y() / ROWS_TOGETHER;
+        return (x, y) -> (y / ROWS_TOGETHER - seed) % step == 0;
     }
 
     @Override

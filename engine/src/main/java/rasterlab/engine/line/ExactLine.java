@@ -2,6 +2,7 @@ package rasterlab.engine.line;
 
 import java.math.BigInteger;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 
 /**
  * The right answer for one segment, in unbounded rational arithmetic.
@@ -39,9 +40,32 @@ public final class ExactLine {
     /** The first {@code limit} pixels of those in the window, or all if there are fewer. */
     public PixelRecording record(int limit) {
         var recording = new PixelRecording(limit);
-        for (long k = 0; k < size() && recording.size() < limit; k++)
+        for (long k = first(); k < size() && recording.size() < limit && !isPast(k); k++)
             if (segment.window().contains(x(k), y(k))) recording.plot(x(k), y(k));
         return recording;
+    }
+
+    private boolean isWide() {
+        return Math.abs((long) segment.x1() - segment.x0()) == segment.steps();
+    }
+
+    /** The first pixel that may lie in the window: along the longer axis every step is one. */
+    private long first() {
+        PixelWindow window = segment.window();
+        if (isWide()) return first(segment.x0(), segment.x1(), window.xmin(), window.xmax());
+        return first(segment.y0(), segment.y1(), window.ymin(), window.ymax());
+    }
+
+    private static long first(long from, long to, long least, long most) {
+        return Math.max(0, from <= to ? least - from : from - most);
+    }
+
+    /** Whether pixel {@code k} and all that follow lie beyond the window. */
+    private boolean isPast(long k) {
+        PixelWindow window = segment.window();
+        if (isWide())
+            return segment.x0() <= segment.x1() ? x(k) > window.xmax() : x(k) < window.xmin();
+        return segment.y0() <= segment.y1() ? y(k) > window.ymax() : y(k) < window.ymin();
     }
 
     private int coordinate(int from, int to, long k) {

@@ -109,6 +109,11 @@ final class LineHazards {
                         new Segment(0, 0, 19_999, 12_345),
                         Map.of(FLOAT, DEGRADED)),
                 hazard(
+                        "products-beyond-int",
+                        "After a third of the way a step times the height is no int any more.",
+                        new Segment(0, 0, 200_000, 30_011),
+                        Map.of(FLOAT, WRONG)),
+                hazard(
                         "far-away",
                         "Coordinates beyond 2²⁴, where not every pixel has a float.",
                         new Segment(20_000_001, 30_000_003, 20_000_041, 30_000_020),

@@ -52,6 +52,18 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
         return recording;
     }
 
+    @Override
+    public PixelRecording recordPart(LineRasterizer method, Segment segment, int limit) {
+        if (!LineSample.isNeeded(segment, mostItems())) return record(method, segment, limit);
+        return new LineSample(segment, limit).of(out -> draw(method, segment, out));
+    }
+
+    @Override
+    public PixelRecording exactPart(Segment segment, int limit) {
+        if (!LineSample.isNeeded(segment, mostItems())) return exact(segment, limit);
+        return LineSample.exact(segment, limit);
+    }
+
     /** Sends the pixels of the segment that lie in its window. */
     private static void draw(LineRasterizer method, Segment s, Pixels out) {
         if (s.isWhole()) {

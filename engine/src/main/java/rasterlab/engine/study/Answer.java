@@ -12,11 +12,14 @@ package rasterlab.engine.study;
 record Answer<O>(O exact, long items, boolean cut, int limit) {
 
     static <C, I, O> Answer<O> to(Topic<C, I, O> topic, I input) {
-        O exact = topic.exact(input, topic.mostItems() + 1);
+        O exact = topic.exactPart(input, topic.mostItems() + 1);
         long items = topic.compare(input, exact, exact).of();
         if (items <= topic.mostItems())
             return new Answer<>(exact, items, false, (int) topic.mostBeforeEndless(items));
         return new Answer<>(
-                topic.exact(input, topic.mostItems()), topic.mostItems(), true, topic.mostItems());
+                topic.exactPart(input, topic.mostItems()),
+                topic.mostItems(),
+                true,
+                topic.mostItems());
     }
 }

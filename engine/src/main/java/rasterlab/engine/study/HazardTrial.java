@@ -11,9 +11,9 @@ import java.util.function.Consumer;
 /**
  * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
  *
- * <p>An exact answer of more than {@link Topic#mostItems} items is compared by its first so many. A
- * method is endless when it produces more than twice the exact items and 1,000 more, or goes beyond
- * the wall limit.
+ * <p>A long answer is compared by the part that {@link Topic#exactPart} chooses, and one that still
+ * has more than {@link Topic#mostItems} items by its first so many. A method is endless when it
+ * produces more than twice the exact items and 1,000 more, or goes beyond the wall limit.
  */
 public final class HazardTrial {
     /** The wall limit where somebody waits for the verdict: no right method comes near it. */
@@ -105,7 +105,7 @@ public final class HazardTrial {
         var outcome =
                 Guard.call(
                         "trial of " + method.name(),
-                        () -> topic.record(method.implementation(), input, answer.limit()),
+                        () -> topic.recordPart(method.implementation(), input, answer.limit()),
                         wallLimit);
         if (outcome instanceof Guard.Returned<O> returned)
             return compared(topic, input, answer.exact(), returned.value());

@@ -51,6 +51,14 @@ public interface Topic<C, I, O> {
     O run(C method, I input, int limit);
 
     /**
+     * Runs a method as {@link #record} does and keeps what it is judged by: all it produced, or of
+     * an answer too long to keep the part that {@link #exactPart} has.
+     */
+    default O recordPart(C method, I input, int limit) {
+        return record(method, input, limit);
+    }
+
+    /**
      * Runs a method as fast as it goes, with a sink that only counts, and returns the number of
      * items produced.
      *
@@ -64,6 +72,14 @@ public interface Topic<C, I, O> {
      * @param limit the most items to produce; a longer answer is cut there
      */
     O exact(I input, int limit);
+
+    /**
+     * What methods are judged by: the right answer, or a part of one too long to keep. A topic
+     * whose methods produce items in different orders chooses that part by the items themselves.
+     */
+    default O exactPart(I input, int limit) {
+        return exact(input, limit);
+    }
 
     Deviation compare(I input, O exact, O actual);
 
@@ -91,8 +107,8 @@ public interface Topic<C, I, O> {
     }
 
     /**
-     * The most items of an exact answer; a longer one is cut there and compared by its beginning,
-     * which only serves where all methods produce their items in one order.
+     * The most items of {@link #exactPart}; a longer one is cut there and compared by its
+     * beginning, which only serves where all methods produce their items in one order.
      */
     default int mostItems() {
         return 20_000;

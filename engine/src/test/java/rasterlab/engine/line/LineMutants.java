@@ -36,6 +36,9 @@ final class LineMutants implements Mutants<LineRasterizer> {
                             if (x0 != x1 || y0 != y1) RIGHT.draw(x0, y0, x1, y1, out);
                         }),
                 new Mutant<>(
+                        "products in 32 bits", "products-beyond-int", LineMutants::productsInInt),
+                new Mutant<>("slope in 16.16 bits", "long", LineMutants::fixedPoint),
+                new Mutant<>(
                         "coordinates pass through floats",
                         "far-away",
                         (x0, y0, x1, y1, out) ->
@@ -67,6 +70,30 @@ final class LineMutants implements Mutants<LineRasterizer> {
                 (x, y) -> {
                     if (x != x0 || y != y0) out.plot(x, y);
                 });
+    }
+
+    /** Right for 0 ≤ y1 − y0 ≤ x1 − x0 as long as no product overflows. */
+    private static void productsInInt(int x0, int y0, int x1, int y1, Pixels out) {
+        int n = x1 - x0;
+        int b = y1 - y0;
+        if (b < 0 || b > n) RIGHT.draw(x0, y0, x1, y1, out);
+        else
+            for (int i = 0; i <= n; i++) {
+                int along = i * b;
+                out.plot(x0 + i, y0 + (n == 0 ? 0 : (int) -Math.floorDiv(n - 2L * along, 2L * n)));
+            }
+    }
+
+    private static void fixedPoint(int x0, int y0, int x1, int y1, Pixels out) {
+        int n = x1 - x0;
+        int b = y1 - y0;
+        if (b < 0 || b > n || n == 0 || n > 1 << 20) {
+            RIGHT.draw(x0, y0, x1, y1, out);
+            return;
+        }
+        long slope = ((long) b << 16) / n;
+        long y = ((long) y0 << 16) + (1 << 15) - 1;
+        for (int i = 0; i <= n; i++, y += slope) out.plot(x0 + i, (int) (y >> 16));
     }
 
     /** The mirror image of a line's mirror image, whose ties go the other way. */

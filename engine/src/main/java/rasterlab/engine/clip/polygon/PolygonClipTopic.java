@@ -25,6 +25,8 @@ import rasterlab.engine.study.Workload;
  */
 public final class PolygonClipTopic
         implements Topic<PolygonClipper, PolygonInWindow, List<double[]>> {
+    private static final int MOST_ITEMS = 1_000_000;
+
     static final double RIGHT_SHARE = 1e-12;
     private static final double USABLE_SHARE = 1e-6;
 
@@ -141,6 +143,12 @@ public final class PolygonClipTopic
         walk.send(piece -> counts.merge("pieces", 1L, Long::sum));
         walk.send(piece -> counts.merge("corners left", piece.length / 2L, Long::sum));
         return counts;
+    }
+
+    /** {@inheritDoc} Methods answer in different orders, so no answer is cut. */
+    @Override
+    public int mostItems() {
+        return MOST_ITEMS;
     }
 
     @Override

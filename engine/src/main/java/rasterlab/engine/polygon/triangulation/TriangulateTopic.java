@@ -13,6 +13,8 @@ import rasterlab.engine.study.Workload;
 
 /** Cutting a polygon into triangles; right is whatever covers it once and nothing else. */
 public final class TriangulateTopic implements Topic<Triangulator, Points, Triangles> {
+    private static final int MOST_ITEMS = 1_000_000;
+
     @Override
     public String name() {
         return "triangulate";
@@ -68,6 +70,12 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
         long cuts = 0;
         while (walk.advance()) cuts++;
         return Map.of("cuts", cuts, "turns", walk.turns());
+    }
+
+    /** {@inheritDoc} Methods answer in different orders, so no answer is cut. */
+    @Override
+    public int mostItems() {
+        return MOST_ITEMS;
     }
 
     @Override

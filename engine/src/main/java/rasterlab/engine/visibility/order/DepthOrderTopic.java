@@ -17,6 +17,8 @@ import rasterlab.engine.study.Workload;
  * <p>Up to 10⁻⁷ % of what the polygons cover may be wrong where corners of cuts are rounded.
  */
 public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting> {
+    private static final int MOST_ITEMS = 1_000_000;
+
     private static final double CORRECT = 1e-7;
 
     /** Cuts of n polygons by each other's planes can make far more than n pieces. */
@@ -104,6 +106,12 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
         do more = walk.advance();
         while (more);
         return walk.operations();
+    }
+
+    /** {@inheritDoc} Methods answer in different orders, so no answer is cut. */
+    @Override
+    public int mostItems() {
+        return MOST_ITEMS;
     }
 
     @Override

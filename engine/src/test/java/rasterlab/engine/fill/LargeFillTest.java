@@ -1,0 +1,48 @@
+package rasterlab.engine.fill;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Collections;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import rasterlab.contract.SeedFiller;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Verdict.Kind;
+
+/** Regions of so many pixels that they are judged by a part. */
+class LargeFillTest {
+    private static final FillTopic TOPIC = new FillTopic();
+    private static final int SIDE = 1_500;
+    private static final FillTask TASK =
+            new FillTask(Collections.nCopies(SIDE, ".".repeat(SIDE)), 700, 1_000, '*', 4);
+
+    @Test
+    void methodsThatFillInDifferentOrdersAreExact() {
+        assertEquals(Kind.EXACT, kind(new SpanFill()));
+        assertEquals(Kind.EXACT, kind(new StackFill()));
+    }
+
+    @Test
+    void aFillThatStopsAtItsSeedOrForgetsAColumnIsWrong() {
+        SeedFiller one = (picture, x, y, with, connectivity) -> picture.write(x, y, with);
+        SeedFiller narrow =
+                (picture, x, y, with, connectivity) -> {
+                    for (int row = 0; row < SIDE; row++)
+                        for (int column = 1; column < SIDE; column++)
+                            picture.write(column, row, with);
+                };
+        assertEquals(Kind.WRONG, kind(one));
+        assertEquals(Kind.WRONG, kind(narrow));
+    }
+
+    private static Kind kind(SeedFiller method) {
+        return HazardTrial.judge(
+                        TOPIC,
+                        new Method<>("made-up", TOPIC.methods().get(0).about(), method),
+                        new Hazard<>("made-up", "Made up by a test.", TASK, Map.of()),
+                        HazardTrial.WALL_LIMIT)
+                .kind();
+    }
+}
