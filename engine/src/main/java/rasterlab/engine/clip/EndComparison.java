@@ -1,7 +1,9 @@
 package rasterlab.engine.clip;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import rasterlab.engine.study.Deviation;
 
 /**
@@ -11,21 +13,50 @@ import rasterlab.engine.study.Deviation;
  * other way round (extra); this is decided for the exact segment, so touching a corner counts and
  * passing it by any distance does not. A segment sent with an end that is not finite is both. Of
  * the others the worst error is the largest distance of a coordinate of an end from the exact one,
- * in the unit given.
+ * in the unit given. An end that has to stay and does not, or a new one that lies outside, is off
+ * by {@value #LEAST_BREACH} at least, however near it is.
  */
 public final class EndComparison {
+    private static final double LEAST_BREACH = 1e-9;
+    private static final double[] NONE = {};
+
     private final double unit;
+    private final List<double[]> given;
+    private final Predicate<double[]> inside;
     private double worst;
     private long missing;
     private long extra;
     private String first = "";
 
-    private EndComparison(double unit) {
+    private EndComparison(double unit, List<double[]> given, Predicate<double[]> inside) {
         this.unit = unit;
+        this.given = given;
+        this.inside = inside;
     }
 
+    /** The largest error, wherever ends may lie. */
     public static Deviation compare(ClippedEnds exact, ClippedEnds actual, double unit) {
-        var comparison = new EndComparison(unit);
+        return compare(
+                exact,
+                actual,
+                unit,
+                exact.parts().stream().map(p -> p.orElse(NONE)).toList(),
+                point -> true);
+    }
+
+    /**
+     * The largest error.
+     *
+     * @param given the segments before they were clipped
+     * @param inside whether a point, by its coordinates, is one that may be left
+     */
+    public static Deviation compare(
+            ClippedEnds exact,
+            ClippedEnds actual,
+            double unit,
+            List<double[]> given,
+            Predicate<double[]> inside) {
+        var comparison = new EndComparison(unit, given, inside);
         for (int i = 0; i < exact.parts().size(); i++)
             comparison.segment(i, exact.parts().get(i), actual.parts().get(i));
         if (actual.again() > 0) {
@@ -47,7 +78,7 @@ public final class EndComparison {
 
     private void segment(int index, Optional<double[]> exact, Optional<double[]> actual) {
         if (exact.isPresent() && actual.isPresent())
-            ends("segment " + index, exact.get(), actual.get());
+            ends("segment " + index, exact.get(), actual.get(), given.get(index));
         else if (exact.isPresent()) {
             missing++;
             say("segment " + index + " is missing, of which " + text(exact.get()) + " is left");
@@ -57,7 +88,7 @@ public final class EndComparison {
         }
     }
 
-    private void ends(String segment, double[] exact, double[] actual) {
+    private void ends(String segment, double[] exact, double[] actual, double[] given) {
         double farthest = 0;
         for (int i = 0; i < exact.length; i++) {
             if (!Double.isFinite(actual[i])) {
@@ -68,9 +99,27 @@ public final class EndComparison {
             }
             farthest = Math.max(farthest, distance(exact[i], actual[i]));
         }
+        boolean breach = breaks(exact, actual, given);
+        if (breach) farthest = Math.max(farthest, LEAST_BREACH);
         worst = Math.max(worst, farthest);
         if (farthest > 0)
             say(segment + " is " + text(actual) + " where " + text(exact) + " is right");
+    }
+
+    /** Whether an end that stays has moved, or another one lies outside. */
+    private boolean breaks(double[] exact, double[] actual, double[] given) {
+        int dimension = exact.length / 2;
+        for (int end = 0; end < exact.length; end += dimension) {
+            boolean stays = true;
+            boolean stayed = true;
+            for (int i = end; i < end + dimension; i++) {
+                stays &= exact[i] == given[i];
+                stayed &= actual[i] == given[i];
+            }
+            double[] point = Arrays.copyOfRange(actual, end, end + dimension);
+            if (stays ? !stayed : !inside.test(point)) return true;
+        }
+        return false;
     }
 
     private double distance(double exact, double actual) {

@@ -6,6 +6,9 @@ import rasterlab.engine.study.Deviation;
 
 /** How far a sheet of colours is from the right one. */
 final class ColorComparison {
+    /** A level of a picture. */
+    private static final double OUT_OF_RANGE = 1 / 255.0;
+
     private final ColorSheet exact;
     private final ColorSheet actual;
     private double worst;
@@ -19,7 +22,8 @@ final class ColorComparison {
     /**
      * The largest difference of a number from the right one. A hue's counts as the way it moves the
      * colour: its radians times the chroma, so that it means nothing next to grey; but a hue where
-     * the saturation is 0, or none where it is not, is wrong altogether.
+     * the saturation is 0, or none where it is not, is wrong altogether. One that is not from 0 to
+     * below 360 is {@link #OUT_OF_RANGE} off, whatever it means.
      */
     static Deviation of(ColorSheet exact, ColorSheet actual) {
         var comparison = new ColorComparison(exact, actual);
@@ -61,6 +65,7 @@ final class ColorComparison {
         if (model.saturation() < 0 || Double.isNaN(right[model.saturation()])) return worst;
         if (Double.isNaN(is[0]) != (is[model.saturation()] == 0)) return Double.POSITIVE_INFINITY;
         if (Double.isNaN(is[0]) || Double.isNaN(right[0])) return worst;
+        if (!(is[0] >= 0 && is[0] < 360)) worst = Math.max(worst, OUT_OF_RANGE);
         double turned = Math.abs(Math.IEEEremainder(is[0] - right[0], 360));
         return Math.max(worst, Math.toRadians(turned) * chroma(model, right));
     }

@@ -6,10 +6,13 @@ import rasterlab.engine.study.Deviation;
  * How far points or a polyline are from the curve, as a multiple of what is allowed.
  *
  * <p>{@link CurveTask#allowed} says what is allowed; a polyline is off by the larger of the
- * farthest curve point from the polyline and the farthest polyline point from the curve.
+ * farthest curve point from the polyline and the farthest polyline point from the curve. One that
+ * does not go along the curve from its start to its end is off by {@value #OUT_OF_ORDER} times what
+ * is allowed at least: its picture is right.
  */
 final class CurveComparison {
     private static final int BETWEEN = 4;
+    private static final double OUT_OF_ORDER = 2;
 
     private CurveComparison() {}
 
@@ -45,6 +48,16 @@ final class CurveComparison {
         double off = distance(exact, actual, 1, task.flatness());
         double back = distance(actual, exact, BETWEEN, task.flatness()) - unseen(exact);
         double worst = Math.max(off, back);
+        double near = Math.max(worst, task.flatness()) + unseen(exact);
+        int stray = PolylineOrder.firstOutOfOrder(exact, actual, near);
+        if (stray >= 0 && worst <= OUT_OF_ORDER * task.flatness())
+            return new Deviation(
+                    OUT_OF_ORDER,
+                    0,
+                    0,
+                    exact.size(),
+                    "point %d, (%s, %s), is not on the way from the curve's start to its end"
+                            .formatted(stray, actual.x(stray), actual.y(stray)));
         String first =
                 worst == 0
                         ? ""

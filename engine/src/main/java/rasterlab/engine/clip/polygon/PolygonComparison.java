@@ -8,7 +8,8 @@ import rasterlab.engine.study.Deviation;
  * How far clipped polygons are from the exact pieces: the area only one of the two covers, as a
  * share of the window's, and how many pieces are missing or too many.
  *
- * <p>Pieces are counted, not paired: where two are joined by a bridge, one is missing.
+ * <p>Pieces are counted, not paired: where two are joined by a bridge, one is missing. A piece that
+ * goes clockwise is extra.
  */
 final class PolygonComparison {
     private PolygonComparison() {}
@@ -21,7 +22,18 @@ final class PolygonComparison {
                 return new Deviation(
                         1, exact.size(), actual.size(), exact.size(), text(piece) + " is no place");
         double share = share(window, exact, actual);
-        return new Deviation(share, missing, extra, exact.size(), first(exact, actual, share));
+        List<double[]> clockwise = actual.stream().filter(piece -> clockwise(piece)).toList();
+        String first = first(exact, actual, share);
+        if (first.isEmpty() && !clockwise.isEmpty())
+            first = text(clockwise.get(0)) + " goes clockwise";
+        extra += clockwise.size();
+        return new Deviation(share, missing, extra, exact.size(), first);
+    }
+
+    private static boolean clockwise(double[] piece) {
+        int x = PolygonArea.exponent(piece, 0, 2);
+        int y = PolygonArea.exponent(piece, 1, 2);
+        return PolygonArea.of(PolygonArea.scaled(piece, -x, -y)) < 0;
     }
 
     /**

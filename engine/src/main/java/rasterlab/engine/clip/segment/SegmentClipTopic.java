@@ -117,7 +117,13 @@ public final class SegmentClipTopic
 
     @Override
     public Deviation compare(SegmentsInWindow input, ClippedEnds exact, ClippedEnds actual) {
-        return EndComparison.compare(exact, actual, input.window().unit());
+        ClipWindow window = input.window();
+        return EndComparison.compare(
+                exact,
+                actual,
+                window.unit(),
+                input.segments(),
+                point -> window.code(point[0], point[1]) == 0);
     }
 
     @Override

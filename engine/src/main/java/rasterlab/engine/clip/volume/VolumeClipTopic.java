@@ -152,7 +152,12 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
 
     @Override
     public Deviation compare(SegmentsInVolume input, ClippedEnds exact, ClippedEnds actual) {
-        return EndComparison.compare(exact, actual, 1);
+        return EndComparison.compare(
+                exact, actual, 1, input.segments(), point -> isInside(input.zmin(), point));
+    }
+
+    private static boolean isInside(double zmin, double[] p) {
+        return Math.abs(p[0]) <= p[2] && Math.abs(p[1]) <= p[2] && p[2] >= zmin && p[2] <= 1;
     }
 
     @Override

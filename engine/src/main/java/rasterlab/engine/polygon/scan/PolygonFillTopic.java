@@ -16,6 +16,7 @@ import rasterlab.engine.study.Workload;
  *
  * <p>An output that is not exact is degraded where no exact pixel is farther than one pixel from a
  * filled one and no filled pixel farther than one pixel from an exact one; otherwise it is wrong.
+ * The right pixels in another order than row by row from left to right are degraded, too.
  */
 public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask, PixelRecording> {
     private static final int MOST_ITEMS = 1_000_000;
@@ -89,7 +90,18 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
 
     @Override
     public Deviation compare(PolygonTask task, PixelRecording exact, PixelRecording actual) {
-        return SetComparison.compare(exact, actual);
+        Deviation set = SetComparison.compare(exact, actual);
+        if (!set.exact()) return set;
+        for (int i = 0; i < exact.size(); i++)
+            if (exact.x(i) != actual.x(i) || exact.y(i) != actual.y(i))
+                return new Deviation(
+                        0,
+                        0,
+                        0,
+                        exact.size(),
+                        "pixel (%d, %d) is filled where (%d, %d) is next"
+                                .formatted(actual.x(i), actual.y(i), exact.x(i), exact.y(i)));
+        return set;
     }
 
     @Override
