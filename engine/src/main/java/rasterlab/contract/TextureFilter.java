@@ -4,7 +4,9 @@ package rasterlab.contract;
  * Finds the colour of pixels that show a picture made larger or smaller.
  *
  * <p>The picture repeats itself without end. What is right is its mean over the pixel's footprint:
- * the parallelogram about (s, t) that has the pixel's steps to the right and down as its sides.
+ * the parallelogram about (s, t) that has the pixel's steps to the right and down as its sides. One
+ * of less than 10⁻¹² of a texel's area counts as a point: it shows the texel that (s, t) lies in,
+ * ⌊s·width⌋ and ⌊t·height⌋, a border belonging to the texel to the right and above.
  */
 @FunctionalInterface
 public interface TextureFilter {

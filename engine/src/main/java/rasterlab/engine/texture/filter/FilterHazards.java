@@ -62,6 +62,32 @@ final class FilterHazards {
                         WRONG,
                         EXACT),
                 hazard(
+                        "long-over-rows",
+                        "Level stripes on a floor: a footprint 16 texels deep lies over all of them.",
+                        row(rows(64), 1, 16, 0),
+                        WRONG,
+                        WRONG,
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
+                        "no-area",
+                        "Footprints without area, on the border of two texels: the texel to the"
+                                + " right and above is shown.",
+                        new FilteredPixels(
+                                4,
+                                4,
+                                stripes(4).argb(),
+                                new double[] {
+                                    0.5, 0.5, 0, 0, 0, 0, 0.25, 0.1, 0, 0, 0, 0, 0.75, 0.5, 0, 0, 0,
+                                    0.5, 0.5, 0.5, 1, 0, 0, 0
+                                }),
+                        EXACT,
+                        EXACT,
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
                         "magnified",
                         "An edge made eight times larger: a linear filter makes it soft.",
                         row(stripes(4), 0.125, 0.125, 0),
@@ -107,6 +133,10 @@ final class FilterHazards {
 
     private static FilteredPixels stripes(int size) {
         return picture(size, (i, j) -> i % 2 == 0 ? 255 : 0);
+    }
+
+    private static FilteredPixels rows(int size) {
+        return picture(size, (i, j) -> j % 5 == 0 ? 255 : 0);
     }
 
     private static FilteredPixels stairs() {

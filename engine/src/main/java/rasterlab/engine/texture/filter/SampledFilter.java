@@ -35,14 +35,18 @@ final class SampledFilter implements SteppedFilter {
         var sampler =
                 new TextureSampler(Texture.of(width, height, 4, argb), Wrap.REPEAT, Wrap.REPEAT);
         return (s, t, dsdx, dtdx, dsdy, dtdy) ->
-                look.color(sampler, s, t, lambda(dsdx, dtdx, dsdy, dtdy, width, height));
+                Footprint.isPoint(dsdx, dtdx, dsdy, dtdy, width, height)
+                        ? sampler.nearest(s, t)
+                        : look.color(sampler, s, t, lambda(dsdx, dtdx, dsdy, dtdy, width, height));
     }
 
     @Override
     public Trace trace(int width, int height, int[] argb) {
         var texture = new TexelShares(Texture.of(width, height, 4, argb));
         return (s, t, dsdx, dtdx, dsdy, dtdy) ->
-                shares.of(texture, s, t, lambda(dsdx, dtdx, dsdy, dtdy, width, height));
+                Footprint.isPoint(dsdx, dtdx, dsdy, dtdy, width, height)
+                        ? texture.nearest(s, t)
+                        : shares.of(texture, s, t, lambda(dsdx, dtdx, dsdy, dtdy, width, height));
     }
 
     private static double lambda(

@@ -34,6 +34,8 @@ final class SummedAreaFilter implements TextureFilter {
                 throw new IllegalArgumentException(
                         "footprint must not be turned: dt/dx and ds/dy must be 0, got %s and %s"
                                 .formatted(dtdx, dsdy));
+            if (Footprint.isPoint(dsdx, dtdx, dsdy, dtdy, width, height))
+                return texel(width, height, argb, s, t);
             return mean(
                     new Sums(width, height, sums),
                     s * width,
@@ -43,8 +45,14 @@ final class SummedAreaFilter implements TextureFilter {
         };
     }
 
-    /** A footprint without an area is taken to be that large, in texels. */
+    /** A narrower footprint is taken to be that wide, in texels. */
     private static final double SMALLEST = 1e-6;
+
+    private static int texel(int width, int height, int[] argb, double s, double t) {
+        int i = Math.floorMod((int) Math.floor(s * width), width);
+        int j = Math.floorMod((int) Math.floor(t * height), height);
+        return argb[j * width + i];
+    }
 
     private static int mean(Sums sums, double u, double v, double wide, double high) {
         int argb = 0;
