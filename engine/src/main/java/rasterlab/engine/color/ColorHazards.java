@@ -56,6 +56,13 @@ final class ColorHazards {
                         DEGRADED,
                         EXACT),
                 hazard(
+                        "to-itself",
+                        "A model to itself is written as usual: 360° is 0°, a grey has no hue.",
+                        Colors.of(ColorModel.HSV, 210, 0.6, 0.7, 360, 0.5, 0.5, 77, 0, 0.5),
+                        WRONG,
+                        DEGRADED,
+                        EXACT),
+                hazard(
                         "between-levels",
                         "Shares beside every level of a byte.",
                         Colors.of(ColorModel.RGB, 0.301, 0.6999, 0.4567),

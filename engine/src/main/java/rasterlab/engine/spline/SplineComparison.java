@@ -8,7 +8,7 @@ import rasterlab.engine.study.Deviation;
  * largest |y| among knots and right values.
  *
  * <p>Where the problem asks for the shape, a value outside those of the two neighbouring knots is
- * wrong by as much.
+ * wrong by as much, if the method promises the shape: a smooth function has to swing there.
  */
 final class SplineComparison {
     private SplineComparison() {}
@@ -35,8 +35,7 @@ final class SplineComparison {
         double worst = 0;
         int where = -1;
         for (int i = 0; i < of; i++) {
-            double error =
-                    Math.abs(actual.y()[i] - right[i]) + overshoot(problem, i, actual.y()[i]);
+            double error = Math.abs(actual.y()[i] - right[i]) + overshoot(problem, i, actual);
             if (!(error / scale <= worst)) {
                 worst = Double.isNaN(error) ? Double.POSITIVE_INFINITY : error / scale;
                 where = i;
@@ -52,8 +51,9 @@ final class SplineComparison {
         return largest;
     }
 
-    private static double overshoot(SplineProblem problem, int i, double value) {
-        if (!problem.shape()) return 0;
+    private static double overshoot(SplineProblem problem, int i, SplineValues actual) {
+        if (!problem.shape() || actual.promise() != Promise.SHAPE) return 0;
+        double value = actual.y()[i];
         int piece = problem.piece(problem.at()[i]);
         double from = problem.y()[piece];
         double to = problem.y()[piece + 1];
@@ -64,7 +64,7 @@ final class SplineComparison {
             SplineProblem problem, int where, double[] right, SplineValues actual) {
         double at = problem.at()[where];
         double value = actual.y()[where];
-        if (overshoot(problem, where, value) == 0)
+        if (overshoot(problem, where, actual) == 0)
             return "at %s: %s instead of %s".formatted(at, value, right[where]);
         int piece = problem.piece(at);
         return "at %s: %s lies outside %s and %s, the values of knots %d and %d"

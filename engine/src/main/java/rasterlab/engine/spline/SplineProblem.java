@@ -8,7 +8,8 @@ import rasterlab.contract.SplineEnds;
  * One input of the topic.
  *
  * @param at where the function's values are wanted
- * @param shape whether values outside those of the two neighbouring knots count as an error
+ * @param shape whether values outside those of the two neighbouring knots count as an error of a
+ *     method that promises the shape
  */
 public record SplineProblem(double[] x, double[] y, SplineEnds ends, double[] at, boolean shape) {
     public SplineProblem {

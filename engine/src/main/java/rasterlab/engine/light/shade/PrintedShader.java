@@ -5,7 +5,8 @@ import rasterlab.contract.PointShader;
 
 /**
  * The formula as printed, {@code I = I_p·kₐ + I_p/(R + r²)·(k_d·(L, N) + k_m·(R, V)ⁿ)}: vectors are
- * taken to have length 1, a negative cosine is as good as any, and the sum is not cut.
+ * taken to have length 1, a negative cosine is as good as any, the distance does not weaken the
+ * light's ambient term, and the sum is not cut.
  *
  * <p>Source: Kazantsev, course text on computer graphics, chapter 7.
  */
@@ -28,7 +29,7 @@ final class PrintedShader implements PointShader, TermShader {
         return new Terms(
                 material.emission(),
                 product(point.globalAmbient(), material.ambient(), 1),
-                product(light.ambient(), material.ambient(), attenuation),
+                product(light.ambient(), material.ambient(), 1),
                 product(light.diffuse(), material.diffuse(), attenuation * nl),
                 product(
                         light.specular(),

@@ -44,6 +44,13 @@ final class ShadeHazards {
                         EXACT,
                         lit(UP, BELOW, UP)),
                 hazard(
+                        "light-behind-beside-ambient",
+                        "The light is behind the surface, and ambient light still reaches it.",
+                        WRONG,
+                        EXACT,
+                        new LitPoint(
+                                UP, BELOW, UP, 1, DIM, withAmbient(Attenuation.none()), grey(0.5))),
+                hazard(
                         "eye-against-the-mirror",
                         "The eye is away from the mirrored light, and an even power hides the sign.",
                         WRONG,
@@ -122,11 +129,41 @@ final class ShadeHazards {
                         REFUSED,
                         new LitPoint(UP, SLANTED, UP, 0, DIM, square, new double[3])),
                 hazard(
+                        "global-ambient-and-distance",
+                        "Distance weakens the light, not what comes from everywhere.",
+                        EXACT,
+                        EXACT,
+                        new LitPoint(
+                                UP,
+                                SLANTED,
+                                UP,
+                                3,
+                                DIM,
+                                LightSource.white().attenuated(new Attenuation(1, 0, 1)),
+                                grey(0.8))),
+                hazard(
+                        "own-ambient-and-distance",
+                        "Distance weakens the light's own ambient part as its other parts.",
+                        WRONG,
+                        EXACT,
+                        new LitPoint(
+                                UP,
+                                SLANTED,
+                                UP,
+                                3,
+                                DIM,
+                                withAmbient(new Attenuation(1, 0, 1)),
+                                grey(0))),
+                hazard(
                         "outside-the-cone",
                         "A spot light that shines past the point, which the printed formula has not.",
                         WRONG,
                         EXACT,
                         new LitPoint(UP, SLANTED, UP, 1, DIM, spot, new double[3])));
+    }
+
+    private static LightSource withAmbient(Attenuation attenuation) {
+        return new LightSource(grey(0.7), grey(1), grey(1), attenuation, SpotCone.none());
     }
 
     private static LitPoint lit(double[] normal, double[] toLight, double[] toEye) {

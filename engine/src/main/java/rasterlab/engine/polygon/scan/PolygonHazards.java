@@ -88,6 +88,11 @@ final class PolygonHazards {
                         PolygonTask.of(EVEN_ODD, 12, 12, 30, 1, 50, 5, 30, 9),
                         EXACT),
                 hazard(
+                        "left-of-the-picture",
+                        "Columns left of the picture are not filled, those in it are.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, -6.3, 1.2, 7.4, 2.1, 5.2, 10.4, -4.1, 9.3),
+                        DEGRADED),
+                hazard(
                         "far-corners",
                         "Corners far beyond the picture: a crossing in doubles is off by many pixels.",
                         PolygonTask.of(

@@ -100,6 +100,12 @@ final class TriangleHazards {
                         Points.of(1e9 + 0.5, 1e9 + 0.5, 1e9 + 2, 1e9 + 2, 1e9 - 1, 1e9 + 1),
                         recorded(EXACT, EXACT, EXACT, REFUSED, WRONG, EXACT, EXACT)),
                 hazard(
+                        "smaller-than-any-epsilon",
+                        "A triangle of size 10⁻⁷: cross products of 10⁻¹⁴ are not near a side.",
+                        COUNTER_CLOCKWISE.scaled(1e-7),
+                        Points.of(3, 3, 5, 3, 9, 9, -1, 0, 4, -1, 3, 8).scaled(1e-7),
+                        recorded(EXACT, EXACT, EXACT, REFUSED, EXACT, EXACT, EXACT)),
+                hazard(
                         "huge",
                         "Coordinates of 10²⁰⁰, whose products overflow.",
                         COUNTER_CLOCKWISE.scaled(1e200),

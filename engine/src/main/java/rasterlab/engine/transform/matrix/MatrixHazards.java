@@ -64,6 +64,7 @@ final class MatrixHazards {
 
     private static List<Hazard<MatrixCall>> hard() {
         return List.of(
+                exact("about-y", "Seen from its positive end, y turns z towards x.", "ROT3DY", 30),
                 exact("right-angle", "cos 90° is 0, not 6·10⁻¹⁷.", "ROT3DX", 90),
                 exact("huge-angle", "10¹⁵ turns and 64° in one angle.", "ROT3DZ", 360e15 + 64),
                 exact(

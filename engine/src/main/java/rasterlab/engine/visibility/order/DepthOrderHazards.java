@@ -13,11 +13,12 @@ import rasterlab.engine.study.Verdict;
 /** Polygons on which methods fail, with what each makes of them. The eye looks along z. */
 final class DepthOrderHazards {
     private static final double[] EYE = {0, 0, 0};
+    private static final double[] FLOOR = {-4, -3, 4, 4, -3, 4, 4, -3, 40, -4, -3, 40};
 
     private DepthOrderHazards() {}
 
     static List<Hazard<Sight>> all() {
-        return Stream.of(ofMeans(), ofCuts(), ofPlaces()).flatMap(List::stream).toList();
+        return Stream.of(ofMeans(), ofEyes(), ofCuts(), ofPlaces()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<Sight>> ofMeans() {
@@ -33,7 +34,7 @@ final class DepthOrderHazards {
                         "mean-mis-sorts",
                         "A square stands over the far end of a floor, whose mean is nearer.",
                         recorded(WRONG, WRONG, EXACT, EXACT),
-                        new double[] {-4, -3, 4, 4, -3, 4, 4, -3, 40, -4, -3, 40},
+                        FLOOR,
                         square(0, -1.5, 30, 1)),
                 hazard(
                         "rounded-to-one-depth",
@@ -47,6 +48,43 @@ final class DepthOrderHazards {
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         new double[] {9, -1, 20, 9, 9, 30, -1, 9, 20, -1, -1, 10},
                         square(0, 0, 23, 1)));
+    }
+
+    private static List<Hazard<Sight>> ofEyes() {
+        double[] aside = {100, -30, 7};
+        return List.of(
+                new Hazard<>(
+                        "eye-on-the-other-side",
+                        "Squares seen from behind: the one farther from the origin is nearer.",
+                        new Sight(
+                                new double[][] {square(0, 0, 20, 4), square(1, 0, 10, 4)},
+                                new double[] {0, 0, 40}),
+                        recorded(EXACT, EXACT, EXACT, EXACT)),
+                new Hazard<>(
+                        "eye-aside",
+                        "A square over the far end of a floor, all of it moved away from the origin.",
+                        new Sight(
+                                new double[][] {
+                                    moved(FLOOR, aside), moved(square(0, -1.5, 30, 1), aside)
+                                },
+                                aside),
+                        recorded(WRONG, WRONG, EXACT, EXACT)),
+                new Hazard<>(
+                        "nearest-corner-mis-sorts",
+                        "A wall reaches nearer than a square before its far end.",
+                        new Sight(
+                                new double[][] {
+                                    {3, -3, 5, -3, -3, 35, -3, 3, 35, 3, 3, 5},
+                                    square(-1.5, 0, 12, 1)
+                                },
+                                EYE),
+                        recorded(EXACT, EXACT, EXACT, EXACT)));
+    }
+
+    private static double[] moved(double[] polygon, double[] by) {
+        var moved = new double[polygon.length];
+        for (int i = 0; i < moved.length; i++) moved[i] = polygon[i] + by[i % 3];
+        return moved;
     }
 
     private static List<Hazard<Sight>> ofCuts() {
