@@ -45,7 +45,8 @@ class CheckCommandTest {
     @Test
     void theFirstLineIsShortAndSpeaksOfNoServer() throws Exception {
         for (String language : List.of("en", "ru")) {
-            String first = check("right", "--lang", language).err().lines().findFirst().orElseThrow();
+            String first =
+                    check("right", "--lang", language).err().lines().findFirst().orElseThrow();
             assertTrue(first.length() < 120, first);
             assertFalse(first.matches(".*(server|root|exam|сервер|экзамен).*"), first);
         }

@@ -10,10 +10,11 @@ import rasterlab.contract.CurvePoints;
  * <p>A cubic's second derivative is linear, so over a step h the largest is at an end, and the
  * chord lies within {@code h²·max(|B″(u)|, |B″(u + h)|) / 8} of the curve, point for point. A chord
  * that an S-curve crosses, a loop that comes back to its start, a cusp or control points on one
- * line cannot look flat to this bound. The middle is {@code (P(u) + P(u + h))/2 − h²·(B″(u) + B″(u
- * + h))/16}, the second derivative there the mean of those at the ends: halving takes no control
- * points at all. Pieces yet to come wait on a stack as deep as there are halvings. Degrees above 3
- * are halved by {@link HalvingWalk}.
+ * line cannot look flat to this bound, and it ends the halving. Where it is not small enough yet,
+ * {@link ChordDistance} measures across the chord alone, which saves a third of the segments. The
+ * middle is {@code (P(u) + P(u + h))/2 − h²·(B″(u) + B″(u + h))/16}, the second derivative there
+ * the mean of those at the ends: halving takes no control points at all. Pieces yet to come wait on
+ * a stack as deep as there are halvings. Degrees above 3 are halved by {@link HalvingWalk}.
  *
  * <p>Source: the bound is {@link WangCount}'s for one piece; halving by second derivatives: J.
  * Clark, Some properties of B-splines, 1981 (central differencing).
@@ -50,8 +51,8 @@ public final class AdaptiveCurve implements SteppedCurve {
 
     @Override
     public String decisionFormula() {
-        return "bound = h²·max(|B″(u)|, |B″(u + h)|) / 8 in pixels; the piece is halved where it is"
-                + " above the flatness";
+        return "bound = h²·max(|B″(u)|, |B″(u + h)|) / 8 in pixels, or the largest distance across the"
+                + " chord; the piece is halved where both are above the flatness";
     }
 
     private static final class Walk implements CurveWalk {
@@ -67,6 +68,7 @@ public final class AdaptiveCurve implements SteppedCurve {
 
         private final BezierPoints points;
         private final int spans;
+        private final double left;
         private final double enough;
         private final double[] waiting;
         private int top = -NUMBERS;
@@ -83,7 +85,7 @@ public final class AdaptiveCurve implements SteppedCurve {
         Walk(Curve curve, double flatness) {
             points = new BezierPoints(curve);
             spans = curve.spans();
-            double left = Flatness.left(curve, flatness, 1);
+            left = Flatness.left(curve, flatness, 1);
             enough = 64 * left * left;
             int steps = WangCount.largest(curve, points, left);
             int halvings = 32 - Integer.numberOfLeadingZeros(steps);
@@ -101,13 +103,24 @@ public final class AdaptiveCurve implements SteppedCurve {
                 double square = waiting[top + WIDTH] * waiting[top + WIDTH];
                 double there = waiting[top + BEND];
                 double bound = (bend > there ? bend : there) * square * square;
-                if (bound <= enough) {
-                    decision = bound;
+                decision = bound <= enough ? Math.sqrt(bound) / 8 : across(square);
+                if (bound <= enough || decision <= left) {
                     pass();
                     return true;
                 }
                 split(square / 16);
             }
+        }
+
+        private double across(double square) {
+            return ChordDistance.of(
+                    waiting[top + END_X] - x,
+                    waiting[top + END_Y] - y,
+                    bendX,
+                    bendY,
+                    waiting[top + BEND_X],
+                    waiting[top + BEND_Y],
+                    square);
         }
 
         private void pass() {
@@ -177,10 +190,10 @@ public final class AdaptiveCurve implements SteppedCurve {
             return (span + u) / spans;
         }
 
-        /** The bound of the piece that ends here, in pixels; 0 at the start. */
+        /** What the piece that ends here was called flat by, in pixels; 0 at the start. */
         @Override
         public double decision() {
-            return Math.sqrt(decision) / 8;
+            return decision;
         }
 
         @Override

@@ -135,10 +135,12 @@ final class CurveMethods {
         return new Method<>(
                 "adaptive",
                 new About(
-                        "halve while h²·max(|B″(u)|, |B″(u + h)|)/8 is above the flatness",
+                        "halve while h²·max(|B″(u)|, |B″(u + h)|)/8 and the largest distance across"
+                                + " the chord are above the flatness",
                         "passed and waiting pieces together are the curve, the passed ones flat",
                         "three multiplications and three additions per coordinate and halving for"
-                                + " the middle and B″ there, besides the test",
+                                + " the middle and B″ there, besides the test: two square roots and"
+                                + " some thirty multiplications",
                         "none known; " + TOO_FINE,
                         "J. Clark, central differencing, 1981; bound as for uniform"),
                 new AdaptiveCurve());
