@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 
@@ -17,15 +18,18 @@ import rasterlab.exercises.Exercise;
  * needs no compiling.
  */
 public final class Catalogue {
-    private final Map<String, Exercise> exercises;
+    private final Map<String, Entry> exercises;
 
-    private Catalogue(Map<String, Exercise> exercises) {
+    private Catalogue(Map<String, Entry> exercises) {
         this.exercises = exercises;
     }
 
+    /** An exercise and the files that it was read from. */
+    private record Entry(Exercise exercise, Map<String, byte[]> files) {}
+
     /** The exercises that come with the program. */
     public static Catalogue builtIn() {
-        Map<String, Exercise> exercises = new LinkedHashMap<>();
+        Map<String, Entry> exercises = new LinkedHashMap<>();
         for (String id : builtInIds()) add(exercises, ExerciseFolder.onClassPath(id));
         return new Catalogue(exercises);
     }
@@ -37,14 +41,30 @@ public final class Catalogue {
      * @throws CatalogueException when a folder cannot be read; names file and field
      */
     public Catalogue withFolder(Path folder) {
-        Map<String, Exercise> more = new LinkedHashMap<>(exercises);
+        Map<String, Entry> more = new LinkedHashMap<>(exercises);
         for (Path sub : DiskFiles.subFolders(folder)) add(more, ExerciseFolder.onDisk(sub));
         return new Catalogue(more);
     }
 
-    private static void add(Map<String, Exercise> exercises, ExerciseFolder folder) {
+    private static void add(Map<String, Entry> exercises, ExerciseFolder folder) {
         Exercise exercise = new ExerciseReader(folder).read();
-        exercises.put(exercise.id(), exercise);
+        Map<String, byte[]> files = new TreeMap<>(folder.read());
+        exercise.pictures().forEach((name, picture) -> files.put(name, picture.content()));
+        exercises.put(exercise.id(), new Entry(exercise, files));
+    }
+
+    /**
+     * An exercise from files that were kept, as {@link #files} gave them.
+     *
+     * @throws CatalogueException when this version does not read them; names file and field
+     */
+    public static Exercise kept(String id, Map<String, byte[]> files) {
+        return new ExerciseReader(ExerciseFolder.kept(id, files)).read();
+    }
+
+    /** Name to content of everything that the exercise of that id was read from. */
+    public Map<String, byte[]> files(String id) {
+        return entry(id).files();
     }
 
     private static List<String> builtInIds() {
@@ -62,7 +82,7 @@ public final class Catalogue {
 
     /** All exercises, the built-in ones first. */
     public List<Exercise> all() {
-        return List.copyOf(exercises.values());
+        return exercises.values().stream().map(Entry::exercise).toList();
     }
 
     /**
@@ -71,13 +91,17 @@ public final class Catalogue {
      * @throws IllegalArgumentException when there is none; names those there are
      */
     public Exercise named(String id) {
-        Exercise exercise = exercises.get(id);
-        if (exercise == null)
+        return entry(id).exercise();
+    }
+
+    private Entry entry(String id) {
+        Entry entry = exercises.get(id);
+        if (entry == null)
             throw new IllegalArgumentException(
                     "no exercise called '"
                             + id
                             + "'; there are "
                             + String.join(", ", exercises.keySet()));
-        return exercise;
+        return entry;
     }
 }

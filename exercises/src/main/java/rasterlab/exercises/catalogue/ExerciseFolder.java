@@ -1,5 +1,6 @@
 package rasterlab.exercises.catalogue;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
@@ -53,6 +54,17 @@ final class ExerciseFolder {
                                     "/rasterlab/exercises/" + id + "/" + name);
                     if (in == null) throw new IOException("not on the class path");
                     return in;
+                });
+    }
+
+    static ExerciseFolder kept(String id, Map<String, byte[]> files) {
+        return new ExerciseFolder(
+                id,
+                "kept exercise " + id,
+                name -> {
+                    byte[] content = files.get(name);
+                    if (content == null) throw new IOException("not kept");
+                    return new ByteArrayInputStream(content);
                 });
     }
 

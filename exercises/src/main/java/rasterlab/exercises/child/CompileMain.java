@@ -1,10 +1,7 @@
 package rasterlab.exercises.child;
 
-import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
-import java.io.EOFException;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
@@ -24,23 +21,18 @@ public final class CompileMain {
      *     comes
      */
     public static void main(String[] args) throws IOException {
+        Requests requests = new Requests(System.in, 0);
         Compiler compiler = new Compiler(args[0]);
         if (args.length > 1 && args[1].equals("warm")) compiler.compile(SAMPLE);
-        InputStream in = System.in;
         OutputStream out = System.out;
-        try {
-            while (!answer(compiler, Frames.read(in, Wire.MOST_FRAME_BYTES), out)) {
-                // a ping: wait for the source
-            }
-        } catch (EOFException parentHasGone) {
-            Runtime.getRuntime().halt(0);
+        while (!answer(compiler, requests.next(), out)) {
+            // a ping: wait for the source
         }
     }
 
     /** Answers one request; true when it was the source. */
-    private static boolean answer(Compiler compiler, byte[] request, OutputStream out)
+    private static boolean answer(Compiler compiler, DataInputStream in, OutputStream out)
             throws IOException {
-        DataInputStream in = new DataInputStream(new ByteArrayInputStream(request));
         int operation = in.readByte();
         long nonce = in.readLong();
         if (operation == Wire.PING) {

@@ -1,7 +1,5 @@
 package rasterlab.exercises.child;
 
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -18,7 +16,7 @@ public final class RunMain {
     private RunMain() {}
 
     public static void main(String[] args) {
-        InputStream in = System.in;
+        Requests requests = new Requests(System.in, Wire.EXIT_PROTOCOL);
         OutputStream out = System.out;
         CappedOutput printed = new CappedOutput();
         PrintStream print = new PrintStream(printed, true, StandardCharsets.UTF_8);
@@ -27,14 +25,9 @@ public final class RunMain {
         System.setErr(print);
         StudentCalls calls = new StudentCalls(out, printed);
         try {
-            while (true) calls.answer(request(in));
+            while (true) calls.answer(requests.next());
         } catch (IOException parentHasGone) {
             Runtime.getRuntime().halt(Wire.EXIT_PROTOCOL);
         }
-    }
-
-    private static DataInputStream request(InputStream in) throws IOException {
-        return new DataInputStream(
-                new ByteArrayInputStream(Frames.read(in, Wire.MOST_FRAME_BYTES)));
     }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -53,32 +54,44 @@ final class BoxChoice {
     }
 
     private Box tried(String program, String version, boolean canDisable) {
+        List<Message> faults = new ArrayList<>();
+        if (!canDisable) faults.add(Message.of("isolation.no-userns-off"));
         ProcessLimit limit = expectedLimit();
-        Box box = new BubblewrapBox(program, version, canDisable, limit, jars);
-        Optional<String> fault = selfTest(box);
+        Box box = new BubblewrapBox(program, version, canDisable, limit, faults, jars);
+        Optional<String> fault = selfTest(box, limit, faults);
         if (fault.isPresent() && limit == ProcessLimit.HOLDS) {
-            box = new BubblewrapBox(program, version, canDisable, ProcessLimit.TOO_LOW, jars);
-            fault = selfTest(box);
+            limit = ProcessLimit.TOO_LOW;
+            box = new BubblewrapBox(program, version, canDisable, limit, faults, jars);
+            fault = selfTest(box, limit, faults);
         }
-        return fault.isEmpty() ? box : plain("isolation.bwrap-fails", fault.get());
+        return fault.isEmpty()
+                ? new BubblewrapBox(program, version, canDisable, limit, faults, jars)
+                : plain("isolation.bwrap-fails", fault.get());
     }
 
     private static ProcessLimit expectedLimit() {
         if (Programs.onPath("prlimit").isEmpty()) return ProcessLimit.NO_PRLIMIT;
-        boolean root = "root".equals(System.getProperty("user.name"));
-        return root ? ProcessLimit.ROOT : ProcessLimit.HOLDS;
+        return Account.exceedsLimits() ? ProcessLimit.ROOT : ProcessLimit.HOLDS;
     }
 
     private Box plain(String reason, Object... arguments) {
         return new PlainBox(jars, Message.of(reason, arguments));
     }
 
-    /** Why a child in the box does not answer; empty when it does. */
-    private Optional<String> selfTest(Box box) {
+    /**
+     * Why a child in the box does not answer; empty when it does.
+     *
+     * @param faults takes up what does not hold for one that answers
+     */
+    private Optional<String> selfTest(Box box, ProcessLimit limited, List<Message> faults) {
         try (Child child =
                 new Child(launcher.start(box.command(ChildKind.RUN, false)), box.nested())) {
             try {
                 child.ask(new Request(Wire.PING, out -> {}), limit, (status, payload) -> status);
+                if (limited != ProcessLimit.NO_PRLIMIT)
+                    LimitCheck.fault(child.handle(), limited != ProcessLimit.TOO_LOW)
+                            .map(what -> Message.of("isolation.limit-fails", what))
+                            .ifPresent(faults::add);
                 return Optional.empty();
             } catch (ChildLost lost) {
                 return Optional.of(

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.exercises.score.Message;
 
 /**
  * Linux namespaces by bubblewrap: the child sees a read-only root that holds the JDK, the system
@@ -30,18 +31,20 @@ final class BubblewrapBox implements Box {
      * @param version as bwrap prints it
      * @param canDisableUserNamespaces whether it knows --disable-userns (0.8 and later)
      * @param limit on the number of processes; set unless it would be too low
+     * @param faults what was found not to hold
      */
     BubblewrapBox(
             String program,
             String version,
             boolean canDisableUserNamespaces,
             Isolation.ProcessLimit limit,
+            List<Message> faults,
             ChildJars jars) {
         this.limit = limit;
         this.program = program;
         this.canDisableUserNamespaces = canDisableUserNamespaces;
         this.jars = jars;
-        this.isolation = Isolation.bubblewrap(version, limit);
+        this.isolation = Isolation.bubblewrap(version, limit, faults);
     }
 
     @Override

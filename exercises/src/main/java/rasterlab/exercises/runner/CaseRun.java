@@ -23,10 +23,16 @@ final class CaseRun {
     private final TopicGrading topic;
     private final long seed;
     private final StudentRun run;
+    private final boolean again;
     private final List<Diagnostic> printed = new ArrayList<>();
     private Optional<Finding> stopped = Optional.empty();
 
-    CaseRun(Exercise exercise, TopicGrading topic, long seed, StudentRun run) {
+    /**
+     * @param again whether this was tried before: then a signal is no accident but what the method
+     *     makes of its process
+     */
+    CaseRun(Exercise exercise, TopicGrading topic, long seed, StudentRun run, boolean again) {
+        this.again = again;
         this.exercise = exercise;
         this.topic = topic;
         this.seed = seed;
@@ -102,14 +108,14 @@ final class CaseRun {
         }
     }
 
-    private static Finding finding(ChildLost lost) throws ChildLost {
+    private Finding finding(ChildLost lost) throws ChildLost {
+        if (lost.isOursToRepeat(again)) throw lost;
         GradingVerdict verdict =
                 switch (lost.reason()) {
                     case TIME -> GradingVerdict.TIME_LIMIT;
                     case MEMORY -> GradingVerdict.MEMORY_LIMIT;
                     case OUTPUT -> GradingVerdict.OUTPUT_LIMIT;
-                    case ENDED, PROTOCOL -> GradingVerdict.NO_RESULT;
-                    case KILLED -> throw lost;
+                    case ENDED, PROTOCOL, SIGNAL, KILLED -> GradingVerdict.NO_RESULT;
                 };
         return Finding.of(verdict, lost.said());
     }

@@ -164,7 +164,7 @@ final class Child implements AutoCloseable {
                     new ChildLost(ChildLost.Reason.OUTPUT, Message.of("child.output"));
             default ->
                     new ChildLost(
-                            status > 128 ? ChildLost.Reason.KILLED : ChildLost.Reason.ENDED,
+                            status > 128 ? ChildLost.Reason.SIGNAL : ChildLost.Reason.ENDED,
                             Message.of("child.ended", status));
         };
     }

@@ -14,8 +14,10 @@ final class ChildLost extends Exception {
         MEMORY,
         /** It ended because it printed or plotted too much. */
         OUTPUT,
-        /** A signal from outside ended it. */
+        /** It was ended from here, or could not be had. */
         KILLED,
+        /** A signal ended it, or it ended with a status that looks like that. */
+        SIGNAL,
         /** It ended for another reason. */
         ENDED,
         /** It answered something that the protocol does not know. */
@@ -37,5 +39,14 @@ final class ChildLost extends Exception {
 
     Reason reason() {
         return reason;
+    }
+
+    /**
+     * Whether the student's method may have had no part in it.
+     *
+     * @param again whether it happened in a second try, too
+     */
+    boolean isOursToRepeat(boolean again) {
+        return reason == Reason.KILLED || (reason == Reason.SIGNAL && !again);
     }
 }

@@ -24,7 +24,7 @@ import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.SpeedPoints;
 import rasterlab.exercises.topic.TopicGradings;
 
-/** One try at one grading, with three children of its own. */
+/** One grading, each try with three children of its own. */
 final class GradingRun {
     private final JudgeSettings settings;
     private final ByteCodeCheck check;
@@ -34,6 +34,8 @@ final class GradingRun {
     private final CaseSelection selection;
     private final Consumer<CaseReport> progress;
     private final ReportSheet sheet;
+    private boolean tried;
+    private boolean again;
 
     GradingRun(
             JudgeSettings settings,
@@ -67,6 +69,8 @@ final class GradingRun {
      * @throws ChildLost when a child was killed from outside or could not work: our fault
      */
     Report run(Children children) throws ChildLost, InterruptedException {
+        again = tried;
+        tried = true;
         try (Child compiler = children.take(ChildKind.COMPILE);
                 Child runner = children.take(ChildKind.RUN);
                 Child reference = children.take(ChildKind.RUN)) {
@@ -88,7 +92,7 @@ final class GradingRun {
     private Report tried(
             Compilation compiled, String entry, StudentRun student, StudentRun reference)
             throws ChildLost, InterruptedException {
-        CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student);
+        CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student, again);
         Marking marking = new Marking(exercise);
         Optional<Finding> unloaded = cases.load(entry, compiled.classes());
         for (Case one : selected(exercise, selection)) {
@@ -142,7 +146,7 @@ final class GradingRun {
             return new SpeedTrial(topic, student, reference, charged, new SecureRandom().nextLong())
                     .measure();
         } catch (ChildLost lost) {
-            if (lost.reason() == ChildLost.Reason.KILLED) throw lost;
+            if (lost.isOursToRepeat(again)) throw lost;
             return SpeedTrial.Outcome.none(Message.of("speed.stopped").and(lost.said()));
         }
     }

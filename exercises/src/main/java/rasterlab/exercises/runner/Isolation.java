@@ -1,5 +1,7 @@
 package rasterlab.exercises.runner;
 
+import java.util.ArrayList;
+import java.util.List;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
@@ -9,10 +11,15 @@ import rasterlab.exercises.score.Report;
  * @param name "bubblewrap" or "process limits only", as stored with a report; {@link
  *     Report#isolationIn} has it in other languages
  * @param said what it holds and what it lacks, for start-up, log and result page
+ * @param missing the layers that are not there, one by one
  * @param exam whether it is meant to hold against a determined attacker, so that exams may be
  *     graded
  */
-public record Isolation(String name, Message said, boolean exam) {
+public record Isolation(String name, Message said, List<Message> missing, boolean exam) {
+    public Isolation {
+        missing = List.copyOf(missing);
+    }
+
     /** What stands between the method and the number of processes that the machine can bear. */
     enum ProcessLimit {
         HOLDS,
@@ -23,21 +30,26 @@ public record Isolation(String name, Message said, boolean exam) {
         ROOT
     }
 
-    /** Namespaces, a small read-only root, no network, no other processes. */
-    static Isolation bubblewrap(String version, ProcessLimit limit) {
-        Message missing =
+    /**
+     * Namespaces, a small read-only root, no network, no other processes.
+     *
+     * @param faults what was found not to hold, each of which alone rules exams out
+     */
+    static Isolation bubblewrap(String version, ProcessLimit limit, List<Message> faults) {
+        Message unlimited =
                 switch (limit) {
                     case HOLDS -> Message.NONE;
                     case NO_PRLIMIT -> Message.of("isolation.no-prlimit");
                     case TOO_LOW -> Message.of("isolation.too-low", Programs.MOST_PROCESSES);
                     case ROOT -> Message.of("isolation.root");
                 };
-        return new Isolation(
-                Report.BUBBLEWRAP,
-                Message.of("isolation.box", version)
-                        .and(Message.of("isolation.without"))
-                        .and(missing),
-                limit == ProcessLimit.HOLDS);
+        List<Message> missing = new ArrayList<>(List.of(Message.of("isolation.without")));
+        if (!unlimited.isEmpty()) missing.add(unlimited);
+        missing.addAll(faults);
+        Message said = Message.of("isolation.box", version);
+        for (Message one : missing) said = said.and(one);
+        boolean exam = limit == ProcessLimit.HOLDS && faults.isEmpty();
+        return new Isolation(Report.BUBBLEWRAP, said, missing, exam);
     }
 
     /**
@@ -47,7 +59,10 @@ public record Isolation(String name, Message said, boolean exam) {
      */
     static Isolation processLimits(Message reason) {
         return new Isolation(
-                Report.PROCESS_LIMITS, Message.of("isolation.plain").and(reason), false);
+                Report.PROCESS_LIMITS,
+                Message.of("isolation.plain").and(reason),
+                List.of(Message.of("isolation.no-box"), reason),
+                false);
     }
 
     /** One honest line in English. */

@@ -18,6 +18,9 @@ final class Programs {
      */
     static final int MOST_PROCESSES = 4096;
 
+    static final int MOST_FILES = 256;
+    static final int MOST_SECONDS = 30;
+
     private Programs() {}
 
     /** The folder of the running JDK without symbolic links. */
@@ -59,7 +62,11 @@ final class Programs {
                         program -> {
                             command.add(program);
                             command.addAll(
-                                    List.of("--core=0", "--fsize=0", "--nofile=256", "--cpu=30"));
+                                    List.of(
+                                            "--core=0",
+                                            "--fsize=0",
+                                            "--nofile=" + MOST_FILES,
+                                            "--cpu=" + MOST_SECONDS));
                             if (processes) command.add("--nproc=" + MOST_PROCESSES);
                             command.add("--");
                         });

@@ -54,6 +54,10 @@ class ChildTest {
                 argumentSet("exits", ChildLost.Reason.ENDED, "System.exit(0);"),
                 argumentSet("halts", ChildLost.Reason.ENDED, "Runtime.getRuntime().halt(0);"),
                 argumentSet(
+                        "ends as if it were killed",
+                        ChildLost.Reason.SIGNAL,
+                        "Runtime.getRuntime().halt(137);"),
+                argumentSet(
                         "shutdown hook loops",
                         ChildLost.Reason.TIME,
                         "Runtime.getRuntime().addShutdownHook("
@@ -102,7 +106,7 @@ class ChildTest {
                                             new Request(Wire.PING, out -> {}),
                                             Duration.ofSeconds(5),
                                             (status, in) -> status));
-            assertEquals(ChildLost.Reason.KILLED, lost.reason(), lost::getMessage);
+            assertEquals(ChildLost.Reason.SIGNAL, lost.reason(), lost::getMessage);
         }
     }
 

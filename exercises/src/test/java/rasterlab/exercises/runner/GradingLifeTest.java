@@ -76,7 +76,7 @@ class GradingLifeTest {
     }
 
     @Test
-    void aChildKilledAgainIsOurFaultAndNoMark() throws Exception {
+    void aChildKilledAgainGivesNoResult() throws Exception {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
             Report report =
                     judge.grade(
@@ -84,7 +84,7 @@ class GradingLifeTest {
                             Sources.RIGHT,
                             CaseSelection.open(),
                             one -> children().forEach(ProcessHandle::destroyForcibly));
-            assertEquals(GradingVerdict.INTERNAL, report.verdict());
+            assertEquals(GradingVerdict.NO_RESULT, report.verdict());
         }
     }
 

@@ -1,0 +1,41 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Without a box nothing of the system's ends a child whose parent was killed. */
+class OrphanTest {
+    @TempDir private Path folder;
+
+    @Test
+    @DisplayName("a child that is at something endless outlives its killed parent")
+    void aChildEndsWithItsParent() throws Exception {
+        Process parent =
+                new ProcessBuilder(
+                                Programs.java(),
+                                "-cp",
+                                System.getProperty("java.class.path"),
+                                ChildWithParent.class.getName(),
+                                folder.resolve("begun").toString())
+                        .redirectError(ProcessBuilder.Redirect.INHERIT)
+                        .start();
+        try {
+            long pid = Long.parseLong(parent.inputReader().readLine());
+            ProcessHandle child = ProcessHandle.of(pid).orElseThrow();
+            CompletableFuture<ProcessHandle> ended = child.onExit();
+            parent.destroyForcibly();
+            assertTrue(parent.waitFor(30, TimeUnit.SECONDS), "the parent is not killed");
+            assertDoesNotThrow(() -> ended.get(60, TimeUnit.SECONDS), "the child lives on");
+        } finally {
+            parent.descendants().forEach(ProcessHandle::destroyForcibly);
+            parent.destroyForcibly();
+        }
+    }
+}
