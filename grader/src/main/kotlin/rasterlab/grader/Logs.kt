@@ -11,6 +11,7 @@ import ch.qos.logback.core.rolling.RollingFileAppender
 import ch.qos.logback.core.rolling.SizeBasedTriggeringPolicy
 import ch.qos.logback.core.util.FileSize
 import org.slf4j.LoggerFactory
+import rasterlab.grader.storage.makeOwnerOnly
 import java.nio.file.Path
 
 private const val FILE = "file"
@@ -21,7 +22,7 @@ private const val FILE_BYTES = 10L shl 20
 internal fun logTo(file: Path) {
     val logs = LoggerFactory.getILoggerFactory() as LoggerContext
     val appender =
-        RollingFileAppender<ILoggingEvent>().apply {
+        OwnersLog().apply {
             context = logs
             name = FILE
             this.file = file.toString()
@@ -44,6 +45,14 @@ internal fun logTo(file: Path) {
             }.also { it.start() }
     appender.start()
     logs.getLogger(Logger.ROOT_LOGGER_NAME).addAppender(appender)
+}
+
+/** Each new file of the log is for its owner only. */
+private class OwnersLog : RollingFileAppender<ILoggingEvent>() {
+    override fun openFile(name: String) {
+        makeOwnerOnly(Path.of(name))
+        super.openFile(name)
+    }
 }
 
 /** Logs a failure with its stack, not to stderr; returns the log's name, or null if none is written yet. */

@@ -63,7 +63,13 @@ fun main(arguments: Array<String>) {
 
 /** Every failure ends in one line; its stack is in the log, if there is one already. */
 internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLine {
-    val commands = CommandLine(GraderCommand(words)).addSubcommand(ServeCommand(words)).addSubcommand(HelpCommand())
+    val commands =
+        CommandLine(GraderCommand(words))
+            .addSubcommand(ServeCommand(words))
+            .addSubcommand(BackupCommand(words))
+            .addSubcommand(RestoreCommand(words))
+            .addSubcommand(TokenCommand())
+            .addSubcommand(HelpCommand())
     return words
         .wear(commands)
         .setUsageHelpWidth(HELP_WIDTH)

@@ -12,9 +12,11 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.Spec
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.catalogue.Catalogue
+import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.KeptExercises
 import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
@@ -99,17 +101,39 @@ internal class ServeCommand(
     )
     var workers = 1
 
+    @Option(
+        names = ["--heap"],
+        paramLabel = "MIB",
+        defaultValue = "256",
+        description = [
+            "Memory for the server's own objects in MiB, 64 to 65536 (default: \${DEFAULT-VALUE}).",
+            "The processes that run sources have theirs.",
+            "It is ./lab that sets the limit as it starts Java.",
+        ],
+    )
+    var heap = 256
+
     override fun call(): Int {
         if (port !in 0..LAST_PORT) throw CannotStart(Reason.PORT, port, LAST_PORT)
         if (workers !in 1..MOST_WORKERS) throw CannotStart(Reason.WORKERS, workers, MOST_WORKERS)
+        if (heap !in LEAST_HEAP..MOST_HEAP) throw CannotStart(Reason.HEAP, heap, LEAST_HEAP, MOST_HEAP)
+        tellOtherHeap()
         val address = address()
         val catalogue = catalogue()
         StopSignal().use { stop -> run(catalogue, address, stop) }
         return 0
     }
 
+    /** An option that somebody gave, and that changes nothing, is not passed over in silence. */
+    private fun tellOtherHeap() {
+        val found = Runtime.getRuntime().maxMemory() shr MIB_BITS
+        val asked = spec.commandLine().parseResult.hasMatchedOption("--heap")
+        if (!asked || found in heap * 3 / 4..heap) return
+        spec.commandLine().err.println(words.say("heap.other", "$heap", "$found"))
+    }
+
     private fun run(
-        catalogue: Exercises,
+        catalogue: Catalogue,
         address: InetSocketAddress,
         stop: StopSignal,
     ) {
@@ -121,13 +145,15 @@ internal class ServeCommand(
                         throw CannotStart(Reason.EXAM, judge.isolation().said())
                     }
                     LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
+                    val kept = KeptExercises(database).apply { keep(catalogue) }
                     Server(
                         database,
-                        catalogue,
+                        Exercises(catalogue.all(), kept::find),
                         judge,
+                        judge.isolation(),
                         ServerSettings(workers),
                         stopping = stop::isAsked,
-                    ).use { serve(it, address, stop) }
+                    ).use { serve(it, judge.isolation(), address, stop) }
                 }
             }
         }
@@ -155,15 +181,15 @@ internal class ServeCommand(
         return address
     }
 
-    private fun catalogue(): Exercises {
+    private fun catalogue(): Catalogue {
         try {
             val builtIn = Catalogue.builtIn()
-            val more = exercises ?: return Exercises(builtIn.all())
-            val all = builtIn.withFolder(more).all()
-            OwnExercises(more, all.filter { one -> builtIn.all().none { it === one } })
+            val more = exercises ?: return builtIn
+            val all = builtIn.withFolder(more)
+            OwnExercises(more, all.all().filter { one -> builtIn.all().none { it === one } })
                 .told(words)
                 .forEach { spec.commandLine().err.println(oneLine(it)) }
-            return Exercises(all)
+            return all
         } catch (failure: CatalogueException) {
             throw CannotStart(Reason.EXERCISES, failure)
         }
@@ -172,6 +198,7 @@ internal class ServeCommand(
     /** Returns when the process is told to stop and no request is accepted any more. */
     private fun serve(
         server: Server,
+        isolation: Isolation,
         address: InetSocketAddress,
         stop: StopSignal,
     ) {
@@ -186,6 +213,7 @@ internal class ServeCommand(
         engine.start()
         server.startGrading()
         announce(server, engine)
+        spec.commandLine().out.println(oneLine(words.say("isolation", isolation.describe(words.language.language))))
         stop.await()
         engine.stop(STOP_MILLIS / 4, STOP_MILLIS)
     }
@@ -207,6 +235,9 @@ internal class ServeCommand(
     private companion object {
         const val LAST_PORT = 65_535
         const val MOST_WORKERS = 64
+        const val LEAST_HEAP = 64
+        const val MOST_HEAP = 65_536
+        const val MIB_BITS = 20
         const val IDLE_SECONDS = 45
         const val STOP_MILLIS = 2_000L
     }

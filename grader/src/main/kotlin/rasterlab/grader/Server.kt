@@ -17,6 +17,7 @@ import io.ktor.server.routing.routing
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import rasterlab.exercises.Grading
+import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.byToken
@@ -62,11 +63,16 @@ data class ServerSettings(
     val bodyPatience: Duration = 20.seconds,
 )
 
-/** The grading server without its socket: what it is made of, and how the parts are joined. */
+/**
+ * The grading server without its socket: what it is made of, and how the parts are joined.
+ *
+ * @param isolation what shuts the students' methods in when [grading] runs them
+ */
 class Server(
     private val database: Database,
     private val exercises: Exercises,
     grading: Grading,
+    private val isolation: Isolation,
     private val settings: ServerSettings = ServerSettings(),
     clock: InstantSource = InstantSource.system(),
     stopping: () -> Boolean = { false },
@@ -82,7 +88,8 @@ class Server(
     private val leases = Leases(database, reports, clock, steady)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
-    private val pageParts = PageParts(accounts, courses, exercises, submissions, intake, queue, results, live)
+    private val pageParts =
+        PageParts(accounts, courses, exercises, submissions, intake, queue, results, live, isolation)
 
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
@@ -103,12 +110,12 @@ class Server(
             }
             protect()
             routing {
-                monitoring(database)
+                monitoring(database, isolation)
                 pages(pageParts, ENTRY)
                 route("/api/v1") {
                     rateLimit(ENTRY) { joining(courses) }
                     authenticate {
-                        courses(courses)
+                        courses(courses, accounts)
                         exercises(exercises)
                         submissions(exercises, intake, queue)
                         results(results, live)

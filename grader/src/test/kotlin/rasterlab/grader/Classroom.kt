@@ -27,6 +27,7 @@ import rasterlab.engine.raster.PixelWindow
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.Picture
+import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
@@ -54,6 +55,7 @@ class Classroom(
         },
     private val settings: ServerSettings = ServerSettings(),
     private val exercise: Exercise = EXERCISE,
+    private val kept: (String, String) -> Exercise? = { _, _ -> null },
 ) {
     val file: Path = folder.resolve("test.db")
 
@@ -83,7 +85,7 @@ class Classroom(
 
     private fun serve(use: (Server, Database, String) -> Unit) =
         Database.open(file).use { database ->
-            Server(database, Exercises(listOf(exercise)), grading, settings).use { server ->
+            Server(database, Exercises(listOf(exercise), kept), grading, ISOLATION, settings).use { server ->
                 val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
                 server.accounts.instructorAnnounced()
                 use(server, database, token)
@@ -120,6 +122,14 @@ class Classroom(
                         false,
                     ),
                 ),
+            )
+
+        val ISOLATION =
+            Isolation(
+                Report.PROCESS_LIMITS,
+                Message.of("isolation.plain"),
+                listOf(Message.of("isolation.no-bwrap")),
+                false,
             )
 
         fun wrongReport() = report(GradingVerdict.WRONG, Points(4, 0, 0, 10))

@@ -43,7 +43,17 @@ class RussianCommandTest {
     }
 
     @ParameterizedTest(name = "./lab grader {0} speaks English in Russian")
-    @ValueSource(strings = ["--help", "serve --help", "help serve", "help help"])
+    @ValueSource(
+        strings = [
+            "--help",
+            "serve --help",
+            "help serve",
+            "help help",
+            "backup --help",
+            "restore --help",
+            "token --help",
+        ],
+    )
     fun `help is Russian`(call: String) {
         assertEquals(0, run(*"$call --lang ru".split(" ").toTypedArray()))
         assertTrue(printed.toString().contains("Вызов: ./lab grader"), printed.toString())
@@ -58,6 +68,7 @@ class RussianCommandTest {
             "serve --port --lang ru",
             "serve --port -1 --lang RU",
             "serve --workers 0 --lang ru",
+            "serve --heap 63 --lang ru",
             "serve --host no.such.host.invalid --lang ru",
             "serve --exam --exam --lang ru",
             "serve --more --lang ru",
@@ -74,6 +85,10 @@ class RussianCommandTest {
             "serve --port 0 --exercises FOLDER/none --lang ru",
             "serve --port 0 --exercises FILE --lang ru",
             "serve --port 0 --exercises FOLDER --lang ru",
+            "backup --lang ru",
+            "backup FOLDER/b --data FOLDER/none --lang ru",
+            "restore FOLDER/b --data FOLDER/new --lang ru",
+            "token --data FOLDER/none --lang ru",
             "help nope --lang ru",
             "nope --lang ru",
             "serve --port 0 --exercises BROKEN --lang ru",
@@ -111,11 +126,11 @@ class RussianCommandTest {
         assertEquals(2, run(*call.split(" ").toTypedArray()))
         val said = printed.toString()
         assertTrue(Regex("unknown command 'nope'|неизвестная команда «nope»").containsMatchIn(said), said)
-        assertTrue(said.trim().endsWith("serve, help"), said)
+        assertTrue(said.trim().endsWith("serve, backup, restore, token, help"), said)
     }
 
     @ParameterizedTest(name = "the help of {0} in Russian breaks a line that was broken already")
-    @ValueSource(strings = ["--help", "serve --help"])
+    @ValueSource(strings = ["--help", "serve --help", "backup --help", "token --help"])
     fun `no line of the help holds one word alone`(call: String) {
         assertEquals(0, run(*"$call --lang ru".split(" ").toTypedArray()))
         val alone = printed.toString().lines().filter { Regex(" {12,}\\S+").matches(it) }
@@ -153,7 +168,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data|host|port|db|exam|exercises|workers.*",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|host.*|port|db|exam|exercises|workers.*",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

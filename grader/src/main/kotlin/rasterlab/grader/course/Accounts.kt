@@ -2,6 +2,7 @@ package rasterlab.grader.course
 
 import org.jdbi.v3.core.Handle
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.sql.ResultSet
@@ -86,6 +87,60 @@ class Accounts(
         database.write {
             it.createUpdate("UPDATE instructors SET announced_at = :now").bind("now", clock.instant().text()).execute()
         }
+    }
+
+    /** A new token for the instructor, whose old one and sessions end; null where there is no instructor yet. */
+    fun renewInstructor(): String? {
+        val token = Secrets.newToken()
+        return database.write { handle ->
+            val first = "SELECT id FROM instructors ORDER BY created_at LIMIT 1"
+            val id =
+                handle
+                    .createQuery(first)
+                    .mapTo(String::class.java)
+                    .findOne()
+                    .getOrNull() ?: return@write null
+            handle
+                .createUpdate("UPDATE instructors SET token_hash = :hash, announced_at = :now WHERE id = :id")
+                .bind("hash", Secrets.hash(token))
+                .bind("now", clock.instant().text())
+                .bind("id", id)
+                .execute()
+            endSessions(handle, id)
+            token
+        }
+    }
+
+    /**
+     * A new token for a student, whose old one and sessions end; null where there is no such student.
+     *
+     * @param key what the sender calls this request, so that repeating it gives the same token
+     */
+    fun renewStudent(
+        id: String,
+        key: String?,
+    ): String? =
+        database.write { handle ->
+            val request = Repeatable("token $id", key, id)
+            val token = if (key == null) Secrets.newToken() else Secrets.derive(handle, "token $id $key")
+            if (request.made(handle) != null) return@write token
+            val changed =
+                handle
+                    .createUpdate("UPDATE students SET token_hash = :hash WHERE id = :id")
+                    .bind("hash", Secrets.hash(token))
+                    .bind("id", id)
+                    .execute()
+            if (changed == 0) return@write null
+            endSessions(handle, id)
+            request.remember(handle, id, clock.instant())
+            token
+        }
+
+    private fun endSessions(
+        handle: Handle,
+        account: String,
+    ) {
+        handle.createUpdate("DELETE FROM sessions WHERE account_id = :id").bind("id", account).execute()
     }
 
     private fun find(

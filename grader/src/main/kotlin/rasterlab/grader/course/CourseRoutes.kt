@@ -2,11 +2,15 @@ package rasterlab.grader.course
 
 import io.ktor.http.HttpStatusCode.Companion.Created
 import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
 import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.storage.text
 
 @Serializable
 private data class CourseRequest(
@@ -31,13 +35,36 @@ private data class JoinAnswer(
     val token: String,
 )
 
+@Serializable
+private data class StudentAnswer(
+    val student: String,
+    val name: String,
+    val joinedAt: String,
+)
+
 /** For instructors, inside `authenticate`. */
-fun Route.courses(courses: Courses) {
+fun Route.courses(
+    courses: Courses,
+    accounts: Accounts,
+) {
     post("/courses") {
         val instructor = call.instructor()
         val request = call.receiveJson(CourseRequest.serializer())
         val course = courses.create(instructor, Name.of(request.name), call.idempotencyKey())
         call.respondJson(CourseAnswer(course.id, course.code), Created)
+    }
+    get("/courses/{course}/students") {
+        call.instructor()
+        val course = call.parameters.getOrFail("course")
+        val students = courses.students(course) ?: throw Rejection.UnknownCourse(course)
+        call.respondJson(students.map { StudentAnswer(it.id, it.name, it.joinedAt.text()) })
+    }
+    post("/students/{student}/token") {
+        call.instructor()
+        val student = call.parameters.getOrFail("student")
+        val token =
+            accounts.renewStudent(student, call.idempotencyKey()) ?: throw Rejection.UnknownStudent(student)
+        call.respondJson(JoinAnswer(student, token), Created)
     }
 }
 

@@ -7,6 +7,7 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
+import java.time.Instant
 import java.time.InstantSource
 import java.util.Locale
 import kotlin.jvm.optionals.getOrNull
@@ -22,6 +23,13 @@ data class Course(
 data class NewStudent(
     val id: String,
     val token: String,
+)
+
+/** A student of a course. */
+data class Enrolled(
+    val id: String,
+    val name: String,
+    val joinedAt: Instant,
 )
 
 /** Courses and who is in them. */
@@ -66,6 +74,19 @@ class Courses(
                 request.made(handle)
                     ?: enrol(handle, course, name, token).also { request.remember(handle, it, clock.instant()) }
             NewStudent(student, token)
+        }
+
+    /** The students of a course in the order of their names, or null where there is no such course. */
+    fun students(course: String): List<Enrolled>? =
+        database.read { handle ->
+            course(handle, "id", course) ?: return@read null
+            handle
+                .createQuery(
+                    "SELECT id, name, joined_at FROM students WHERE course_id = :course ORDER BY name, joined_at",
+                ).bind("course", course)
+                .map { row, _ ->
+                    Enrolled(row.getString("id"), row.getString("name"), Instant.parse(row.getString("joined_at")))
+                }.list()
         }
 
     private fun insert(

@@ -4,9 +4,14 @@ package rasterlab.grader.exercise
 import rasterlab.exercises.Exercise
 import rasterlab.grader.problem.Rejection
 
-/** The exercises that this server gives and grades. */
+/**
+ * The exercises that this server gives and grades.
+ *
+ * @param kept an exercise as it was at that revision, by id and revision, or null where that is not known
+ */
 class Exercises(
     val all: List<Exercise>,
+    private val kept: (String, String) -> Exercise? = { _, _ -> null },
 ) {
     private val byId = all.associateBy(Exercise::id)
 
@@ -14,4 +19,15 @@ class Exercises(
 
     /** For work that was accepted when the catalogue may have been another. */
     fun find(id: String): Exercise? = byId[id]
+
+    /** As it was at that revision; where that is not known, as it is now, or null if it is not here any more. */
+    fun at(
+        id: String,
+        revision: String,
+    ): Exercise? = if (isCurrent(id, revision)) byId[id] else kept(id, revision) ?: byId[id]
+
+    fun isCurrent(
+        id: String,
+        revision: String,
+    ): Boolean = byId[id]?.revision() == revision
 }

@@ -51,6 +51,10 @@ sealed class Rejection(
         code: String,
     ) : Rejection("no course with the code '$code'", "unknown-course")
 
+    class UnknownStudent(
+        id: String,
+    ) : Rejection("no student '$id'", "unknown-student")
+
     class Malformed(
         detail: String,
     ) : Rejection(detail, "malformed-request")
@@ -123,7 +127,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.NotSignedIn -> Unauthorized
         is Rejection.WrongRole, is Rejection.ForeignOrigin -> Forbidden
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
-        is Rejection.UnknownPicture, is Rejection.UnknownCourse -> NotFound
+        is Rejection.UnknownPicture, is Rejection.UnknownCourse, is Rejection.UnknownStudent -> NotFound
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity

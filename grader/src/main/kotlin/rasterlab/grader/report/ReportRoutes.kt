@@ -33,8 +33,11 @@ class Results(
         language: String = "en",
     ): SubmissionView {
         val submission = submissions.seenBy(who, id)
-        val exercise = exercises.find(submission.exercise)
-        return submission.view(who, submissions.position(id), live.casesOf(id), reports.of(id), language) { name ->
+        val recorded = reports.of(id)
+        val revision = recorded?.revision ?: submission.revision
+        val exercise = exercises.at(submission.exercise, revision)
+        val against = GradedAgainst(revision, exercises.isCurrent(submission.exercise, revision))
+        return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, language) { name ->
             exercise?.caseTitle(name, language) ?: name
         }
     }

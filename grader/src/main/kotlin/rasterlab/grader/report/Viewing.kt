@@ -21,10 +21,16 @@ import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
 import kotlin.jvm.optionals.getOrNull
 
+/**
+ * @param revision of the exercise that it was or will be graded against
+ * @param current whether that is the exercise as it is now
+ */
 @Serializable
 data class SubmissionView(
     val id: String,
     val exercise: String,
+    val revision: String,
+    val current: Boolean,
     val attempt: Int,
     val state: String,
     val position: Int,
@@ -35,6 +41,12 @@ data class SubmissionView(
     val isolation: String?,
     val receivedAt: String,
     val gradedAt: String?,
+)
+
+/** @param current whether that revision is the exercise as it is now */
+class GradedAgainst(
+    val revision: String,
+    val current: Boolean,
 )
 
 @Serializable
@@ -103,6 +115,7 @@ fun CaseReport.seenBy(who: Identity): CaseReport = if (who is Identity.Student) 
 
 /**
  * @param recorded with nothing hidden; null as long as there is no result
+ * @param against what the result was, or will be, graded against
  * @param language of the messages
  * @param title of a case in that language, by its name
  */
@@ -111,6 +124,7 @@ fun Submission.view(
     position: Int,
     running: List<CaseReport>,
     recorded: Recorded?,
+    against: GradedAgainst,
     language: String,
     title: (String) -> String,
 ): SubmissionView {
@@ -120,6 +134,8 @@ fun Submission.view(
     return SubmissionView(
         id,
         exercise,
+        against.revision,
+        against.current,
         attempt,
         (if (report == null) state else State.DONE).code,
         if (report == null) position else 0,

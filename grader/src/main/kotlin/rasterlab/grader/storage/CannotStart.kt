@@ -6,7 +6,7 @@ import rasterlab.grader.wording.Wording
 import java.util.Locale
 
 /**
- * The server cannot start; the message is one line for the person who started it.
+ * The server, or a command beside it, cannot start; the message is one line for the person who started it.
  *
  * @param values for the places {0}, {1}, … of the reason's words; what has words in their language takes these
  */
@@ -21,6 +21,7 @@ class CannotStart(
     ) {
         PORT("port"),
         WORKERS("workers"),
+        HEAP("heap"),
         EXAM("exam"),
         HOST("host"),
         LISTEN("listen"),
@@ -35,6 +36,14 @@ class CannotStart(
         DATA_MADE("data.made"),
         USED("used"),
         WRITTEN("written"),
+        NO_DATABASE("no.database"),
+        NO_INSTRUCTOR("no.instructor"),
+        NO_STUDENT("no.student"),
+        BACKUP_THERE("backup.there"),
+        BACKUP_FOLDER("backup.folder"),
+        BACKUP_NONE("backup.none"),
+        BACKUP_BROKEN("backup.broken"),
+        BACKUP_FAILED("backup.failed"),
     }
 
     private val values = values.toList()

@@ -12,7 +12,9 @@ import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.WRITE
 import java.nio.file.attribute.PosixFilePermissions
 import kotlin.io.path.absolute
+import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
 import kotlin.io.path.setPosixFilePermissions
 
 /** A folder, and the database in it or elsewhere, that one server has to itself until it closes them. */
@@ -34,11 +36,49 @@ class DataFolder private constructor(
             folder: Path,
             url: String?,
         ): DataFolder {
-            val data = folder.absolute().normalize()
-            val file = if (url == null) data.resolve("rasterlab.db") else fileOf(url)
-            make(data)
+            make(folder.absolute().normalize())
+            val data = folder.toRealPath()
+            val file = fileIn(data, url)
             val locks = listOf(data.resolve("server.lock"), file.resolveSibling("${file.fileName}.lock")).map(::lock)
-            return DataFolder(file, data.resolve("server.log"), locks)
+            val log = data.resolve("server.log")
+            try {
+                listOf(file, log).forEach(::makeOwnerOnly)
+                listOf(
+                    "-wal",
+                    "-shm",
+                ).map { file.resolveSibling("${file.fileName}$it") }.filter { it.exists() }.forEach(::ownerOnly)
+            } catch (failure: IOException) {
+                locks.forEach(FileChannel::close)
+                throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
+            }
+            return DataFolder(file, log, locks)
+        }
+
+        /**
+         * The database of a server that may be running.
+         *
+         * @throws CannotStart if there is none
+         */
+        fun databaseOf(
+            folder: Path,
+            url: String?,
+        ): Path {
+            val file = fileIn(folder.absolute().normalize(), url)
+            if (!file.isRegularFile()) throw CannotStart(Reason.NO_DATABASE, file)
+            return file
+        }
+
+        /** Under its one name, whatever links and spellings lead there, so that all who use it meet at one lock. */
+        private fun fileIn(
+            data: Path,
+            url: String?,
+        ): Path {
+            val file = if (url == null) data.resolve("rasterlab.db") else fileOf(url)
+            return when {
+                file.exists() -> file.toRealPath()
+                file.parent.exists() -> file.parent.toRealPath().resolve(file.fileName)
+                else -> file
+            }
         }
 
         private fun fileOf(url: String): Path {
@@ -75,6 +115,7 @@ class DataFolder private constructor(
 
         private fun lock(file: Path): FileChannel {
             try {
+                makeOwnerOnly(file)
                 val channel = FileChannel.open(file, CREATE, WRITE)
                 if (channel.tryLock() != null) return channel
                 channel.close()

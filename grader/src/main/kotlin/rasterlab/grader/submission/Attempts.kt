@@ -66,7 +66,7 @@ class Attempts(
         lease: Lease,
         submission: Submission,
     ): Outcome {
-        val exercise = exercises.find(submission.exercise)
+        val exercise = exercises.at(submission.exercise, submission.revision)
         val report =
             when {
                 exercise == null -> {

@@ -17,9 +17,14 @@ import java.time.Instant
 import java.util.Optional
 import kotlin.jvm.optionals.getOrNull
 
-/** A report as it was recorded. */
+/**
+ * A report as it was recorded.
+ *
+ * @param revision of the exercise that it was graded against
+ */
 data class Recorded(
     val report: Report,
+    val revision: String,
     val gradedAt: Instant,
 )
 
@@ -51,6 +56,7 @@ class Reports(
                             row.getString("isolation"),
                             row.getDouble("nanos_per_item"),
                         ),
+                        revision,
                         Instant.parse(row.getString("graded_at")),
                     )
                 }.findOne()

@@ -8,13 +8,18 @@ import java.sql.ResultSet
 import java.time.Instant
 import kotlin.jvm.optionals.getOrNull
 
-/** One line of a list of submissions. */
+/**
+ * One line of a list of submissions.
+ *
+ * @param revision of the exercise that it was or will be graded against
+ */
 data class Listed(
     val submission: Submission,
     val student: String,
     val verdict: String?,
     val points: Int?,
     val of: Int?,
+    val revision: String,
 )
 
 /** Reads submissions. */
@@ -67,7 +72,7 @@ class Submissions(
     ) = database.read { handle ->
         handle
             .createQuery(
-                """SELECT s.*, students.name AS student_name, r.verdict, r.accuracy + r.stability + r.speed AS total, r.points_of
+                """SELECT s.*, students.name AS student_name, r.verdict, r.revision AS graded_against, r.accuracy + r.stability + r.speed AS total, r.points_of
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
                    LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
@@ -83,6 +88,7 @@ class Submissions(
                     verdict,
                     if (graded) row.getInt("total") else null,
                     if (graded) row.getInt("points_of") else null,
+                    if (graded) row.getString("graded_against") else row.getString("revision"),
                 )
             }.list()
     }

@@ -49,7 +49,7 @@ fun Route.exercisePages(
     get("/exercises") { call.respondExercises(call.someone(accounts), exercises) }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        call.respondExercise(call.someone(accounts), exercise, submissions, formulas)
+        call.respondExercise(call.someone(accounts), exercises, exercise, submissions, formulas)
     }
     get("/exercises/{id}/starter") {
         call.someone(accounts)
@@ -90,6 +90,7 @@ private suspend fun ApplicationCall.respondExercises(
 
 private suspend fun ApplicationCall.respondExercise(
     who: Identity,
+    exercises: Exercises,
     exercise: Exercise,
     submissions: Submissions,
     formulas: Formulas,
@@ -120,7 +121,7 @@ private suspend fun ApplicationCall.respondExercise(
                 }
                 if (mine != null) {
                     h2 { +texts.say("exercise.mine") }
-                    if (mine.isEmpty()) p { +texts.say("exercise.mine.none") } else attemptTable(texts, mine)
+                    if (mine.isEmpty()) p { +texts.say("exercise.mine.none") } else attemptTable(texts, exercises, mine)
                 }
             }
         }

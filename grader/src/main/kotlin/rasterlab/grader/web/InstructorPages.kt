@@ -5,10 +5,13 @@ import io.ktor.server.response.respondRedirect
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
 import kotlinx.html.FormMethod
+import kotlinx.html.a
 import kotlinx.html.button
 import kotlinx.html.code
+import kotlinx.html.details
 import kotlinx.html.div
 import kotlinx.html.form
 import kotlinx.html.h2
@@ -18,13 +21,17 @@ import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.span
 import kotlinx.html.stream.createHTML
+import kotlinx.html.summary
 import kotlinx.html.ul
+import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Course
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Enrolled
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.report.onEachChange
 import rasterlab.grader.report.respondEvents
 import rasterlab.grader.submission.Live
@@ -37,8 +44,11 @@ fun Route.instructorPages(
     exercises: Exercises,
     submissions: Submissions,
     live: Live,
+    isolation: Isolation,
 ) {
-    get("/instructor") { call.respondDesk(call.instructorHere(accounts), courses.all(), exercises, submissions) }
+    get("/instructor") {
+        call.respondDesk(call.instructorHere(accounts), courses, exercises, submissions, isolation)
+    }
     get("/instructor/latest") {
         call.instructorHere(accounts)
         val texts = call.texts()
@@ -59,20 +69,44 @@ fun Route.instructorPages(
         courses.create(instructor, Name.of(call.receiveForm()["name"].orEmpty()), key = null)
         call.respondRedirect("/instructor")
     }
+    post("/instructor/students/{student}/token") {
+        call.requireOwnForm()
+        val who = call.instructorHere(accounts)
+        val student = call.parameters.getOrFail("student")
+        val token = accounts.renewStudent(student, key = null) ?: throw Rejection.UnknownStudent(student)
+        call.respondToken(who, accounts.holder(token), token)
+    }
+}
+
+private suspend fun ApplicationCall.respondToken(
+    who: Identity.Instructor,
+    student: Identity?,
+    token: String,
+) {
+    val texts = texts()
+    respondPage(texts, who, texts.say("token.title", (student as? Identity.Student)?.name.orEmpty())) {
+        section("card") {
+            p { +texts.say("token.keep") }
+            p { code("token") { +token } }
+            p { a("/instructor", classes = "button") { +texts.say("token.back") } }
+        }
+    }
 }
 
 private suspend fun ApplicationCall.respondDesk(
     who: Identity.Instructor,
-    courses: List<Course>,
+    courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
+    isolation: Isolation,
 ) {
     val texts = texts()
+    val students = courses.all().associateWith { courses.students(it.id).orEmpty() }
     respondPage(texts, who, texts.say("instructor.title")) {
         div("columns") {
             section("card") {
                 h2 { +texts.say("instructor.courses") }
-                courseList(texts, courses)
+                courseList(texts, students)
             }
             section("card") {
                 h2 { +texts.say("instructor.create") }
@@ -80,6 +114,10 @@ private suspend fun ApplicationCall.respondDesk(
                     field(texts.say("instructor.course.name"), "name")
                     button { +texts.say("instructor.create.do") }
                 }
+            }
+            section("card") {
+                h2 { +texts.say("instructor.isolation") }
+                p { +isolation.describe(texts.language) }
             }
         }
         h2 { +texts.say("instructor.latest") }
@@ -94,17 +132,35 @@ private suspend fun ApplicationCall.respondDesk(
 
 private fun FlowContent.courseList(
     texts: Texts,
-    courses: List<Course>,
+    courses: Map<Course, List<Enrolled>>,
 ) {
     if (courses.isEmpty()) p { +texts.say("instructor.none") }
     ul("courses") {
-        courses.forEach { course ->
+        courses.forEach { (course, students) ->
             li {
                 span("title") { +course.name }
                 span {
                     +"${texts.say("instructor.code")}: "
                     code("code") { +course.code }
                 }
+                details {
+                    summary { +texts.say("instructor.students", students.size) }
+                    studentList(texts, students)
+                }
+            }
+        }
+    }
+}
+
+private fun FlowContent.studentList(
+    texts: Texts,
+    students: List<Enrolled>,
+) = ul {
+    students.forEach { student ->
+        li {
+            +"${student.name} "
+            form("/instructor/students/${student.id}/token", method = FormMethod.post) {
+                button(classes = "plain") { +texts.say("instructor.token") }
             }
         }
     }
@@ -117,5 +173,5 @@ private fun FlowContent.latest(
 ) {
     val rows = submissions.latest()
     if (rows.isEmpty()) p { +texts.say("instructor.latest.none") }
-    if (rows.isNotEmpty()) classTable(texts, rows) { exercises.find(it)?.title(texts.language) ?: it }
+    if (rows.isNotEmpty()) classTable(texts, exercises, rows)
 }

@@ -10,21 +10,34 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.jsonObject
 import rasterlab.engine.ProductVersion
+import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
 
 /** For the machines that watch the server; nothing here names a person. */
-fun Route.monitoring(database: Database) {
+fun Route.monitoring(
+    database: Database,
+    isolation: Isolation,
+) {
     get("/healthz") { call.respondText("ok\n") }
     get("/readyz") {
         if (!database.hasRoom()) throw Rejection.NoRoom()
         database.write { it.execute("UPDATE secrets SET name = name WHERE 0") }
-        call.respondText("ready\n")
+        call.respondText(ready(isolation))
     }
     get("/metrics") { call.respondText(metrics(database), PROMETHEUS_TEXT) }
     get("/openapi.json") { call.respondText(openApi, ContentType.Application.Json) }
 }
+
+/** A word for machines, then what people want to know before they trust the results. */
+private fun ready(isolation: Isolation) =
+    buildString {
+        appendLine("ready")
+        appendLine("isolation: ${isolation.name()}")
+        isolation.missing().forEach { appendLine("missing: ${it.`in`("en")}") }
+        appendLine("exam: ${if (isolation.exam()) "yes" else "no"}")
+    }
 
 private val PROMETHEUS_TEXT = ContentType.parse("text/plain; version=0.0.4; charset=utf-8")
 

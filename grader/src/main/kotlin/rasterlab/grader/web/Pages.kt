@@ -8,6 +8,7 @@ import io.ktor.server.http.content.staticResources
 import io.ktor.server.plugins.ratelimit.RateLimitName
 import io.ktor.server.plugins.ratelimit.rateLimit
 import io.ktor.server.routing.Route
+import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.exercise.Exercises
@@ -27,7 +28,7 @@ fun Route.pages(
     rateLimit(entry) { entering(accounts, courses) }
     exercisePages(accounts, exercises, submissions, intake, queue)
     resultPages(accounts, exercises, submissions, results)
-    instructorPages(accounts, courses, exercises, submissions, live)
+    instructorPages(accounts, courses, exercises, submissions, live, isolation)
 }
 
 /** What the pages ask and tell. */
@@ -40,4 +41,5 @@ class PageParts(
     val queue: GradingQueue,
     val results: Results,
     val live: Live,
+    val isolation: Isolation,
 )

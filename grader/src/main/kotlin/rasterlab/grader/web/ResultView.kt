@@ -40,6 +40,7 @@ fun DIV.result(
         status(texts, view.verdict, view.state)
         progress(texts, view)
         view.points?.let { points(texts, it) }
+        if (!view.current) p("earlier") { +texts.say("result.earlier", view.revision) }
         if (view.verdict == "internal") p { +texts.say("result.internal") }
     }
     if (view.diagnostics.isNotEmpty()) diagnostics(texts, view.diagnostics, source.lines())

@@ -12,6 +12,7 @@ import kotlinx.html.td
 import kotlinx.html.th
 import kotlinx.html.thead
 import kotlinx.html.tr
+import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.submission.Listed
 import java.time.Instant
 import java.time.ZoneOffset
@@ -24,20 +25,24 @@ fun Instant.forPeople(): String = MINUTE.format(this)
 /** One student's attempts at one exercise. */
 fun FlowContent.attemptTable(
     texts: Texts,
+    exercises: Exercises,
     rows: List<Listed>,
-) = listing(texts, rows, listOf("attempt" to ::attemptLink))
+) = listing(texts, exercises, rows, listOf("attempt" to ::attemptLink))
 
 /** Everybody's submissions. */
 fun FlowContent.classTable(
     texts: Texts,
+    exercises: Exercises,
     rows: List<Listed>,
-    title: (String) -> String,
 ) = listing(
     texts,
+    exercises,
     rows,
     listOf(
         "student" to { _, row -> row.student },
-        "exercise" to { _, row -> title(row.submission.exercise) },
+        "exercise" to { _, row ->
+            exercises.find(row.submission.exercise)?.title(texts.language) ?: row.submission.exercise
+        },
         "attempt" to ::attemptLink,
     ),
 )
@@ -49,6 +54,7 @@ private fun attemptLink(
 
 private fun FlowContent.listing(
     texts: Texts,
+    exercises: Exercises,
     rows: List<Listed>,
     first: List<Pair<String, (Texts, Listed) -> String>>,
 ) = div("scroll") {
@@ -72,7 +78,12 @@ private fun FlowContent.listing(
                             }
                         }
                     }
-                    td { status(texts, row.verdict, row.submission.state.code) }
+                    td {
+                        status(texts, row.verdict, row.submission.state.code)
+                        if (!exercises.isCurrent(row.submission.exercise, row.revision)) {
+                            span("earlier") { +texts.say("table.earlier") }
+                        }
+                    }
                     td("number") { +(row.points?.let { "$it / ${row.of}" } ?: "–") }
                     td { +row.submission.receivedAt.forPeople() }
                 }

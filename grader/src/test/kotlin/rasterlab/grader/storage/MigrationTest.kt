@@ -5,7 +5,12 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.Classroom
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.KeptExercises
+import rasterlab.grader.submission.Attempts
 import rasterlab.grader.submission.Leases
+import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
 import java.nio.file.Path
 import java.sql.DriverManager
@@ -34,6 +39,31 @@ class MigrationTest {
             val leases = Leases(database, Reports(database), clock, clock)
             val order = generateSequence { leases.claimNext()?.submission?.id }.toList()
             assertEquals(listOf("1", "3", "2", "5", "4"), order)
+        }
+    }
+
+    @Test
+    @DisplayName("what was handed in before exercises were kept cannot be read, or not graded")
+    fun whatWasHandedInBeforeExercisesWereKept() {
+        of("4")
+        execute(
+            """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+               VALUES ('s', 'a', 'draw-dot', 'r0', 1, 'class Dot {}', 1, '2026-03-29T00:59:59.000Z', 'queued')""",
+        )
+        Database.open(file).use { database ->
+            val clock = InstantSource.system()
+            val kept = KeptExercises(database)
+            val reports = Reports(database)
+            val leases = Leases(database, reports, clock, clock)
+            val exercises = Exercises(listOf(Classroom.EXERCISE), kept::find)
+            Attempts(
+                database,
+                leases,
+                exercises,
+                { _, _, _, _ -> Classroom.wrongReport() },
+                Live(),
+            ) { false }.attemptNext()
+            assertEquals("r1", reports.of("s")?.revision)
         }
     }
 

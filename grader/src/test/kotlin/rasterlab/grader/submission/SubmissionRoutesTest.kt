@@ -185,6 +185,8 @@ class SubmissionRoutesTest {
             setOf(
                 "id",
                 "exercise",
+                "revision",
+                "current",
                 "attempt",
                 "state",
                 "position",

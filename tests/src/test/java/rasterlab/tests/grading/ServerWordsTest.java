@@ -29,6 +29,7 @@ class ServerWordsTest {
                     Rejection.Malformed.class,
                     Rejection.BadKey.class,
                     Rejection.UnknownLanguage.class,
+                    Rejection.UnknownStudent.class,
                     Rejection.WrongMethod.class,
                     Rejection.WrongMediaType.class);
 

@@ -1,0 +1,133 @@
+package rasterlab.grader.storage
+
+import org.sqlite.SQLiteConfig
+import rasterlab.grader.storage.CannotStart.Reason
+import java.io.IOException
+import java.nio.channels.FileChannel
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardCopyOption.ATOMIC_MOVE
+import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import java.nio.file.StandardOpenOption.WRITE
+import java.sql.Connection
+import java.sql.SQLException
+import kotlin.io.path.absolute
+import kotlin.io.path.exists
+import kotlin.io.path.isDirectory
+import kotlin.io.path.isRegularFile
+import kotlin.io.path.name
+
+/**
+ * Copies of a database as it stands at one moment, also while a server writes to it. The files of a running server
+ * copied by hand are no such copy: what was written last is not in them yet, or half.
+ */
+object Backups {
+    private const val PATIENCE_MILLIS = 30_000
+
+    /** Copies the database to a new file that only its owner reads. */
+    fun take(
+        database: Path,
+        copy: Path,
+    ) {
+        val whole = copy.absolute().normalize()
+        if (whole.exists()) throw CannotStart(Reason.BACKUP_THERE, copy)
+        if (!whole.parent.isDirectory()) throw CannotStart(Reason.BACKUP_FOLDER, copy, whole.parent)
+        beside(whole) { part ->
+            open(database).use { from ->
+                from.prepareStatement("VACUUM INTO ?").use {
+                    it.setString(1, "$part")
+                    it.execute()
+                }
+            }
+            checkedDatabase(part)
+            onDisk(part)
+            Files.move(part, whole)
+        }
+    }
+
+    /**
+     * Puts a copy in the place of a database that no server uses.
+     *
+     * @return where the former database is now, or null if there was none
+     */
+    fun restore(
+        copy: Path,
+        database: Path,
+    ): Path? {
+        if (!copy.isRegularFile()) throw CannotStart(Reason.BACKUP_NONE, copy)
+        return beside(database) { part ->
+            Files.copy(copy, part, REPLACE_EXISTING)
+            ownerOnly(part)
+            checkedDatabase(part, said = copy)
+            onDisk(part)
+            val former = putAside(database)
+            Files.move(part, database, ATOMIC_MOVE)
+            former
+        }
+    }
+
+    /** Runs [work] with a new file in the folder of [file], which is gone afterwards. */
+    private fun <T> beside(
+        file: Path,
+        work: (Path) -> T,
+    ): T {
+        try {
+            val part = Files.createTempFile(file.parent, file.name, ".part")
+            try {
+                return work(part)
+            } finally {
+                files(part).forEach(Files::deleteIfExists)
+            }
+        } catch (failure: IOException) {
+            throw CannotStart(Reason.BACKUP_FAILED, file, failure.toString(), cause = failure)
+        } catch (failure: SQLException) {
+            throw CannotStart(Reason.BACKUP_FAILED, file, failure.message.orEmpty(), cause = failure)
+        }
+    }
+
+    private fun checkedDatabase(
+        file: Path,
+        said: Path = file,
+    ) {
+        val fault =
+            try {
+                open(file).use { it.text("PRAGMA quick_check").takeIf { answer -> answer != "ok" } ?: it.strangeness() }
+            } catch (failure: SQLException) {
+                failure.message.orEmpty()
+            }
+        if (fault != null) throw CannotStart(Reason.BACKUP_BROKEN, said, fault)
+    }
+
+    /** Why this is no database of a grading server; null if it is one. */
+    private fun Connection.strangeness(): String? {
+        val tables = "SELECT count(*) FROM sqlite_schema WHERE name IN ('submissions', 'flyway_schema_history')"
+        return if (text(tables) == "2") null else "no table of submissions"
+    }
+
+    private fun Connection.text(sql: String): String =
+        createStatement().use { statement ->
+            statement.executeQuery(sql).use {
+                it.next()
+                it.getString(1)
+            }
+        }
+
+    /** Moves a database away with what was not yet written into it; it may be broken. */
+    private fun putAside(database: Path): Path? {
+        if (!database.exists()) return null
+        val former =
+            generateSequence(1) { it + 1 }
+                .map { database.resolveSibling("${database.name}.before-restore-$it") }
+                .first { !it.exists() }
+        files(database).zip(files(former)).forEach { (from, to) -> if (from.exists()) Files.move(from, to) }
+        return former
+    }
+
+    /** SQLite's own files of a database. */
+    private fun files(database: Path) = listOf("", "-wal", "-shm").map { database.resolveSibling(database.name + it) }
+
+    private fun onDisk(file: Path) = FileChannel.open(file, WRITE).use { it.force(true) }
+
+    private fun open(file: Path): Connection =
+        SQLiteConfig().apply { setBusyTimeout(PATIENCE_MILLIS) }.createConnection("jdbc:sqlite:$file")
+}
