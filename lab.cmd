@@ -92,6 +92,21 @@ if not "%module%"=="app" for /f "tokens=1,* delims= " %%A in ("%*") do set "argu
 if defined language for /f "tokens=1-3,* delims== " %%A in ("%*") do set "arguments=%language% %%D"
 set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
+rem The server's own heap, in MiB; whatever is no such number is left to the server, which refuses it.
+set "memory="
+if not "%module%"=="grader" goto measured
+set "heap=256"
+set "named="
+for %%A in (%arguments%) do (
+    if defined named set "heap=%%~A"
+    set "named="
+    if "%%~A"=="--heap" set "named=yes"
+)
+for /f "delims=0123456789" %%D in ("%heap%") do set "heap=256"
+if %heap% LSS 64 set "heap=256"
+if %heap% GTR 65536 set "heap=256"
+set "memory=-XX:+UseSerialGC -Xmx%heap%m"
+:measured
 rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it,
 rem which who asks for help or names no group of benchmarks need not read.
 set "vector="
@@ -108,7 +123,7 @@ if not defined vector goto measure
 "%java%" -Dfile.encoding=UTF-8 -cp %classes% %main% --arguments-only %arguments%
 if not "%errorlevel%"=="0" exit /b %errorlevel%
 :measure
-"%java%" %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp %classes% %main% %arguments%
+"%java%" %memory% %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp %classes% %main% %arguments%
 exit /b %errorlevel%
 
 rem Errorlevel 1 when a source is newer than the last build, or there was none.
