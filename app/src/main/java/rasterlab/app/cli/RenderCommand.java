@@ -3,6 +3,7 @@ package rasterlab.app.cli;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -146,6 +147,7 @@ final class RenderCommand implements Callable<Integer> {
         var picture = new Raster(request.width(), request.height());
         Optional<VisibilityWork> work = draw(request, picture, progress);
         double milliseconds = (System.nanoTime() - start) / 1e6;
+        if (shown.isModel() && isEmpty(picture, request)) shown.tellEmpty(console);
         Optional<PictureDifference> difference =
                 expected.map(image -> PictureDifference.of(copied(image), picture));
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
@@ -154,6 +156,11 @@ final class RenderCommand implements Callable<Integer> {
         new RenderReport(request, milliseconds, work, out, other, difference, shadings)
                 .write(console.out());
         return ExitCode.DONE;
+    }
+
+    private static boolean isEmpty(Raster picture, RenderRequest request) {
+        int background = 0xFF000000 | request.scene().backgroundRgb();
+        return Arrays.stream(picture.argb()).allMatch(argb -> argb == background);
     }
 
     private static Optional<VisibilityWork> draw(

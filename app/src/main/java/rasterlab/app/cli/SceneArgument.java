@@ -3,6 +3,7 @@ package rasterlab.app.cli;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Consumer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -43,7 +44,7 @@ final class SceneArgument {
     @Option(
             names = "--up",
             paramLabel = "AXIS",
-            description = "of a model, FILE.obj: the axis that points up, z or y; default: z",
+            description = "of a model, FILE.obj: the axis that points up, y or z; default: y",
             completionCandidates = EngineNames.OfUpAxes.class)
     private String up;
 
@@ -64,7 +65,7 @@ final class SceneArgument {
     ShownScene open(Console console) {
         var complaints = new ComplaintText(console.language());
         String name = scene.toLowerCase(Locale.ROOT);
-        boolean model = name.endsWith(".obj");
+        boolean model = isModel();
         boolean view = name.endsWith(SceneText.EXTENSION);
         if (detail != null && model)
             throw new IllegalArgumentException("--detail is for scenes by name, not for a model");
@@ -73,13 +74,33 @@ final class SceneArgument {
         if (sceneOnly && !view)
             throw new IllegalArgumentException("--scene-only is for a scene file, FILE.scene.json");
         if (view) return shown(Path.of(scene));
-        if (model)
-            return plain(
-                    ModelFile.read(
-                            Path.of(scene),
-                            up == null ? UpAxis.Z : UpAxis.named(up),
-                            note -> console.tell("note", complaints.of(note))));
+        if (model) return model(note -> console.tell("note", complaints.of(note)));
         return plain(detail == null ? Scenes.named(scene) : Scenes.named(scene, detail));
+    }
+
+    private ShownScene model(Consumer<String> notes) {
+        UpAxis chosen = up == null ? UpAxis.Y : UpAxis.named(up);
+        Scene read = ModelFile.read(Path.of(scene), chosen, notes);
+        if (up == null)
+            notes.accept(scene + ": y is taken to point up; --up z turns a model where z does");
+        return plain(read);
+    }
+
+    /** Whether a model is shown, which may be anything. */
+    boolean isModel() {
+        return scene.toLowerCase(Locale.ROOT).endsWith(".obj");
+    }
+
+    /** Tells that a model's picture is empty. */
+    void tellEmpty(Console console) {
+        console.tell(
+                "note",
+                new ComplaintText(console.language())
+                        .of(
+                                scene
+                                        + ": nothing of the model is seen: no pixel differs from the"
+                                        + " background; --camera, --zoom, --near, --far and --cull"
+                                        + " change what is seen"));
     }
 
     private ShownScene plain(Scene opened) {

@@ -70,8 +70,8 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpeni
         OpenedLitScene scene = read.opened().get();
         model.open(scene.choice());
         if (scene.whole()) model.keep(new LitSceneFile(read.file(), scene.choice()));
-        String notes = String.join("; ", scene.notes());
-        if (!notes.isEmpty()) tell(read.file() + ": " + notes);
+        String told = scene.told(read.file());
+        if (!told.isEmpty()) tell(told);
         return true;
     }
 

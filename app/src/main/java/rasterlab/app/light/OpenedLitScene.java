@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import rasterlab.app.model.ModelFile;
+import rasterlab.app.model.ModelNotes;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
@@ -20,7 +20,6 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.Projection;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
@@ -87,7 +86,11 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
      * @throws Complaint naming the file and the place in it
      */
     static OpenedLitScene read(Path file, LightChoice before) {
-        if (isModel(file)) return again(file, before);
+        if (isModel(file)) {
+            ModelNotes model = ModelNotes.read(file);
+            LightChoice shown = before.with(Body.opened(file, model.scene()));
+            return new OpenedLitScene(shown, List.of(model.told()), false);
+        }
         SceneView view = view(file);
         Settings said = view.settings();
         var notes = new ArrayList<String>();
@@ -113,9 +116,15 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     static OpenedLitScene again(Path file, LightChoice before) {
         Body body =
                 isModel(file)
-                        ? Body.opened(file, ModelFile.read(file, UpAxis.Z, note -> {}))
+                        ? Body.opened(file, ModelNotes.read(file).scene())
                         : body(file, view(file).source(), before.body().detail());
         return new OpenedLitScene(before.with(body), List.of(), false);
+    }
+
+    /** What is told of the file beside its picture; "" for nothing. */
+    String told(Path file) {
+        String told = String.join("; ", notes);
+        return told.isEmpty() || isModel(file) ? told : file + ": " + told;
     }
 
     private static boolean isModel(Path file) {

@@ -2,8 +2,6 @@ package rasterlab.app.outcome;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AccessMode;
@@ -84,13 +82,11 @@ public final class FileToRead {
         } catch (IOException e) {
             throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
         }
-        try {
-            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
-        } catch (CharacterCodingException e) {
-            Optional<PictureSign> sign = PictureSign.in(bytes);
-            String what = sign.map(of -> of.obstacle(kind)).orElse("is not UTF-8 text");
-            throw Complaint.badInput(file + ": " + what);
-        }
+        Optional<String> obstacle = TextEncoding.obstacle(bytes);
+        if (obstacle.isEmpty()) return new String(bytes, StandardCharsets.UTF_8);
+        Optional<PictureSign> sign = PictureSign.in(bytes);
+        String what = sign.map(of -> of.obstacle(kind)).orElse(obstacle.get());
+        throw Complaint.badInput(file + ": " + what);
     }
 
     /**

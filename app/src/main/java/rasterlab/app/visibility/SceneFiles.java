@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
-import rasterlab.app.model.ModelFile;
+import rasterlab.app.model.ModelNotes;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
@@ -17,8 +17,6 @@ import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.scene.Finish;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
@@ -38,12 +36,17 @@ final class SceneFiles {
     /**
      * @param change what was read makes of the choice
      * @param problem in one line with the place in the file; "" if there was none
+     * @param notes what is told of a file that is shown; "" for nothing
      */
-    record Answer(UnaryOperator<VisibilityChoice> change, String problem) {}
+    record Answer(UnaryOperator<VisibilityChoice> change, String problem, String notes) {
+        Answer(UnaryOperator<VisibilityChoice> change, String problem) {
+            this(change, problem, "");
+        }
+    }
 
     /** What the user opens. */
     static Answer read(Path file) {
-        return read(file, () -> new Answer(opened(file), ""), "");
+        return read(file, () -> isModel(file) ? model(file) : new Answer(opened(file), ""), "");
     }
 
     /** What an earlier run showed. */
@@ -61,6 +64,10 @@ final class SceneFiles {
         }
     }
 
+    private static boolean isModel(Path file) {
+        return lowerCase(file).endsWith(MODEL);
+    }
+
     private static boolean isScene(Path file) {
         return lowerCase(file).endsWith(SceneText.EXTENSION);
     }
@@ -72,10 +79,6 @@ final class SceneFiles {
     private static UnaryOperator<VisibilityChoice> opened(Path file) {
         String name = lowerCase(file);
         if (isScene(file)) return seen(file, SceneText.view(file));
-        if (name.endsWith(MODEL)) {
-            SceneChoice model = model(file);
-            return choice -> choice.with(model);
-        }
         if (Files.isDirectory(file)) FileToRead.require(file, FileKind.SCENE);
         if (!name.matches(".*\\.(png|jpe?g|gif|bmp)"))
             throw Complaint.badInput(
@@ -87,9 +90,10 @@ final class SceneFiles {
         return choice -> choice.with(choice.shown().covered(file, texture), choice.camera());
     }
 
-    private static SceneChoice model(Path file) {
-        Scene model = ModelFile.read(file, UpAxis.Z, note -> {});
-        return SceneChoice.opened(file, model);
+    private static Answer model(Path file) {
+        ModelNotes read = ModelNotes.read(file);
+        SceneChoice model = SceneChoice.opened(file, read.scene());
+        return new Answer(choice -> choice.with(model), "", read.told());
     }
 
     /**
@@ -98,7 +102,9 @@ final class SceneFiles {
      * @throws Complaint naming the file and the place in it
      */
     static SceneChoice scene(Path file) {
-        return isScene(file) ? held(file, SceneText.view(file).source()) : model(file);
+        return isScene(file)
+                ? held(file, SceneText.view(file).source())
+                : SceneChoice.opened(file, ModelNotes.read(file).scene());
     }
 
     private static SceneChoice held(Path file, SceneSource source) {

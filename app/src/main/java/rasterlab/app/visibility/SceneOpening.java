@@ -51,7 +51,9 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
         } catch (IllegalArgumentException e) {
             model.tellProblem(e.getMessage());
         }
-        return model.state().problem().isEmpty();
+        boolean shown = model.state().problem().isEmpty();
+        if (shown && !read.notes().isEmpty()) model.tellProblem(read.notes());
+        return shown;
     }
 
     @Override

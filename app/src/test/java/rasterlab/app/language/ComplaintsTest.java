@@ -28,8 +28,8 @@ class ComplaintsTest {
                         + " | $.far: должно быть число от −1000000 до 10³⁰, получено 1e309",
                 "RUSSIAN | zoom must be in [0.001, 1000.0], got -2.5E-7"
                         + " | увеличение должно быть в [0,001; 1000], получено −2,5·10⁻⁷",
-                "RUSSIAN | normal (0.0, -0.5, 2.0) has no direction"
-                        + " | нормаль (0; −0,5; 2) не имеет направления",
+                "RUSSIAN | corner 7: normal (0.0, -0.5, 2.0) must have length 1, got 2.5"
+                        + " | вершина 7: нормаль (0; −0,5; 2) должна иметь длину 1, получено 2,5",
                 "RUSSIAN | direction to the light must be finite and not zero, got (0.0, -0.5, NaN)"
                         + " | направление на источник должно быть конечным и не нулевым,"
                         + " получено (0; −0,5; NaN)",

@@ -94,7 +94,9 @@ class OpenedLitSceneTest {
         OpenedLitScene opened = OpenedLitScene.read(file, before);
         assertEquals(before, opened.choice().with(before.body()));
         assertEquals(4, opened.choice().body().scene().mesh().faceCount());
-        assertEquals(List.of(), opened.notes());
+        assertEquals(
+                file + ": y is taken to point up; ./lab render --up z draws it with z up",
+                opened.told(file));
         LightChoice again = OpenedLitScene.again(file, before).choice();
         assertEquals("Pyramid.OBJ", again.body().name());
     }
@@ -106,7 +108,7 @@ class OpenedLitSceneTest {
                 "notes.txt | unknown extension; allowed are .obj and .scene.json",
                 "empty | unknown extension; allowed are .obj and .scene.json",
                 "a.scene.json | the file is empty; a scene file is an object {…}",
-                "a.obj | no face with an area is in it",
+                "a.obj | no face with an area, no line and no point is in it",
             })
     void tellsWhatItOpens(String name, String why) throws Exception {
         Path file = Files.writeString(folder.resolve(name), name.equals("notes.txt") ? "a" : "");

@@ -47,7 +47,11 @@ class UnusableFilesTest {
                 argumentSet("binary scene", "b.scene.json", "\u00ff\u00fe\u0000\u0001", "UTF-8"),
                 argumentSet("binary model", "b.obj", "\u0001\u0002\u00ff\n\u0003", "b.obj"),
                 argumentSet("empty scene", "c.scene.json", "", "the file is empty"),
-                argumentSet("empty model", "c.obj", "", "no face with an area is in it"));
+                argumentSet(
+                        "empty model",
+                        "c.obj",
+                        "",
+                        "no face with an area, no line and no point is in it"));
     }
 
     @ParameterizedTest(name = "{argumentSetName} is opened, thrown or not told")

@@ -19,12 +19,21 @@ import rasterlab.engine.geometry.Orientation;
 public final class MeetingEdges {
     private final double[] x;
     private final double[] y;
+    private final int[] from;
+    private final int[] to;
+
+    /** The edges at each corner. */
+    private final int[][] at;
+
     private final TreeSet<Integer> crossed = new TreeSet<>(this::compare);
     private Optional<Pair> found = Optional.empty();
 
-    private MeetingEdges(double[] x, double[] y) {
+    private MeetingEdges(double[] x, double[] y, int[] from, int[] to, int[][] at) {
         this.x = x;
         this.y = y;
+        this.from = from;
+        this.to = to;
+        this.at = at;
     }
 
     /**
@@ -43,7 +52,39 @@ public final class MeetingEdges {
      * @param y as many
      */
     public static Optional<Pair> of(double[] x, double[] y) {
-        return new MeetingEdges(x, y).sweep();
+        int n = x.length;
+        int[] from = new int[n];
+        int[] to = new int[n];
+        int[][] at = new int[n][];
+        for (int i = 0; i < n; i++) {
+            from[i] = i;
+            to[i] = (i + 1) % n;
+            at[i] = new int[] {(i + n - 1) % n, i};
+        }
+        return new MeetingEdges(x, y, from, to, at).sweep();
+    }
+
+    /**
+     * The same of any edges: edge i joins corner from[i] to corner to[i].
+     *
+     * @param x of the corners, finite, no two in one place
+     * @param y as many
+     * @param from the corner where each edge begins
+     * @param to where it ends, another one; no two edges join the same corners
+     */
+    public static Optional<Pair> of(double[] x, double[] y, int[] from, int[] to) {
+        int[] count = new int[x.length];
+        for (int e = 0; e < from.length; e++) {
+            count[from[e]]++;
+            count[to[e]]++;
+        }
+        int[][] at = new int[x.length][];
+        for (int i = 0; i < x.length; i++) at[i] = new int[count[i]];
+        for (int e = 0; e < from.length; e++) {
+            at[from[e]][--count[from[e]]] = e;
+            at[to[e]][--count[to[e]]] = e;
+        }
+        return new MeetingEdges(x, y, from, to, at).sweep();
     }
 
     private Optional<Pair> sweep() {
@@ -59,11 +100,8 @@ public final class MeetingEdges {
     }
 
     private void visit(int corner) {
-        int before = (corner + x.length - 1) % x.length;
-        if (first(before) != corner) remove(before);
-        if (first(corner) != corner) remove(corner);
-        if (first(before) == corner) insert(before);
-        if (first(corner) == corner) insert(corner);
+        for (int edge : at[corner]) if (first(edge) != corner) remove(edge);
+        for (int edge : at[corner]) if (first(edge) == corner) insert(edge);
     }
 
     private void insert(int edge) {
@@ -83,13 +121,11 @@ public final class MeetingEdges {
 
     /** The end of an edge that the sweep meets first. */
     private int first(int edge) {
-        int next = (edge + 1) % x.length;
-        return before(edge, next) ? edge : next;
+        return before(from[edge], to[edge]) ? from[edge] : to[edge];
     }
 
     private int last(int edge) {
-        int next = (edge + 1) % x.length;
-        return before(edge, next) ? next : edge;
+        return before(from[edge], to[edge]) ? to[edge] : from[edge];
     }
 
     private boolean before(int one, int other) {
@@ -123,8 +159,10 @@ public final class MeetingEdges {
     }
 
     private boolean neighbours(int one, int other) {
-        int apart = Math.abs(one - other);
-        return apart == 1 || apart == x.length - 1;
+        return from[one] == from[other]
+                || from[one] == to[other]
+                || to[one] == from[other]
+                || to[one] == to[other];
     }
 
     /** Whether two edges with a shared corner run back over each other. */

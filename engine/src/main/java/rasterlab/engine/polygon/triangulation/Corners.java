@@ -23,7 +23,7 @@ final class Corners {
     }
 
     /**
-     * Reads the corners of a simple polygon, whichever way round.
+     * Reads the corners of a simple polygon, whichever way round, or of one with {@link Bridges}.
      *
      * @param most the most corners the method takes
      * @throws IllegalArgumentException if a coordinate is not finite, fewer than 3 or more than
@@ -31,6 +31,11 @@ final class Corners {
      */
     static Corners ofSimple(double[] x, double[] y, int most) {
         Corners corners = distinct(x, y, most);
+        var places = Places.of(corners);
+        if (places.shared()) {
+            boolean clockwise = new Bridges(corners, places).requireUsable();
+            return clockwise ? corners.reversed() : corners;
+        }
         MeetingEdges.of(corners.x, corners.y)
                 .ifPresent(
                         pair -> {
@@ -72,7 +77,7 @@ final class Corners {
         return Arrays.stream(number).mapToDouble(i -> values[i]).toArray();
     }
 
-    private IllegalArgumentException meeting(MeetingEdges.Pair pair) {
+    IllegalArgumentException meeting(MeetingEdges.Pair pair) {
         return new IllegalArgumentException(
                 "edges may meet only at the corner they share, but those from corners "
                         + number[pair.one()]

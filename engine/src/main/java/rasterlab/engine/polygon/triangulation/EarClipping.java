@@ -26,27 +26,43 @@ public final class EarClipping implements SteppedTriangulator {
     private static final class Walk implements TriangleWalk {
         private final EarRing ring;
         private final ArrayDeque<Integer> toTry = new ArrayDeque<>();
+        private final int all;
+        private boolean cutSince;
         private int a;
         private int b;
         private int c;
 
         Walk(Corners corners) {
             ring = new EarRing(corners);
-            for (int i = 0; i < corners.size(); i++) toTry.add(i);
+            tryAll(corners.size());
+            all = corners.size();
+        }
+
+        private void tryAll(int corners) {
+            for (int i = 0; i < corners; i++) if (ring.contains(i)) toTry.add(i);
+            cutSince = false;
         }
 
         @Override
         public boolean advance() {
             if (ring.size() < 3) return false;
-            int ear = toTry.remove();
-            while (!ring.contains(ear) || !ring.isEar(ear)) ear = toTry.remove();
+            int ear = next();
+            while (!ring.contains(ear) || !ring.isEar(ear)) ear = next();
+            cutSince = true;
             a = ring.previous(ear);
             b = ear;
             c = ring.next(ear);
-            ring.cut(ear);
-            toTry.add(a);
-            toTry.add(c);
+            for (int changed : ring.cut(ear)) toTry.add(changed);
             return true;
+        }
+
+        /** Of a simple polygon some corner to be tried is always an ear. */
+        private int next() {
+            if (toTry.isEmpty()) {
+                if (!cutSince) throw EarRing.crosswise();
+                tryAll(all);
+            }
+            return toTry.remove();
         }
 
         @Override

@@ -32,19 +32,29 @@ final class ShortestDiagonal implements SteppedTriangulator {
         Walk(Corners corners) {
             ring = new EarRing(corners);
             ear = new boolean[corners.size()];
-            for (int i = 0; i < ear.length; i++) ear[i] = ring.isEar(i);
+            findEars();
+            start = 0;
+            while (!ring.contains(start)) start++;
+        }
+
+        private void findEars() {
+            for (int i = 0; i < ear.length; i++) ear[i] = ring.contains(i) && ring.isEar(i);
         }
 
         @Override
         public boolean advance() {
             if (ring.size() < 3) return false;
             b = shortest();
+            if (b < 0) {
+                findEars();
+                b = shortest();
+            }
+            if (b < 0) throw EarRing.crosswise();
             a = ring.previous(b);
             c = ring.next(b);
-            ring.cut(b);
-            ear[a] = ring.isEar(a);
-            ear[c] = ring.isEar(c);
-            if (b == start) start = c;
+            for (int changed : ring.cut(b))
+                ear[changed] = ring.contains(changed) && ring.isEar(changed);
+            for (int i = start; !ring.contains(start); ) start = ++i % ear.length;
             return true;
         }
 
@@ -60,7 +70,6 @@ final class ShortestDiagonal implements SteppedTriangulator {
                     least = diagonal;
                 }
             }
-            if (best < 0) throw new AssertionError("a simple polygon without an ear");
             return best;
         }
 

@@ -20,6 +20,9 @@ final class TriangulateHazards {
     /** Found by trying random polygons; its three corners 2, 3, 0 have corner 1 between them. */
     private static final Points ARROW = Points.of(5, 6, 6, 4, 4, 3, 8, 1);
 
+    private static final Points KEYHOLE =
+            Points.of(0, 0, 6, 0, 6, 6, 0, 6, 0, 0, 2, 2, 2, 4, 4, 4, 4, 2, 2, 2);
+
     private static final Points PENTAGRAM = Points.of(0, 10, -6, -8, 10, 3, -10, 3, 6, -8);
 
     private TriangulateHazards() {}
@@ -100,6 +103,16 @@ final class TriangulateHazards {
                         "crossing-edges",
                         "A five-pointed star crosses itself; no set of its triangles is it.",
                         PENTAGRAM,
+                        recorded(REFUSED, WRONG, REFUSED, REFUSED)),
+                hazard(
+                        "keyhole",
+                        "A hole joined to the outside by a bridge, gone along once each way.",
+                        KEYHOLE,
+                        recorded(REFUSED, WRONG, EXACT, EXACT)),
+                hazard(
+                        "hole-the-wrong-way",
+                        "The hole is gone round the same way as the outside: its inside twice.",
+                        Points.of(0, 0, 6, 0, 6, 6, 0, 6, 0, 0, 2, 2, 4, 2, 4, 4, 2, 4, 2, 2),
                         recorded(REFUSED, WRONG, REFUSED, REFUSED)),
                 hazard(
                         "touching-corner",

@@ -6,6 +6,7 @@ public final class BrokenFileException extends Exception {
 
     private final String file;
     private final int line;
+    private final String problem;
 
     /**
      * @param file its name, as the caller or the model's file gave it
@@ -16,6 +17,12 @@ public final class BrokenFileException extends Exception {
         super(line == 0 ? file + ": " + problem : file + ":" + line + ": " + problem);
         this.file = file;
         this.line = line;
+        this.problem = problem;
+    }
+
+    /** The message without file and line. */
+    public String problem() {
+        return problem;
     }
 
     public String file() {

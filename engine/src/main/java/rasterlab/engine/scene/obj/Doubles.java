@@ -20,6 +20,10 @@ final class Doubles {
         return size;
     }
 
+    void clear() {
+        size = 0;
+    }
+
     double[] all() {
         return Arrays.copyOf(values, size);
     }

@@ -6,7 +6,8 @@ import rasterlab.engine.scene.Mesh;
 
 /**
  * Makes faces that a {@link Mesh} takes out of any: flat convex ones stay, others are cut into
- * triangles, seen along their normal's largest coordinate, and what has no area is left out.
+ * triangles, seen along their normal's largest coordinate, and what has no area is left out. What
+ * cannot be cut so, since it crosses itself or has too many corners, becomes a fan.
  */
 final class FaceCutter {
     /** Cutting takes time of up to the square of the corners. */
@@ -20,6 +21,7 @@ final class FaceCutter {
     private final Doubles positions;
     private final Faces faces;
     private final double[] normal = new double[3];
+    private boolean cancelsOut;
 
     FaceCutter(TextLines lines, Notes notes, Doubles positions, Faces faces) {
         this.lines = lines;
@@ -28,18 +30,15 @@ final class FaceCutter {
         this.faces = faces;
     }
 
-    void add(FaceLine line, int material, int smoothing) throws BrokenFileException {
+    void add(FaceLine line, int material, int smoothing) {
         int[] corners = apart(line);
-        if (!hasArea(line, corners)) {
+        boolean area = hasArea(line, corners);
+        if (!area && !cancelsOut) {
             leaveOut("face");
-        } else if (isTaken(line, corners)) {
+        } else if (area && isTaken(line, corners)) {
             keep(line, corners, material, smoothing);
         } else {
-            int[] triples = triangles(line, corners);
-            notes.count(
-                    "a face that is not flat or not convex was cut into triangles",
-                    lines.file(),
-                    lines.number());
+            int[] triples = area ? triangles(line, corners) : fan(corners.length);
             for (int i = 0; i < triples.length; i += 3) {
                 int[] triangle = {
                     corners[triples[i]], corners[triples[i + 1]], corners[triples[i + 2]]
@@ -50,8 +49,21 @@ final class FaceCutter {
         }
     }
 
+    private int[] fan(int corners) {
+        notes.count(
+                "a face that crosses itself, or has too many corners to be cut, was drawn as a fan"
+                        + " of triangles",
+                lines);
+        int[] triples = new int[3 * (corners - 2)];
+        for (int t = 0; t < corners - 2; t++) {
+            triples[3 * t + 1] = t + 1;
+            triples[3 * t + 2] = t + 2;
+        }
+        return triples;
+    }
+
     private void leaveOut(String what) {
-        notes.count(what + " without area was left out", lines.file(), lines.number());
+        notes.count(what + " without area was left out", lines);
     }
 
     private void keep(FaceLine line, int[] corners, int material, int smoothing) {
@@ -81,7 +93,7 @@ final class FaceCutter {
      * Sums the fan's cross products into {@link #normal}. Where they cancel out though the corners
      * do not lie on one line, the face covers as much from either side.
      */
-    private boolean hasArea(FaceLine line, int[] corners) throws BrokenFileException {
+    private boolean hasArea(FaceLine line, int[] corners) {
         Arrays.fill(normal, 0);
         double size = 0;
         double sum = 0;
@@ -96,8 +108,7 @@ final class FaceCutter {
             sum += Math.sqrt(square(cross));
         }
         boolean area = Math.sqrt(square(normal)) > TOLERANCE * size;
-        if (!area && sum > 2 * TOLERANCE * size)
-            throw lines.broken("face crosses itself: seen from anywhere its parts cancel out");
+        cancelsOut = !area && sum > 2 * TOLERANCE * size;
         return area;
     }
 
@@ -125,11 +136,8 @@ final class FaceCutter {
         }
     }
 
-    private int[] triangles(FaceLine line, int[] corners) throws BrokenFileException {
-        if (corners.length > MOST_CORNERS)
-            throw lines.broken(
-                    "a face that is not flat or not convex may have %d corners, got %d"
-                            .formatted(MOST_CORNERS, corners.length));
+    private int[] triangles(FaceLine line, int[] corners) {
+        if (corners.length > MOST_CORNERS) return fan(corners.length);
         int away = 0;
         for (int axis = 1; axis < 3; axis++)
             if (Math.abs(normal[axis]) > Math.abs(normal[away])) away = axis;
@@ -142,9 +150,11 @@ final class FaceCutter {
             y[k] = at(line, corners[k], up);
         }
         try {
-            return new EarClipping().triangulate(x, y);
+            int[] triples = new EarClipping().triangulate(x, y);
+            notes.count("a face that is not flat or not convex was cut into triangles", lines);
+            return triples;
         } catch (IllegalArgumentException refused) {
-            throw lines.broken("face cannot be cut into triangles: " + refused.getMessage());
+            return fan(corners.length);
         }
     }
 }

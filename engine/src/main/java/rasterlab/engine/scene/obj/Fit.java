@@ -1,97 +1,61 @@
 package rasterlab.engine.scene.obj;
 
-import rasterlab.engine.scene.Mesh;
-
 /**
- * Moves the middle of a model's bounding box to the origin and scales it by a power of two so that
- * its farthest vertex is more than {@value #RADIUS}/2 and at most {@value #RADIUS} world units
- * away. Scaling by a power of two rounds nothing.
+ * Moves the middle of a model's bounding box to the origin and scales it so that its farthest
+ * vertex is {@value #RADIUS} world units away, or up to a thousandth less: the factor has ten
+ * binary digits, so that scaling rounds nothing of coordinates that have at most 43.
  */
 final class Fit {
     static final double RADIUS = 100;
 
-    private Fit() {}
+    private static final int DIGITS = 10;
 
-    static Mesh into(ObjModel model, UpAxis up) {
-        int[][] faces = new int[model.faceCount()][];
-        int corners = 0;
-        for (int f = 0; f < faces.length; f++) {
-            faces[f] = new int[model.cornerCount(f)];
-            for (int k = 0; k < faces[f].length; k++) faces[f][k] = model.position(f, k);
-            corners += faces[f].length;
-        }
-        Mesh mesh =
-                new Mesh(up.toScene(fitted(model.positions(), faces)), faces)
-                        .withNormals(up.toScene(normals(model, corners)));
-        return hasTexture(model) ? mesh.withTexture(texture(model, corners)) : mesh;
-    }
+    private final double[] xyz;
+    private final double[] middle = new double[3];
+    private final double scale;
 
-    /** Only vertices that a face has count; others stay where no one looks. */
-    private static double[] fitted(double[] xyz, int[][] faces) {
-        double[] middle = middle(xyz, faces);
+    /**
+     * @param xyz coordinates of vertices
+     * @param used the numbers of those that something is drawn at; others stay where no one looks
+     * @throws IllegalArgumentException if the model is too small to be scaled
+     */
+    Fit(double[] xyz, int[] used) {
+        this.xyz = xyz;
+        for (int axis = 0; axis < 3; axis++) middle[axis] = middle(used, axis);
         double farthest = 0;
-        for (int[] face : faces)
-            for (int v : face)
-                farthest =
-                        Math.max(
-                                farthest,
-                                Math.hypot(
-                                        Math.hypot(
-                                                xyz[3 * v] - middle[0], xyz[3 * v + 1] - middle[1]),
-                                        xyz[3 * v + 2] - middle[2]));
-        double scale = Math.scalb(1.0, Math.getExponent(RADIUS / farthest));
+        for (int v : used)
+            farthest = Math.max(farthest, Math.hypot(Math.hypot(off(v, 0), off(v, 1)), off(v, 2)));
+        scale = farthest == 0 ? 1 : rounded(RADIUS / farthest);
         if (!(scale > 0 && scale < Double.POSITIVE_INFINITY))
             throw new IllegalArgumentException(
                     "model must have a radius that can be scaled to %s, got %s"
                             .formatted(RADIUS, farthest));
-        double[] fitted = new double[xyz.length];
-        for (int[] face : faces)
-            for (int v : face)
-                for (int i = 0; i < 3; i++)
-                    fitted[3 * v + i] = scale * (xyz[3 * v + i] - middle[i]);
-        return fitted;
     }
 
-    private static double[] middle(double[] xyz, int[][] faces) {
-        double[] middle = new double[3];
-        for (int i = 0; i < 3; i++) {
-            double low = Double.POSITIVE_INFINITY;
-            double high = Double.NEGATIVE_INFINITY;
-            for (int[] face : faces)
-                for (int v : face) {
-                    low = Math.min(low, xyz[3 * v + i]);
-                    high = Math.max(high, xyz[3 * v + i]);
-                }
-            middle[i] = low / 2 + high / 2;
+    private static double rounded(double scale) {
+        double unit = Math.scalb(1.0, Math.getExponent(scale) - DIGITS + 1);
+        return Math.floor(scale / unit) * unit;
+    }
+
+    private double middle(int[] used, int axis) {
+        double low = Double.POSITIVE_INFINITY;
+        double high = Double.NEGATIVE_INFINITY;
+        for (int v : used) {
+            low = Math.min(low, xyz[3 * v + axis]);
+            high = Math.max(high, xyz[3 * v + axis]);
         }
-        return middle;
+        return low / 2 + high / 2;
     }
 
-    private static double[] normals(ObjModel model, int corners) {
-        double[] all = model.normals();
-        double[] normals = new double[3 * corners];
-        int at = 0;
-        for (int f = 0; f < model.faceCount(); f++)
-            for (int k = 0; k < model.cornerCount(f); k++, at += 3)
-                System.arraycopy(all, 3 * model.normal(f, k), normals, at, 3);
-        return normals;
+    private double off(int vertex, int axis) {
+        return xyz[3 * vertex + axis] - middle[axis];
     }
 
-    private static boolean hasTexture(ObjModel model) {
-        for (int f = 0; f < model.faceCount(); f++) if (model.texturePlace(f, 0) >= 0) return true;
-        return false;
-    }
-
-    /** (0, 0) where a corner has no place. */
-    private static double[] texture(ObjModel model, int corners) {
-        double[] all = model.texturePlaces();
-        double[] texture = new double[2 * corners];
-        int at = 0;
-        for (int f = 0; f < model.faceCount(); f++)
-            for (int k = 0; k < model.cornerCount(f); k++, at += 2) {
-                int place = model.texturePlace(f, k);
-                if (place >= 0) System.arraycopy(all, 2 * place, texture, at, 2);
-            }
-        return texture;
+    /** The fitted coordinates of all vertices; 0 of those that are not used. */
+    double[] fitted(int[] used) {
+        double[] fitted = new double[xyz.length];
+        for (int v : used)
+            for (int axis = 0; axis < 3; axis++) fitted[3 * v + axis] = scale * off(v, axis);
+        return fitted;
     }
 }

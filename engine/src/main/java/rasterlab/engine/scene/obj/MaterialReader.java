@@ -5,13 +5,10 @@ import java.io.Reader;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
-/** Reads the materials of one MTL file. */
+/** Reads the materials of one MTL file, by the rules of {@link ReadingRules#MATERIALS}. */
 final class MaterialReader {
-    private static final double BRIGHTEST = 1e6;
-    private static final double SHARPEST = 1000;
-    private static final int LAST_ILLUMINATION = 10;
-
     private final TextLines lines;
     private final Words words;
     private final Notes notes;
@@ -20,7 +17,7 @@ final class MaterialReader {
     private MaterialReader(TextLines lines, Notes notes) {
         this.lines = lines;
         this.notes = notes;
-        words = new Words(lines);
+        words = new Words(lines, notes);
     }
 
     static List<ObjMaterial> read(String file, Reader reader, Notes notes)
@@ -29,62 +26,73 @@ final class MaterialReader {
         var materials = new MaterialReader(lines, notes);
         while (lines.advance()) {
             materials.words.divide();
-            if (materials.words.count() > 0) materials.line();
+            if (materials.words.count() > 0) materials.line(materials.words.get(0));
         }
         return materials.read.stream().map(MaterialValues::material).toList();
     }
 
-    private void line() throws BrokenFileException {
-        String keyword = words.get(0);
-        if (keyword.equals("newmtl")) read.add(new MaterialValues(words.name()));
+    private void line(String keyword) throws BrokenFileException {
+        Optional<Rule> rule = ReadingRules.ofMaterials(keyword);
+        if (rule.isEmpty()) notes.countKeyword(keyword, lines);
+        else if (rule.get().passesOver())
+            notes.count("'%s' was passed over".formatted(rule.get().keyword()), lines);
+        else if (rule.get().keyword().equals("newmtl")) name();
         else if (read.isEmpty())
-            throw lines.broken(
-                    "'%s' comes before the first 'newmtl'".formatted(Words.shown(keyword)));
-        else value(keyword, read.get(read.size() - 1));
+            notes.count(
+                    "'%s' before the first 'newmtl' was passed over"
+                            .formatted(rule.get().keyword()),
+                    lines);
+        else value(rule.get(), read.get(read.size() - 1));
     }
 
-    private void value(String keyword, MaterialValues material) throws BrokenFileException {
-        switch (keyword) {
-            case "Ka" -> material.ambient = color(1);
-            case "Kd" -> material.diffuse = color(1);
-            case "Ks" -> material.specular = color(1);
-            case "Ke" -> material.emitted = color(BRIGHTEST);
-            case "Ns" -> material.shininess = one(SHARPEST);
-            case "d" -> material.opacity = one(1);
-            case "Tr" -> material.opacity = 1 - one(1);
-            case "illum" -> material.illumination = illumination();
-            case "map_Kd" -> material.diffuseMap = Optional.of(map());
-            default -> notes.countKeyword(keyword, lines);
+    private void name() {
+        String name = words.name(1);
+        if (name.isEmpty()) notes.count("'newmtl' has no name", lines);
+        read.add(new MaterialValues(name));
+    }
+
+    private void value(Rule rule, MaterialValues material) throws BrokenFileException {
+        switch (rule.keyword()) {
+            case "Ka" -> material.ambient = color(rule, material.ambient);
+            case "Kd" -> material.diffuse = color(rule, material.diffuse);
+            case "Ks" -> material.specular = color(rule, material.specular);
+            case "Ke" -> material.emitted = color(rule, material.emitted);
+            case "Ns" -> material.shininess = words.number(1, rule);
+            case "d" -> opacity(rule, material);
+            case "Tr" -> material.transparency = OptionalDouble.of(words.number(1, rule));
+            case "illum" -> material.illumination = illumination(rule);
+            case "map_Kd" -> {
+                Optional<ObjMaterial.Map> map = new MapOptions(lines, words, notes).read();
+                if (map.isPresent()) material.diffuseMap = map;
+            }
+            default -> throw new AssertionError("no reader for " + rule);
         }
     }
 
-    /** Three numbers, or one for all three. */
-    private List<Double> color(double most) throws BrokenFileException {
-        if (words.count() != 2) words.requireArguments(3, 3);
-        int last = words.count() - 1;
+    /** Three numbers, or one for all three; else the colour stays. */
+    private List<Double> color(Rule rule, List<Double> before) throws BrokenFileException {
+        int last = words.count() == 2 ? 1 : 3;
+        for (int i = 1; i <= last; i++)
+            if (Double.isNaN(words.value(i))) {
+                words.noteUnread(i, rule);
+                return before;
+            }
         return List.of(
-                words.number(1, most),
-                words.number(Math.min(2, last), most),
-                words.number(Math.min(3, last), most));
+                words.number(1, rule),
+                words.number(Math.min(2, last), rule),
+                words.number(Math.min(3, last), rule));
     }
 
-    private double one(double most) throws BrokenFileException {
-        words.requireArguments(1, 1);
-        return words.number(1, most);
+    private void opacity(Rule rule, MaterialValues material) throws BrokenFileException {
+        boolean halo = words.count() > 1 && words.get(1).equals("-halo");
+        if (halo) notes.count("option '-halo' was passed over", lines);
+        material.opacity = OptionalDouble.of(words.number(halo ? 2 : 1, rule));
     }
 
-    private int illumination() throws BrokenFileException {
-        double number = one(LAST_ILLUMINATION);
-        if (number != Math.rint(number))
-            throw lines.broken("'illum' needs a whole number, got '" + words.get(1) + "'");
-        return (int) number;
-    }
-
-    /** Options would change how the texture lies, so they are refused, not passed over. */
-    private ObjMaterial.Map map() throws BrokenFileException {
-        String name = words.name();
-        if (name.startsWith("-"))
-            throw lines.broken("'map_Kd' is read without options, got '" + Words.shown(name) + "'");
-        return new ObjMaterial.Map(name, lines.file() + ":" + lines.number());
+    private int illumination(Rule rule) throws BrokenFileException {
+        double number = words.number(1, rule);
+        if (number == Math.rint(number)) return (int) number;
+        words.noteUnread(1, rule);
+        return (int) rule.numberInstead();
     }
 }

@@ -2,24 +2,27 @@ package rasterlab.engine.scene.obj;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** A material while its file is read; where the file says nothing, the values here stay. */
 final class MaterialValues {
     final String name;
-    List<Double> ambient = grey(0.2);
-    List<Double> diffuse = grey(0.8);
-    List<Double> specular = grey(0);
-    List<Double> emitted = grey(0);
-    double shininess;
-    double opacity = 1;
+    List<Double> ambient = grey(ReadingRules.AMBIENT);
+    List<Double> diffuse = grey(ReadingRules.DIFFUSE);
+    List<Double> specular = grey(ReadingRules.SPECULAR);
+    List<Double> emitted = grey(ReadingRules.EMITTED);
+    double shininess = ReadingRules.SHININESS.numberInstead();
+    OptionalDouble opacity = OptionalDouble.empty();
+    OptionalDouble transparency = OptionalDouble.empty();
     Optional<ObjMaterial.Map> diffuseMap = Optional.empty();
-    int illumination = 2;
+    int illumination = (int) ReadingRules.ILLUMINATION.numberInstead();
 
     MaterialValues(String name) {
         this.name = name;
     }
 
-    private static List<Double> grey(double level) {
+    private static List<Double> grey(Rule rule) {
+        double level = rule.numberInstead();
         return List.of(level, level, level);
     }
 
@@ -31,7 +34,7 @@ final class MaterialValues {
                 specular,
                 emitted,
                 shininess,
-                opacity,
+                opacity.orElse(1 - transparency.orElse(0)),
                 diffuseMap,
                 illumination);
     }

@@ -3,21 +3,38 @@ package rasterlab.engine.scene.obj;
 import java.io.IOException;
 import java.io.Reader;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 
-/** The materials of a model, numbered in the order they are read. */
+/**
+ * The materials of a model, numbered in the order they are read.
+ *
+ * <p>Names that differ are different materials, those that no file has too. Only where no material
+ * has a name, it is looked for without what may be a comment.
+ */
 final class Materials {
-    private static final int MOST_NAMED = 20;
+    /** An opacity below this changes no level of a picture. */
+    private static final double LEAST_SEEN = 0.5 / 255;
 
     private final TextLines lines;
     private final MaterialFiles files;
     private final Notes notes;
     private final List<ObjMaterial> all = new ArrayList<>();
     private final Map<String, Integer> numbers = new HashMap<>();
+
+    /** Materials by their names without what may be a comment; none where two have the same. */
+    private final Map<String, Integer> bare = new HashMap<>();
+
+    /** Of materials that are named and not there: the first line that names each, and how many. */
+    private final Map<Integer, StandIn> standIns = new TreeMap<>();
+
     private int unnamed = Faces.NONE;
+
+    private record StandIn(int line, int uses) {}
 
     Materials(TextLines lines, MaterialFiles files, Notes notes) {
         this.lines = lines;
@@ -26,64 +43,105 @@ final class Materials {
     }
 
     /** Reads the files of a line mtllib: one whose name has blanks, or several. */
-    void read(Words words) throws IOException, BrokenFileException {
-        if (words.count() == 2 || !readIfThere(words.name()))
-            for (int i = 1; i < Math.max(2, words.count()); i++) {
-                String name = i < words.count() ? words.get(i) : words.name();
-                if (!readIfThere(name))
-                    throw lines.broken("there is no material file '" + Words.shown(name) + "'");
-            }
+    void read(Words words) throws IOException {
+        for (String name : words.names(1)) if (readIfThere(name)) return;
+        boolean several = words.count() > 2;
+        for (int i = 1; several && i < words.count(); i++)
+            if (!readIfThere(words.get(i))) noteMissingFile(words.get(i));
+        if (!several) noteMissingFile(words.name(1));
     }
 
-    private boolean readIfThere(String name) throws IOException, BrokenFileException {
-        Optional<Reader> found = opened(name);
+    private void noteMissingFile(String name) {
+        notes.count(
+                "missing material file",
+                name.isEmpty()
+                        ? "'mtllib' has no name"
+                        : "there is no material file '%s'; it was passed over"
+                                .formatted(Words.shown(name)),
+                lines);
+    }
+
+    private boolean readIfThere(String name) throws IOException {
+        if (name.isEmpty()) return false;
+        Optional<Reader> found;
+        try {
+            found = files.open(name);
+        } catch (IOException e) {
+            noteUnread(name, e.getMessage());
+            return true;
+        }
         if (found.isEmpty()) return false;
         try (Reader reader = found.get()) {
             for (ObjMaterial material : MaterialReader.read(name, reader, notes)) add(material);
+        } catch (BrokenFileException e) {
+            noteUnread(name, e.getMessage());
         }
         return true;
     }
 
-    private Optional<Reader> opened(String name) throws BrokenFileException {
-        try {
-            return files.open(name);
-        } catch (IOException e) {
-            throw lines.broken(
-                    "material file '%s' cannot be read: %s"
-                            .formatted(Words.shown(name), e.getMessage()));
-        }
+    private void noteUnread(String name, String reason) {
+        notes.count(
+                "unread material file",
+                "material file '%s' was passed over: %s".formatted(Words.shown(name), reason),
+                lines);
     }
 
     private void add(ObjMaterial material) {
-        if (numbers.putIfAbsent(material.name(), all.size()) == null) all.add(material);
-        else
-            notes.count(
-                    "a material of a name that was there before was passed over",
-                    lines.file(),
-                    lines.number());
+        int number = numbers.computeIfAbsent(material.name(), name -> all.size());
+        if (number == all.size()) all.add(material);
+        else if (standIns.remove(number) != null) all.set(number, material);
+        else {
+            notes.count("a material of a name that was there before was passed over", lines);
+            return;
+        }
+        bare.merge(bare(material.name()), number, (one, other) -> Faces.NONE);
     }
 
-    int numberOf(String name) throws BrokenFileException {
-        Integer number = numbers.get(name);
-        if (number == null) throw lines.broken(unknown(name));
-        return number;
+    private static String bare(String name) {
+        return name.replaceFirst("[ \\t]+#.*", "");
     }
 
-    private String unknown(String name) {
-        String start = "there is no material '" + Words.shown(name) + "'";
-        List<String> known = new ArrayList<>();
-        for (ObjMaterial material : all)
-            if (known.size() < MOST_NAMED && !material.name().isEmpty())
-                known.add(Words.shown(material.name()));
-        if (known.isEmpty()) return start + ", and no 'mtllib' above names a file that has any";
-        return start + "; the files above have " + String.join(", ", known);
+    /** The number of the material that a line usemtl names. */
+    int numberOf(Words words) {
+        String name = words.name(1);
+        Integer known = numbers.get(name);
+        if (known == null) {
+            int meant = bare.getOrDefault(bare(name), Faces.NONE);
+            if (meant != Faces.NONE) return meant;
+            known = all.size();
+            numbers.put(name, known);
+            all.add(ObjMaterial.standard(name));
+            standIns.put(known, new StandIn(lines.number(), 0));
+        }
+        standIns.computeIfPresent(known, (n, was) -> new StandIn(was.line(), was.uses() + 1));
+        return known;
+    }
+
+    /** A material may stand in a file that is named below its use, so this is known at the end. */
+    void noteMissing() {
+        long uses = standIns.values().stream().mapToInt(StandIn::uses).sum();
+        standIns.entrySet().stream()
+                .min(Comparator.comparing(entry -> entry.getValue().line()))
+                .ifPresent(
+                        first ->
+                                notes.countAt(
+                                        lines.file() + ":" + first.getValue().line(),
+                                        unknown(all.get(first.getKey()).name()),
+                                        uses));
+    }
+
+    private static String unknown(String name) {
+        return name.isEmpty()
+                ? "'usemtl' has no name; the default material stands for it"
+                : "there is no material '%s'; the default one stands for it"
+                        .formatted(Words.shown(name));
     }
 
     /** The number of the material for faces above the first usemtl. */
     int unnamed() {
         if (unnamed == Faces.NONE) {
             unnamed = all.size();
-            all.add(ObjMaterial.unnamed());
+            all.add(ObjMaterial.standard(""));
         }
         return unnamed;
     }
@@ -93,10 +151,29 @@ final class Materials {
         for (int f = 0; f < faces.count(); f++)
             if (faces.texture(f, 0) == Faces.NONE
                     && all.get(faces.material(f)).diffuseMap().isPresent())
-                notes.count(
-                        "a face without texture coordinates, whose material has a texture, took 0, 0",
+                notes.countIn(
                         lines.file(),
-                        0);
+                        "a face without texture coordinates, whose material has a texture, took 0, 0");
+    }
+
+    /** Where nothing would be seen, everything becomes opaque; where some would not, it is told. */
+    void showWhatVanishes(Faces faces) {
+        int vanishing = 0;
+        for (int f = 0; f < faces.count(); f++)
+            if (all.get(faces.material(f)).opacity() < LEAST_SEEN) vanishing++;
+        if (vanishing == 0) return;
+        if (vanishing < faces.count()) {
+            for (int f = 0; f < faces.count(); f++)
+                if (all.get(faces.material(f)).opacity() < LEAST_SEEN)
+                    notes.countIn(
+                            lines.file(),
+                            "a face that 'd' or 'Tr' makes transparent altogether is not seen");
+            return;
+        }
+        notes.countIn(
+                lines.file(),
+                "'d' or 'Tr' makes all faces transparent altogether; they are drawn opaque");
+        all.replaceAll(ObjMaterial::opaque);
     }
 
     List<ObjMaterial> all() {

@@ -8,9 +8,9 @@ import java.util.TreeMap;
 import rasterlab.engine.light.normals.WeightedNormals;
 
 /**
- * Normals for the corners that name none: those of the smooth surface that the faces of one
- * smoothing group make, by angles, and the face's own where there is no group or the faces about
- * the vertex cancel out.
+ * Adds normals to the corners that name none: those of the smooth surface that the faces of one
+ * smoothing group make, by angles, and the face's own where there is no group, other corners of the
+ * face name one, or the faces about the vertex cancel out.
  */
 final class MissingNormals {
     private final double[] xyz;
@@ -34,8 +34,11 @@ final class MissingNormals {
     double[] complete() {
         Map<Integer, List<Integer>> groups = new TreeMap<>();
         for (int f = 0; f < faces.count(); f++) {
-            if (faces.normal(f, 0) != Faces.NONE) continue;
-            if (faces.smoothing(f) == 0) flat(f);
+            int missing = 0;
+            for (int k = 0; k < faces.corners(f); k++)
+                if (faces.normal(f, k) == Faces.NONE) missing++;
+            if (missing == 0) continue;
+            if (faces.smoothing(f) == 0 || missing < faces.corners(f)) flat(f);
             else groups.computeIfAbsent(faces.smoothing(f), key -> new ArrayList<>()).add(f);
         }
         groups.forEach(this::smooth);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 
 /** Counts what was passed over, by kind, with the place of the first. */
 final class Notes {
@@ -12,47 +13,74 @@ final class Notes {
 
     private static final String OTHERS = "other unknown keywords were passed over";
 
-    private final Map<String, Note> notes = new LinkedHashMap<>();
+    private final Map<Object, Note> notes = new LinkedHashMap<>();
 
     private static final class Note {
         private final String place;
+        private final String what;
         private long count;
 
-        Note(String place) {
+        Note(String place, String what) {
             this.place = place;
+            this.what = what;
         }
     }
 
     /**
      * @param what was done, in the past tense
-     * @param line where, or 0 for the file as a whole
      */
-    void count(String what, String file, int line) {
-        boolean room = notes.size() < MOST_KINDS || notes.containsKey(what);
-        notes.computeIfAbsent(
-                        room ? what : OTHERS, key -> new Note(line == 0 ? file : file + ":" + line))
-                .count++;
+    void count(String what, TextLines lines) {
+        count(what, what, lines);
+    }
+
+    /**
+     * @param kind what is counted together
+     * @param what was done with the first of the kind
+     */
+    void count(Object kind, String what, TextLines lines) {
+        count(kind, () -> what, lines);
+    }
+
+    /**
+     * @param what is asked for the first of the kind only
+     */
+    void count(Object kind, Supplier<String> what, TextLines lines) {
+        count(kind, what, lines.file() + ":" + lines.number());
+    }
+
+    /** Counts so many at once. */
+    void countAt(String place, String what, long times) {
+        count(what, () -> what, place);
+        notes.getOrDefault(what, notes.get(OTHERS)).count += times - 1;
+    }
+
+    /** Counts what is true of a file as a whole. */
+    void countIn(String file, String what) {
+        count(what, () -> what, file);
+    }
+
+    private void count(Object kind, Supplier<String> what, String place) {
+        Note known = notes.get(kind);
+        if (known == null && notes.size() < MOST_KINDS)
+            notes.put(kind, known = new Note(place, what.get()));
+        else if (known == null)
+            known = notes.computeIfAbsent(OTHERS, key -> new Note(place, OTHERS));
+        known.count++;
     }
 
     void countKeyword(String keyword, TextLines lines) {
-        count(
-                "unknown '" + Words.shown(keyword) + "' was passed over",
-                lines.file(),
-                lines.number());
+        count("unknown '" + Words.shown(keyword) + "' was passed over", lines);
     }
 
     List<String> all() {
         List<String> all = new ArrayList<>();
-        notes.forEach(
-                (what, note) ->
-                        all.add(
-                                "%s: %s%s"
-                                        .formatted(
-                                                note.place,
-                                                what,
-                                                note.count == 1
-                                                        ? ""
-                                                        : ", " + note.count + " times")));
+        for (Note note : notes.values())
+            all.add(
+                    "%s: %s%s"
+                            .formatted(
+                                    note.place,
+                                    note.what,
+                                    note.count == 1 ? "" : ", " + note.count + " times"));
         return List.copyOf(all);
     }
 }

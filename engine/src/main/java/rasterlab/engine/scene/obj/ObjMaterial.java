@@ -28,12 +28,26 @@ public record ObjMaterial(
         Optional<Map> diffuseMap,
         int illumination) {
     /**
-     * A texture.
+     * A texture, which stands at {@code s · scale + offset} of its picture, and t likewise.
      *
-     * @param file its name
+     * @param names its file's, as the material has it, and without what may be a comment
      * @param place the material file and the line that name it, for messages
+     * @param offset along s and t
+     * @param scale along s and t
+     * @param clamped whether its outermost texels go on instead of the picture again
      */
-    public record Map(String file, String place) {}
+    public record Map(
+            List<String> names,
+            String place,
+            List<Double> offset,
+            List<Double> scale,
+            boolean clamped) {
+        public Map {
+            names = List.copyOf(names);
+            offset = List.copyOf(offset);
+            scale = List.copyOf(scale);
+        }
+    }
 
     public ObjMaterial {
         ambient = List.copyOf(ambient);
@@ -42,8 +56,13 @@ public record ObjMaterial(
         emitted = List.copyOf(emitted);
     }
 
-    /** What faces have that no material is named for: light grey without a highlight. */
-    static ObjMaterial unnamed() {
-        return new MaterialValues("").material();
+    /** What faces have whose material is nowhere: light grey without a highlight. */
+    static ObjMaterial standard(String name) {
+        return new MaterialValues(name).material();
+    }
+
+    ObjMaterial opaque() {
+        return new ObjMaterial(
+                name, ambient, diffuse, specular, emitted, shininess, 1, diffuseMap, illumination);
     }
 }

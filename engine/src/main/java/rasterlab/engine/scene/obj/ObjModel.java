@@ -7,7 +7,8 @@ import rasterlab.engine.scene.TriangleMesh;
 
 /**
  * A model as it was read: flat convex faces with an area, the corners of each naming a position, a
- * normal and, where the file has them, texture coordinates; one material for each face.
+ * normal and, where the file has them, texture coordinates; lines and points; one material for
+ * each.
  */
 public final class ObjModel {
     private final double[] positions;
@@ -15,6 +16,7 @@ public final class ObjModel {
     private final double[] places;
     private final double[] normals;
     private final Faces faces;
+    private final Strokes strokes;
     private final List<ObjMaterial> materials;
     private final List<String> notes;
 
@@ -22,6 +24,7 @@ public final class ObjModel {
             Vertices vertices,
             double[] normals,
             Faces faces,
+            Strokes strokes,
             List<ObjMaterial> materials,
             List<String> notes) {
         positions = vertices.positions.all();
@@ -29,6 +32,7 @@ public final class ObjModel {
         places = vertices.places.all();
         this.normals = normals;
         this.faces = faces;
+        this.strokes = strokes;
         this.materials = materials;
         this.notes = notes;
     }
@@ -97,6 +101,26 @@ public final class ObjModel {
     /** The number of a face's material. */
     public int material(int face) {
         return faces.material(face);
+    }
+
+    /** Number of straight lines and points. */
+    public int strokeCount() {
+        return strokes.count();
+    }
+
+    /** The number of the position where a line begins, or of a point. */
+    public int strokeFrom(int stroke) {
+        return strokes.from(stroke);
+    }
+
+    /** The number of the position where a line ends, or of a point. */
+    public int strokeTo(int stroke) {
+        return strokes.to(stroke);
+    }
+
+    /** The number of a line's or point's material. */
+    public int strokeMaterial(int stroke) {
+        return strokes.material(stroke);
     }
 
     /** The faces in their order over the positions in theirs. */

@@ -2,29 +2,21 @@ package rasterlab.engine.scene.obj;
 
 import java.io.IOException;
 import java.io.Reader;
-import java.util.Set;
+import java.util.Optional;
 
 /**
- * Reads a model line by line.
+ * Reads a model line by line, by {@link ReadingRules}, which say what is read and what becomes of
+ * the rest.
  *
- * <p>Read are v (with a weight or a colour), vt, vn, f, s, usemtl and mtllib; o and g change
- * nothing and are passed over; l and p draw no faces and are counted in the notes, as unknown
- * keywords are. Curves, surfaces and what would run or read something else are refused. A face may
- * name only what stands above it. At most {@value #MOST} vertices, texture coordinates, normals and
- * triangles are taken, and lines of 2²⁰ characters. Time is proportional to the text's length,
- * except for faces to be cut, see {@link FaceCutter#MOST_CORNERS}.
+ * <p>A face may name only what stands above it. At most {@value #MOST} vertices, texture
+ * coordinates, normals and triangles are taken, and lines of 2²⁰ characters. Time is proportional
+ * to the text's length, except for faces to be cut, see {@link FaceCutter#MOST_CORNERS}.
  *
  * <p>Source: Wavefront Technologies, Advanced Visualizer manual, appendix B1, object files (.obj),
  * and its material library format.
  */
 public final class ObjReader {
     static final int MOST = 10_000_000;
-
-    private static final Set<String> REFUSED =
-            Set.of(
-                    "vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim",
-                    "hole", "scrv", "sp", "end", "con", "call", "csh", "bzp", "bsp", "cdc", "cdp",
-                    "res");
 
     private final TextLines lines;
     private final Words words;
@@ -34,16 +26,19 @@ public final class ObjReader {
     private final Materials materials;
     private final Notes notes = new Notes();
     private final Faces faces = new Faces();
+    private final Strokes strokes = new Strokes();
     private int material = Faces.NONE;
     private int smoothing;
     private long triangles;
     private String firstUnknown = "";
     private int unknownLine;
+    private String firstPassedOver = "";
+    private int passedOverLine;
 
     private ObjReader(TextLines lines, MaterialFiles files) {
         this.lines = lines;
-        words = new Words(lines);
-        face = new FaceLine(lines, words);
+        words = new Words(lines, notes);
+        face = new FaceLine(lines, words, notes);
         vertices = new Vertices(lines, words, notes);
         materials = new Materials(lines, files, notes);
         cutter = new FaceCutter(lines, notes, vertices.positions, faces);
@@ -67,24 +62,37 @@ public final class ObjReader {
             words.divide();
             if (words.count() > 0) line(words.get(0));
         }
-        if (faces.count() == 0) throw noFace();
+        if (faces.count() == 0 && strokes.count() == 0) throw nothing();
         vertices.finish();
         double[] normals =
                 new MissingNormals(vertices.positions, vertices.normals, faces).complete();
+        materials.noteMissing();
         materials.noteMissingTexture(faces);
-        return new ObjModel(vertices, normals, faces, materials.all(), notes.all());
+        materials.showWhatVanishes(faces);
+        return new ObjModel(vertices, normals, faces, strokes, materials.all(), notes.all());
     }
 
     /** Of a text that is no model at all the first line that shows it is named. */
-    private BrokenFileException noFace() {
+    private BrokenFileException nothing() {
+        String missing = "no face with an area, no line and no point";
+        if (passedOverLine > 0)
+            return new BrokenFileException(
+                    lines.file(),
+                    passedOverLine,
+                    "'%s' cannot be read; faces, lines and points are, curves and surfaces are not; "
+                                    .formatted(firstPassedOver)
+                            + missing
+                            + " is in the file");
         if (unknownLine == 0)
-            return new BrokenFileException(lines.file(), 0, "no face with an area is in it");
+            return new BrokenFileException(lines.file(), 0, missing + " is in it");
         return new BrokenFileException(
                 lines.file(),
                 unknownLine,
                 "'%s' begins no line of a Wavefront model, which has v, vt, vn, f, s, usemtl,"
                                 .formatted(firstUnknown)
-                        + " mtllib, o, g, l and p; no face with an area is in the file");
+                        + " mtllib, o, g, l and p; "
+                        + missing
+                        + " is in the file");
     }
 
     private void line(String keyword) throws IOException, BrokenFileException {
@@ -93,50 +101,90 @@ public final class ObjReader {
             case "vt" -> vertices.texture();
             case "vn" -> vertices.normal();
             case "f" -> face();
+            case "l", "p" -> stroke(keyword);
             case "s" -> smoothing = smoothing();
-            case "usemtl" -> material = materials.numberOf(words.name());
+            case "usemtl" -> material = materials.numberOf(words);
             case "mtllib" -> materials.read(words);
-            case "o", "g" -> {}
-            case "l", "p" ->
-                    notes.count(
-                            "'" + keyword + "' was passed over, only faces are read",
-                            lines.file(),
-                            lines.number());
-            default -> other(keyword);
+            default -> passOver(keyword);
         }
     }
 
-    private void other(String keyword) throws BrokenFileException {
-        if (REFUSED.contains(keyword))
-            throw lines.broken(
-                    "'"
-                            + keyword
-                            + "' cannot be read; faces ('f') are, curves and surfaces are not");
-        if (unknownLine == 0) {
-            unknownLine = lines.number();
-            firstUnknown = Words.shown(keyword);
+    private void passOver(String keyword) {
+        Optional<Rule> rule = ReadingRules.ofModel(keyword);
+        if (rule.isEmpty()) {
+            if (unknownLine == 0) {
+                unknownLine = lines.number();
+                firstUnknown = Words.shown(keyword);
+            }
+            notes.countKeyword(keyword, lines);
+        } else if (rule.get().treatment() == Rule.Treatment.PASSED_OVER) {
+            if (passedOverLine == 0) {
+                passedOverLine = lines.number();
+                firstPassedOver = keyword;
+            }
+            notes.count(
+                    "'" + keyword + "' was passed over; faces, lines and points are read", lines);
         }
-        notes.countKeyword(keyword, lines);
     }
 
-    private void face() throws BrokenFileException {
+    private void corners() throws BrokenFileException {
         face.read(
                 vertices.positions.size() / 3,
                 vertices.places.size() / 2,
                 vertices.normals.size() / 3);
-        triangles += face.vertex.size() - 2;
+    }
+
+    private void face() throws BrokenFileException {
+        corners();
+        if (face.vertex.size() < 3) {
+            notes.count("a face of fewer than 3 corners was left out", lines);
+            return;
+        }
+        for (int k = 0; k < face.normal.size(); k++) {
+            int normal = face.normal.get(k);
+            if (normal != Faces.NONE && !vertices.hasDirection(normal))
+                face.normal.set(k, Faces.NONE);
+        }
+        count(face.vertex.size() - 2);
+        cutter.add(face, material(), smoothing);
+    }
+
+    private void stroke(String keyword) {
+        boolean line = keyword.equals("l");
+        try {
+            corners();
+            count(StrokeFaces.MOST_TRIANGLES * (long) face.vertex.size());
+        } catch (BrokenFileException e) {
+            notes.count(
+                    "'" + keyword + "' that cannot be read was left out",
+                    "'%s' was left out: %s".formatted(keyword, e.problem()),
+                    lines);
+            return;
+        }
+        if (face.vertex.size() < (line ? 2 : 1))
+            notes.count("'" + keyword + "' of too few vertices was left out", lines);
+        else if (line) strokes.line(face, material());
+        else strokes.points(face, material());
+    }
+
+    private int material() {
+        if (material == Faces.NONE) material = materials.unnamed();
+        return material;
+    }
+
+    private void count(long more) throws BrokenFileException {
+        triangles += more;
         if (triangles > MOST)
             throw lines.broken("at most " + MOST + " triangles are taken, and here are more");
-        if (material == Faces.NONE) material = materials.unnamed();
-        cutter.add(face, material, smoothing);
     }
 
     private int smoothing() throws BrokenFileException {
-        words.requireArguments(1, 1);
-        if (words.get(1).equals("off")) return 0;
-        double group = words.number(1, Integer.MAX_VALUE);
-        if (group != Math.rint(group))
-            throw lines.broken("'s' needs 'off' or a whole number, got '" + words.get(1) + "'");
-        return (int) group;
+        String group = words.count() > 1 ? words.get(1) : "";
+        if (group.equals("off")) return 0;
+        if (group.equals("on")) return 1;
+        double number = words.number(1, ReadingRules.SMOOTHING);
+        if (number == Math.rint(number)) return (int) number;
+        words.noteUnread(1, ReadingRules.SMOOTHING);
+        return 0;
     }
 }

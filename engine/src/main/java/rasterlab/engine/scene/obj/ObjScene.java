@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.scene.Finish;
@@ -21,7 +22,8 @@ import rasterlab.engine.transform.SphericalView;
  * A model as a scene: fitted into a ball about the origin by {@link Fit}, with a lamp at the eye.
  *
  * <p>Materials are taken as they are, but for what a scene has no room for: light of their own is
- * cut to 1, the highlight's exponent to 200, and illum 0 and 1 have no highlight.
+ * cut to 1, the highlight's exponent to 200, and illum 0 and 1 have no highlight. Lines and points
+ * are thin bodies with light of their own.
  */
 public final class ObjScene {
     private static final int BACKGROUND_RGB = 0x202B38;
@@ -34,38 +36,39 @@ public final class ObjScene {
     /**
      * @param name of the scene
      * @param up the model's
-     * @throws IllegalArgumentException if the model cannot be fitted, or once fitted a face is no
-     *     longer flat
+     * @param notes told of what was left out
+     * @throws IllegalArgumentException if the model cannot be fitted
      */
-    public static Scene of(String name, ObjModel model, UpAxis up, TextureFiles textures) {
-        Map<String, Texture> opened = new HashMap<>();
+    public static Scene of(
+            String name, ObjModel model, UpAxis up, TextureFiles textures, Consumer<String> notes) {
+        Map<ObjMaterial.Map, Optional<Texture>> opened = new HashMap<>();
         List<Finish> finishes = new ArrayList<>();
         for (ObjMaterial material : model.materials())
             finishes.add(
-                    finish(
-                            material,
-                            material.diffuseMap()
-                                    .map(
-                                            map ->
-                                                    opened.computeIfAbsent(
-                                                            map.file(),
-                                                            file ->
-                                                                    textures.open(
-                                                                            file, map.place())))));
-        int[] finishOf = new int[model.faceCount()];
-        for (int f = 0; f < finishOf.length; f++) finishOf[f] = model.material(f);
+                    material.diffuseMap()
+                            .flatMap(
+                                    map ->
+                                            opened.computeIfAbsent(map, textures::open)
+                                                    .map(picture -> laid(picture, map)))
+                            .map(finish(material)::with)
+                            .orElse(finish(material)));
+        if (model.strokeCount() > 0)
+            for (ObjMaterial material : model.materials()) finishes.add(stroke(material));
+        var found = new Notes();
+        ModelMesh.Made made = ModelMesh.of(name, model, up, found);
+        found.all().forEach(notes);
         return new Scene(
                 name,
-                Fit.into(model, up),
+                made.mesh(),
                 finishes,
-                finishOf,
+                made.finishOf(),
                 SceneLight.lampAtEye(),
                 BACKGROUND_RGB,
                 CAMERA,
                 PICTURE_SCALE);
     }
 
-    private static Finish finish(ObjMaterial from, Optional<Texture> texture) {
+    private static Finish finish(ObjMaterial from) {
         boolean shines = from.illumination() >= 2;
         var surface =
                 new SurfaceMaterial(
@@ -74,16 +77,22 @@ public final class ObjScene {
                         shines ? shares(from.specular()) : new double[3],
                         shares(from.emitted()),
                         Math.min(SurfaceMaterial.HIGHEST_SHININESS, from.shininess()));
-        Finish bare = Finish.of(new Material(surface, from.opacity()));
-        return texture.map(picture -> bare.with(laid(picture))).orElse(bare);
+        return Finish.of(new Material(surface, from.opacity()));
+    }
+
+    /** A line or point shines in its material's colour, from wherever it is seen. */
+    private static Finish stroke(ObjMaterial from) {
+        double[] color = shares(from.diffuse());
+        return Finish.of(
+                new Material(new SurfaceMaterial(color, color, new double[3], color, 0), 1));
     }
 
     private static double[] shares(List<Double> colour) {
         return colour.stream().mapToDouble(share -> Math.min(1, share)).toArray();
     }
 
-    private static LaidTexture laid(Texture picture) {
-        return new LaidTexture(
-                picture, Wrap.REPEAT, Wrap.REPEAT, TextureEnvironment.of(Mode.MODULATE, picture));
+    private static LaidTexture laid(Texture picture, ObjMaterial.Map map) {
+        Wrap wrap = map.clamped() ? Wrap.CLAMP_TO_EDGE : Wrap.REPEAT;
+        return new LaidTexture(picture, wrap, wrap, TextureEnvironment.of(Mode.MODULATE, picture));
     }
 }

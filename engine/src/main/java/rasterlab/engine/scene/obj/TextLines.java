@@ -4,11 +4,13 @@ import java.io.IOException;
 import java.io.Reader;
 
 /**
- * The lines of a text, without comments, each with the number of its first physical line.
+ * The lines of a text, each with the number of its first physical line.
  *
- * <p>Lines end with LF, CR or both; a backslash before the end joins the next line on; # begins a
- * comment up to the end of the physical line; a byte order mark at the beginning is passed over. At
- * most {@value #LONGEST} characters make a line.
+ * <p>Lines end with LF, CR or both; a backslash before the end joins the next line on. A physical
+ * line whose first sign that is no blank is # is a comment and left out. Elsewhere # may belong to
+ * a name, so it stays; after a blank it may as well begin a comment, so behind it a backslash joins
+ * nothing on. A byte order mark at the beginning is passed over. At most {@value #LONGEST}
+ * characters make a line.
  */
 final class TextLines {
     static final int LONGEST = 1 << 20;
@@ -65,18 +67,34 @@ final class TextLines {
     /** Appends a physical line; true if it ends with a backslash, which is left out. */
     private boolean readPhysical() throws IOException, BrokenFileException {
         physical++;
+        int c = read();
+        while (c == ' ' || c == '\t') c = append(c);
+        if (c == '#') {
+            while (!endsLine(c)) c = read();
+            return false;
+        }
         boolean comment = false;
-        for (int c = read(); c != END && c != '\n' && c != '\r'; c = read()) {
-            comment |= c == '#';
-            if (comment) continue;
-            if (text.length() == LONGEST)
-                throw broken("the line is longer than the " + LONGEST + " characters allowed");
-            text.append((char) c);
+        while (!endsLine(c)) {
+            int before = c;
+            c = append(c);
+            comment |= c == '#' && before <= ' ';
         }
         int last = text.length() - 1;
-        boolean joined = last >= 0 && text.charAt(last) == '\\';
+        boolean joined = !comment && last >= 0 && text.charAt(last) == '\\';
         if (joined) text.setCharAt(last, ' ');
         return joined;
+    }
+
+    private static boolean endsLine(int c) {
+        return c == END || c == '\n' || c == '\r';
+    }
+
+    /** Adds a character to the line and gives the next. */
+    private int append(int c) throws IOException, BrokenFileException {
+        if (text.length() == LONGEST)
+            throw broken("the line is longer than the " + LONGEST + " characters allowed");
+        text.append((char) c);
+        return read();
     }
 
     /** The next character; CR and LF together are one LF. */

@@ -1,14 +1,15 @@
 package rasterlab.engine.scene.obj;
 
+import java.util.Optional;
 import rasterlab.engine.texture.Texture;
 
 /** Opens the textures that materials name. */
 @FunctionalInterface
 public interface TextureFiles {
     /**
-     * @param name as the material's file has it; it may be any text, so take it for no path
+     * @param map as the material has it; its names may be any text, so take none for a path
      *     unchecked
-     * @param place where it is named, for messages
+     * @return empty where there is no such picture, after which the colour stands for it
      */
-    Texture open(String name, String place);
+    Optional<Texture> open(ObjMaterial.Map map);
 }

@@ -1,5 +1,7 @@
 package rasterlab.engine.scene.obj;
 
+import java.util.BitSet;
+
 /** Positions, colours, texture coordinates and normals as the lines v, vt and vn give them. */
 final class Vertices {
     private static final double SHORTEST = 1e-30;
@@ -8,6 +10,7 @@ final class Vertices {
     final Doubles colors = new Doubles();
     final Doubles places = new Doubles();
     final Doubles normals = new Doubles();
+    private final BitSet withoutDirection = new BitSet();
     private final TextLines lines;
     private final Words words;
     private final Notes notes;
@@ -20,42 +23,53 @@ final class Vertices {
 
     /** x y z, then a weight, a colour or both. */
     void position() throws BrokenFileException {
-        words.requireArguments(3, 7);
+        words.requireNumbers(3);
         requireRoom(positions.size() / 3, "vertices");
-        int numbers = words.count() - 1;
-        if (numbers == 5) throw lines.broken("'v' needs 3 numbers, and 1, 3 or 4 more, got 5");
-        for (int i = 1; i <= 3; i++) positions.add(words.number(i));
-        boolean weighted = numbers == 4 || numbers == 7;
-        if (weighted && words.number(4) != 1)
-            notes.count(
-                    "a vertex's weight, which means nothing to faces, was passed over",
-                    lines.file(),
-                    lines.number());
-        if (numbers >= 6) {
-            whiten(positions.size() - 3);
-            for (int i = numbers - 2; i <= numbers; i++) colors.add(words.number(i, 1));
-        }
+        for (int i = 1; i <= 3; i++) positions.add(words.number(i, ReadingRules.POSITION));
+        int more = words.count() - 4;
+        if (more == 0) return;
+        boolean weighted = more == 1 || more == 4;
+        if (weighted && words.value(4) != 1)
+            notes.count("a vertex's weight, which means nothing to faces, was passed over", lines);
+        if (more == 2 || more > 4)
+            notes.count("a vertex's numbers without a meaning were passed over", lines);
+        if (more >= 3) color(more == 4 ? 5 : 4);
+    }
+
+    private void color(int first) throws BrokenFileException {
+        whiten(positions.size() - 3);
+        for (int i = first; i < first + 3; i++) colors.add(words.number(i, ReadingRules.COLOR));
     }
 
     void texture() throws BrokenFileException {
-        words.requireArguments(1, 3);
         requireRoom(places.size() / 2, "texture coordinates");
-        places.add(words.number(1));
-        places.add(words.count() > 2 ? words.number(2) : 0);
+        places.add(words.number(1, ReadingRules.PLACE));
+        places.add(words.count() == 2 ? 0 : words.number(2, ReadingRules.PLACE));
     }
 
     void normal() throws BrokenFileException {
-        words.requireArguments(3, 3);
         requireRoom(normals.size() / 3, "normals");
-        double x = words.number(1);
-        double y = words.number(2);
-        double z = words.number(3);
+        double x = words.value(1);
+        double y = words.value(2);
+        double z = words.value(3);
         double length = Math.hypot(Math.hypot(x, y), z);
-        if (!(length > SHORTEST))
-            throw lines.broken("normal (%s, %s, %s) has no direction".formatted(x, y, z));
-        normals.add(x / length);
-        normals.add(y / length);
-        normals.add(z / length);
+        if (length > SHORTEST && length <= ReadingRules.NORMAL.most()) {
+            normals.add(x / length);
+            normals.add(y / length);
+            normals.add(z / length);
+            return;
+        }
+        notes.count(
+                "a normal without a direction was passed over; where it is named the face has its"
+                        + " own",
+                lines);
+        withoutDirection.set(normals.size() / 3);
+        for (int axis = 0; axis < 3; axis++) normals.add(axis == 2 ? 1 : 0);
+    }
+
+    /** Whether a normal's line had a direction. */
+    boolean hasDirection(int normal) {
+        return !withoutDirection.get(normal);
     }
 
     private void requireRoom(int count, String what) throws BrokenFileException {
@@ -70,10 +84,7 @@ final class Vertices {
 
     private void whiten(int size) {
         if (colors.size() < size)
-            notes.count(
-                    "vertices without a colour, beside others with one, became white",
-                    lines.file(),
-                    lines.number());
+            notes.count("vertices without a colour, beside others with one, became white", lines);
         while (colors.size() < size) colors.add(1);
     }
 }

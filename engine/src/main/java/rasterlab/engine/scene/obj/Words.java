@@ -1,49 +1,60 @@
 package rasterlab.engine.scene.obj;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
-/** The words of one line, divided by blanks, with readers for numbers. */
+/**
+ * The words of one line, divided by blanks, with readers for numbers and names.
+ *
+ * <p>A word that begins with # begins a comment, except in names, where {@link #name} and {@link
+ * #names} have it both ways.
+ */
 final class Words {
-    /** Magnitudes beyond this leave no room for squares in computing with floats. */
-    static final double LARGEST = 1e18;
-
     private final TextLines lines;
+    private final Notes notes;
     private int[] begin = new int[16];
     private int[] end = new int[16];
     private int count;
+    private int countInNames;
 
-    Words(TextLines lines) {
+    Words(TextLines lines, Notes notes) {
         this.lines = lines;
+        this.notes = notes;
     }
 
     /** Divides the line that {@code lines} is at. */
     void divide() {
         CharSequence text = lines.text();
-        count = 0;
+        int length = text.length();
+        count = -1;
+        countInNames = 0;
         int at = 0;
-        while (at < text.length()) {
-            while (at < text.length() && isBlank(text.charAt(at))) at++;
-            if (at == text.length()) return;
+        while (true) {
+            while (at < length && isBlank(text.charAt(at))) at++;
+            if (at == length) break;
             int from = at;
-            while (at < text.length() && !isBlank(text.charAt(at))) at++;
+            if (count < 0 && text.charAt(at) == '#') count = countInNames;
+            while (at < length && !isBlank(text.charAt(at))) at++;
             add(from, at);
         }
+        if (count < 0) count = countInNames;
     }
 
     private void add(int from, int to) {
-        if (count == begin.length) {
-            begin = Arrays.copyOf(begin, 2 * count);
-            end = Arrays.copyOf(end, 2 * count);
+        if (countInNames == begin.length) {
+            begin = Arrays.copyOf(begin, 2 * countInNames);
+            end = Arrays.copyOf(end, 2 * countInNames);
         }
-        begin[count] = from;
-        end[count++] = to;
+        begin[countInNames] = from;
+        end[countInNames++] = to;
     }
 
     private static boolean isBlank(char c) {
         return c <= ' ' || c == '\u00A0';
     }
 
-    /** The keyword included. */
+    /** The keyword included; a comment is none. */
     int count() {
         return count;
     }
@@ -60,48 +71,102 @@ final class Words {
         return end[word];
     }
 
-    /** Everything after the keyword, without blanks around it. */
-    String rest() {
-        return count < 2 ? "" : lines.text().subSequence(begin[1], end[count - 1]).toString();
+    /**
+     * Everything from a word on, with what may be a comment, without blanks around it; a hard blank
+     * belongs to a name.
+     */
+    String name(int from) {
+        return name(from, lines.text().length());
     }
 
-    /** The name that follows the keyword. */
-    String name() throws BrokenFileException {
-        if (count < 2) throw lines.broken("'" + get(0) + "' needs a name");
-        return rest();
+    private String name(int from, int to) {
+        CharSequence text = lines.text();
+        int first = end[from - 1];
+        int last = to;
+        while (first < last && text.charAt(first) <= ' ') first++;
+        while (first < last && text.charAt(last - 1) <= ' ') last--;
+        return text.subSequence(first, last).toString();
     }
 
-    /** Passes if there are {@code least} to {@code most} words after the keyword. */
-    void requireArguments(int least, int most) throws BrokenFileException {
-        int arguments = count - 1;
-        if (arguments < least || arguments > most)
+    /**
+     * The name from a word on in all ways that it can be meant: whole, and cut at each word that
+     * begins with #, the longest first.
+     */
+    List<String> names(int from) {
+        List<String> names = new ArrayList<>();
+        names.add(name(from));
+        for (int word = countInNames - 1; word > from; word--)
+            if (lines.text().charAt(begin[word]) == '#') names.add(name(from, begin[word]));
+        return names;
+    }
+
+    /** Passes if at least so many numbers follow the keyword. */
+    void requireNumbers(int least) throws BrokenFileException {
+        for (int word = 1; word < count && word <= least; word++)
+            if (hasComma(word)) throw refusal(word, ReadingRules.POSITION);
+        if (count - 1 < least)
             throw lines.broken(
-                    "'%s' needs %s numbers, got %d"
-                            .formatted(
-                                    get(0),
-                                    least == most ? least : least + " to " + most,
-                                    arguments));
+                    "'%s' needs at least %d numbers, got %d".formatted(get(0), least, count - 1));
     }
 
-    /** A finite decimal number in ±{@link #LARGEST}. */
-    double number(int word) throws BrokenFileException {
+    /** The number at a word, by a rule of which numbers are taken; a missing word has none. */
+    double number(int word, Rule rule) throws BrokenFileException {
+        double value = value(word);
+        if (value >= rule.least() && value <= rule.most()) return value;
+        if (rule.treatment() == Rule.Treatment.REQUIRED) throw refusal(word, rule);
+        if (Double.isNaN(value)) {
+            noteUnread(word, rule);
+            return rule.numberInstead();
+        }
+        notes.count(List.of(rule, "cut"), () -> cut(word, rule), lines);
+        return Math.max(rule.least(), Math.min(rule.most(), value));
+    }
+
+    private String cut(int word, Rule rule) {
+        return "'%s' of %s was cut to its range, %s to %s"
+                .formatted(
+                        rule.keyword(),
+                        shown(get(word)),
+                        Rule.number(rule.least()),
+                        Rule.number(rule.most()));
+    }
+
+    /** Counts a number that is missing or none, for which something else stands. */
+    void noteUnread(int word, Rule rule) {
+        notes.count(List.of(rule, "unread"), () -> unread(word, rule), lines);
+    }
+
+    private String unread(int word, Rule rule) {
+        if (word >= count)
+            return "'%s' has too few numbers; instead stands %s"
+                    .formatted(rule.keyword(), rule.instead());
+        String what = hasComma(word) ? "a decimal comma in" : "no number in";
+        return "'%s' has %s '%s'; instead stands %s"
+                .formatted(rule.keyword(), what, shown(get(word)), rule.instead());
+    }
+
+    private boolean hasComma(int word) {
+        return get(word).matches("[+-]?\\d*,\\d+");
+    }
+
+    private BrokenFileException refusal(int word, Rule rule) {
+        String text = shown(get(word));
+        if (hasComma(word))
+            return lines.broken(
+                    "'%s' has a decimal comma in number %d, '%s'; decimals are written with a point"
+                            .formatted(rule.keyword(), word, text));
+        return lines.broken(
+                "'%s' needs a number in ±%s as number %d, got '%s'"
+                        .formatted(rule.keyword(), rule.most(), word, text));
+    }
+
+    /** A finite or infinite decimal number; NaN where a word is none or missing. */
+    double value(int word) {
+        if (word >= count) return Double.NaN;
+        double easy = Decimal.easy(lines.text(), begin[word], end[word]);
+        if (!Double.isNaN(easy)) return easy;
         String text = get(word);
-        double value = isDecimal(text) ? parse(text) : Double.NaN;
-        if (!(Math.abs(value) <= LARGEST))
-            throw lines.broken(
-                    "'%s' needs a number in ±%s as number %d, got '%s'"
-                            .formatted(get(0), LARGEST, word, shown(text)));
-        return value;
-    }
-
-    /** A number from 0 to {@code most}. */
-    double number(int word, double most) throws BrokenFileException {
-        double value = number(word);
-        if (value < 0 || value > most)
-            throw lines.broken(
-                    "'%s' needs a number from 0 to %s as number %d, got '%s'"
-                            .formatted(get(0), most, word, shown(get(word))));
-        return value;
+        return isDecimal(text) ? parse(text) : Double.NaN;
     }
 
     /**

@@ -2,6 +2,7 @@ package rasterlab.engine.polygon.triangulation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.util.List;
@@ -42,6 +43,21 @@ class TriangulationPropertyTest {
                         IllegalArgumentException.class,
                         () -> cut(polygon, order),
                         order + " " + polygon);
+    }
+
+    /** Squares cut out of a square, each joined by a bridge to the one before. */
+    @Property(tries = 200)
+    void holesOnBridgesStayOpenWhicheverWayRound(
+            @ForAll @IntRange(min = 1, max = 9) int holes, @ForAll long seed) {
+        var random = new Random(seed);
+        Points polygon = Keyholes.of(holes, random);
+        var area = BigDecimal.valueOf(2L * Keyholes.area(holes));
+        for (Points way : List.of(polygon, polygon.reversed())) {
+            assertEquals(
+                    0, area.compareTo(new ExactTriangulation(way).doubledArea()), way::toString);
+            assertTrue(new ExactTriangulation(way).simple(), way::toString);
+            for (String order : ORDERS) assertCovered(way, order);
+        }
     }
 
     /**

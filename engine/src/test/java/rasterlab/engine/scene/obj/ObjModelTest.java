@@ -83,8 +83,7 @@ class ObjModelTest {
         assertEquals(
                 List.of(
                         "a.obj:5: face without area was left out, 2 times",
-                        "a.obj:6: unknown 'lod' was passed over, 2 times",
-                        "a.obj:10: 'l' was passed over, only faces are read",
+                        "a.obj:6: 'lod' was passed over; faces, lines and points are read, 2 times",
                         "a.obj:13: a vertex's weight, which means nothing to faces, was passed over"),
                 model.notes());
     }
@@ -171,13 +170,19 @@ class ObjModelTest {
                         List.of(2.0, 0.0, 0.0),
                         96.5,
                         0.75,
-                        Optional.of(new ObjMaterial.Map("my wood.png", "m.mtl:9")),
+                        Optional.of(
+                                new ObjMaterial.Map(
+                                        List.of("my wood.png # old", "my wood.png"),
+                                        "m.mtl:9",
+                                        List.of(0.0, 0.0),
+                                        List.of(1.0, 1.0),
+                                        false)),
                         1),
                 model.materials().get(0));
         assertEquals(0.5, model.materials().get(1).opacity());
         assertEquals(0, model.materials().get(1).shininess());
         assertEquals("", model.materials().get(model.material(0)).name());
-        assertEquals(List.of("m.mtl:12: unknown 'Pr' was passed over"), model.notes());
+        assertEquals(List.of("m.mtl:12: 'Pr' was passed over"), model.notes());
     }
 
     @Test

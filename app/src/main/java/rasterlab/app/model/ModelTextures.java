@@ -1,0 +1,55 @@
+package rasterlab.app.model;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.PictureFile;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.scene.obj.ObjMaterial;
+import rasterlab.engine.scene.obj.TextureFiles;
+import rasterlab.engine.texture.Texture;
+
+/** The pictures of a model, each read once; what cannot be read is told and left out. */
+final class ModelTextures implements TextureFiles {
+    private static final String INSTEAD = "; the colour Kd stands for it";
+
+    private final ModelFolder folder;
+    private final Consumer<String> notes;
+    private final Map<Path, Optional<Texture>> read = new HashMap<>();
+
+    ModelTextures(ModelFolder folder, Consumer<String> notes) {
+        this.folder = folder;
+        this.notes = notes;
+    }
+
+    @Override
+    public Optional<Texture> open(ObjMaterial.Map map) {
+        String name = map.names().get(map.names().size() - 1);
+        try {
+            Optional<Path> found = folder.find(map.names());
+            if (found.isPresent())
+                return read.computeIfAbsent(found.get(), file -> picture(file, map.place()));
+            notes.accept(
+                    "%s: there is no texture '%s' in the model's folder%s"
+                            .formatted(map.place(), name, INSTEAD));
+        } catch (IOException e) {
+            notes.accept(
+                    "%s: texture '%s' cannot be read: %s%s"
+                            .formatted(map.place(), name, WholeFile.reason(e), INSTEAD));
+        }
+        return Optional.empty();
+    }
+
+    private Optional<Texture> picture(Path file, String place) {
+        try {
+            return Optional.of(PictureFile.texture(file));
+        } catch (Complaint e) {
+            notes.accept("%s: %s%s".formatted(place, e.getMessage(), INSTEAD));
+            return Optional.empty();
+        }
+    }
+}

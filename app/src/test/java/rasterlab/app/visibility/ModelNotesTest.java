@@ -1,0 +1,52 @@
+package rasterlab.app.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+
+/** What the lab tells of a model that it shows. */
+class ModelNotesTest {
+    @TempDir Path folder;
+
+    @Test
+    @DisplayName("what was left out is told by the command only, or in English")
+    void notesOfAModelAreTold() throws IOException {
+        Path file = folder.resolve("a.obj");
+        Files.writeString(
+                file, "usemtl B\nv 0 0 0\nv 1 0 0\nv 0 1 0\nfoo\nvn 0 0 0\nbar\nf 1 2 3\n");
+        SceneFiles.Answer answer = SceneFiles.read(file);
+        assertEquals("", answer.problem());
+        assertEquals("a.obj", answer.change().apply(VisibilityChoice.first()).scene());
+        assertEquals(
+                file
+                        + ":5: unknown 'foo' was passed over; besides, "
+                        + file
+                        + ":6: a normal without a direction was passed over; where it is named the"
+                        + " face has its own; besides, "
+                        + file
+                        + ":7: unknown 'bar' was passed over; besides, further notes (1) are told by"
+                        + " ./lab render; besides, "
+                        + file
+                        + ": y is taken to point up; ./lab render --up z draws it with z up",
+                answer.notes());
+        assertEquals(
+                file
+                        + ":5: неизвестное «foo» пропущено; кроме того, "
+                        + file
+                        + ":6: нормаль без направления пропущена; где она названа, взята нормаль самой"
+                        + " грани; кроме того, "
+                        + file
+                        + ":7: неизвестное «bar» пропущено; кроме того, другие примечания (1) сообщает"
+                        + " ./lab render; кроме того, "
+                        + file
+                        + ": осью вверх считается y; ./lab render --up z рисует модель осью z вверх",
+                Complaints.said(Language.RUSSIAN, answer.notes()));
+    }
+}
