@@ -89,7 +89,16 @@ public final class ProjectionMatrices {
      * @param yScreen half of its height
      */
     public static Matrix4d normalize(double a, double xScreen, double yScreen, double zMax) {
-        return TextbookMatrices.scale(a / zMax / xScreen, a / zMax / yScreen, 1 / zMax);
+        return TextbookMatrices.scale(over(a, zMax, xScreen), over(a, zMax, yScreen), 1 / zMax);
+    }
+
+    /** a/b/c, with the powers of 2 taken out, so that a/b may be no double if only a/b/c is one. */
+    private static double over(double a, double b, double c) {
+        int ofA = Math.getExponent(a);
+        int ofB = Math.getExponent(b);
+        int ofC = Math.getExponent(c);
+        double near1 = Math.scalb(a, -ofA) / Math.scalb(b, -ofB) / Math.scalb(c, -ofC);
+        return Math.scalb(near1, ofA - ofB - ofC);
     }
 
     /** CANONICAL(z_min): |x| ≤ z, |y| ≤ z, z_min ≤ z ≤ 1 becomes a box with 0 ≤ z ≤ 1. */

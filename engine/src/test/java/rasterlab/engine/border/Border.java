@@ -11,6 +11,7 @@ import rasterlab.engine.study.Topic;
  * @param input makes an input; an IllegalArgumentException says that there is none of these numbers
  * @param refusals whether a refusal is one that the method's text or the contract states
  * @param promise what the contract promises of an answer beside what the topic compares
+ * @param most items after which an answer may be cut, where all methods send them in one order
  * @param share of the full number of inputs, for topics whose reference is slow; 1 for all
  */
 record Border<C, I, O>(
@@ -18,6 +19,7 @@ record Border<C, I, O>(
         Function<Draws, I> input,
         Refusals<I> refusals,
         BiPredicate<I, O> promise,
+        int most,
         double share) {
 
     /** Judges refusals. */
@@ -38,17 +40,22 @@ record Border<C, I, O>(
 
     static <C, I, O> Border<C, I, O> of(
             Topic<C, I, O> topic, Function<Draws, I> input, Refusals<I> refusals) {
-        return new Border<>(topic, input, refusals, (any, answer) -> true, 1);
+        return new Border<>(topic, input, refusals, (any, answer) -> true, topic.mostItems(), 1);
     }
 
     /** The same with fewer inputs. */
     Border<C, I, O> slow(double share) {
-        return new Border<>(topic, input, refusals, promise, share);
+        return new Border<>(topic, input, refusals, promise, most, share);
+    }
+
+    /** The same with answers cut after so many items. */
+    Border<C, I, O> cut(int most) {
+        return new Border<>(topic, input, refusals, promise, most, share);
     }
 
     /** The same with a promise that each answer has to keep. */
     Border<C, I, O> promising(BiPredicate<I, O> promise) {
-        return new Border<>(topic, input, refusals, promise, share);
+        return new Border<>(topic, input, refusals, promise, most, share);
     }
 
     @Override

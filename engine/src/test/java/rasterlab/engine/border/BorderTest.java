@@ -22,29 +22,13 @@ class BorderTest {
     /** Topics whose inputs are still to be made of such numbers. */
     private static final Set<String> MISSING =
             Set.of(
-                    "line",
-                    "circle",
-                    "ellipse",
-                    "fill",
-                    "polygon-fill",
-                    "point-in-triangle",
-                    "point-in-polygon",
-                    "triangulate",
-                    "clip-polygon",
-                    "clip-volume",
                     "matrix",
-                    "transform",
-                    "view",
-                    "rotate",
-                    "visible-faces",
                     "depth-order",
                     "hidden-surfaces",
-                    "curve",
                     "shade",
                     "vertex-normals",
                     "shade-face",
                     "color",
-                    "texture-mapping",
                     "texture-filter");
 
     private static final int INPUTS = Boolean.getBoolean("rasterlab.full") ? 1_000_000 : 10_000;

@@ -42,7 +42,7 @@ final class BorderTrial<C, I, O> {
             Optional<I> input = input(draws);
             if (input.isEmpty()) continue;
             inputs++;
-            Right<O> right = right(input.get());
+            Optional<Right<O>> right = right(input.get());
             for (Method<C> method : List.copyOf(methods)) {
                 if (complaint(method, input.get(), right).isEmpty()) continue;
                 methods.remove(method);
@@ -71,8 +71,17 @@ final class BorderTrial<C, I, O> {
         }
     }
 
-    private Right<O> right(I input) {
-        int most = border.topic().mostItems();
+    /** Empty where the reference has to divide by 0: there is no answer. */
+    private Optional<Right<O>> right(I input) {
+        try {
+            return Optional.of(cut(input));
+        } catch (ArithmeticException e) {
+            return Optional.empty();
+        }
+    }
+
+    private Right<O> cut(I input) {
+        int most = border.most();
         O exact = border.topic().exact(input, most + 1);
         long items = border.topic().compare(input, exact, exact).of();
         if (items > most) return new Right<>(border.topic().exact(input, most), true, most);
@@ -80,21 +89,28 @@ final class BorderTrial<C, I, O> {
     }
 
     /** What is wrong with the method's answer to the input. */
-    private Optional<String> complaint(Method<C> method, I input, Right<O> right) {
+    private Optional<String> complaint(Method<C> method, I input, Optional<Right<O>> right) {
         O made;
+        int limit = right.map(Right::limit).orElse(border.most());
         try {
-            made = border.topic().record(method.implementation(), input, right.limit());
+            made = border.topic().record(method.implementation(), input, limit);
         } catch (IllegalArgumentException e) {
-            if (border.refusals().allowed(method.name(), input, e.getMessage()))
-                return Optional.empty();
-            return Optional.of("is refused: " + e.getMessage());
+            boolean may =
+                    right.isEmpty()
+                            || border.refusals().allowed(method.name(), input, e.getMessage());
+            return may ? Optional.empty() : Optional.of("is refused: " + e.getMessage());
         } catch (LimitReached e) {
-            if (!right.cut()) return Optional.of("gets an endless answer");
+            if (!right.map(Right::cut).orElse(false)) return Optional.of("gets an endless answer");
             made = recorded(e);
         } catch (RuntimeException | StackOverflowError e) {
             return Optional.of("throws " + e);
         }
         answers++;
+        if (right.isEmpty()) return Optional.of("has no answer, got " + Readable.text(made));
+        return off(input, right.get(), made);
+    }
+
+    private Optional<String> off(I input, Right<O> right, O made) {
         if (!border.promise().test(input, made))
             return Optional.of("breaks a promise of the contract: " + Readable.text(made));
         Deviation deviation = border.topic().compare(input, right.exact(), made);

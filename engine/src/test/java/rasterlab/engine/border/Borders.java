@@ -11,7 +11,15 @@ final class Borders {
     private Borders() {}
 
     static Stream<Border<?, ?, ?>> all() {
-        return Stream.of(List.of(LinePlaneBorders.all()), ClippingBorders.all(), SpaceBorders.all())
+        return Stream.of(
+                        RasterBorders.all(),
+                        List.of(LinePlaneBorders.all()),
+                        PlaneBorders.all(),
+                        ClippingBorders.all(),
+                        TransformBorders.all(),
+                        VisibilityBorders.all(),
+                        List.of(CurveBorders.all()),
+                        TextureBorders.all())
                 .flatMap(List::stream);
     }
 

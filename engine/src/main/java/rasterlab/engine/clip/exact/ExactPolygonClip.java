@@ -37,7 +37,8 @@ public final class ExactPolygonClip {
     private record Run(List<Point> points, Ratio begins, Ratio ends, boolean hollowEnd) {}
 
     /**
-     * The pieces, counter-clockwise, each coordinate the double nearest to the exact one.
+     * The pieces, counter-clockwise, each coordinate the double nearest to the exact one; none that
+     * fewer than three corners are left of by that.
      *
      * @param window corners of a convex polygon with an area
      * @param subject corners of a simple polygon
@@ -53,7 +54,10 @@ public final class ExactPolygonClip {
                 cut.addAll(leftOf(sides.get(i), sides.get((i + 1) % sides.size()), ring));
             rings = cut;
         }
-        return rings.stream().map(ExactPolygonClip::rounded).toList();
+        return rings.stream()
+                .map(ExactPolygonClip::rounded)
+                .filter(piece -> piece.length >= 6)
+                .toList();
     }
 
     private static List<Point> counterClockwise(double[] xy) {
@@ -153,14 +157,18 @@ public final class ExactPolygonClip {
         return run.hollowEnd() ? order > 0 : order >= 0;
     }
 
+    /** The nearest doubles, without corners that are the same as the one before them. */
     private static double[] rounded(List<Point> ring) {
         var xy = new double[2 * ring.size()];
         int size = 0;
-        for (int i = 0; i < ring.size(); i++) {
-            if (ring.get(i).equals(ring.get((i + 1) % ring.size()))) continue;
-            xy[size++] = ring.get(i).x().toDouble();
-            xy[size++] = ring.get(i).y().toDouble();
+        for (Point corner : ring) {
+            double x = corner.x().toDouble();
+            double y = corner.y().toDouble();
+            if (size > 0 && xy[size - 2] == x && xy[size - 1] == y) continue;
+            xy[size++] = x;
+            xy[size++] = y;
         }
+        while (size > 2 && xy[0] == xy[size - 2] && xy[1] == xy[size - 1]) size -= 2;
         return Arrays.copyOf(xy, size);
     }
 }

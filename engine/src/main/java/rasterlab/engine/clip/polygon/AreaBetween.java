@@ -37,9 +37,12 @@ final class AreaBetween {
         return between.area();
     }
 
+    /** The edge's ends from the lower to the upper one, −0.0 written as 0.0. */
     private static List<Double> upward(double x0, double y0, double x1, double y1) {
         boolean swap = y0 > y1 || y0 == y1 && x0 > x1;
-        return swap ? List.of(x1, y1, x0, y0) : List.of(x0, y0, x1, y1);
+        return swap
+                ? List.of(x1 + 0.0, y1 + 0.0, x0 + 0.0, y0 + 0.0)
+                : List.of(x0 + 0.0, y0 + 0.0, x1 + 0.0, y1 + 0.0);
     }
 
     private void add(List<Double> edge, int count) {

@@ -58,6 +58,9 @@ public record Body(double[] xyz, int[][] faces, double[] eye, double[] inside) {
         int vertices = xyz.length / 3;
         // Divided first: the sum of the largest doubles would overflow.
         for (int i = 0; i < xyz.length; i++) mean[i % 3] += xyz[i] / vertices;
+        // Where all are the largest double, the roundings lead beyond it.
+        for (int i = 0; i < 3; i++)
+            mean[i] = Math.max(-Double.MAX_VALUE, Math.min(Double.MAX_VALUE, mean[i]));
         return mean;
     }
 
