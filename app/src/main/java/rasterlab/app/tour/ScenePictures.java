@@ -88,8 +88,7 @@ final class ScenePictures implements TourPart {
         PictureDifference difference = PictureDifference.of(exact, picture);
         String name = scene.name() + "-" + visibility;
         figures.add(page.picture(name, picture.image(), scene.name() + ", " + visibility));
-        if (!visibility.equals(Renderer.REFERENCE))
-            figures.add(differenceFigure(page, name, difference));
+        figures.add(differenceFigure(page, name, difference));
         return row(page.texts(), visibility, difference, milliseconds);
     }
 

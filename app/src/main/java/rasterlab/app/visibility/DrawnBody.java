@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.Unlike;
-import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.Triangles;
 import rasterlab.engine.polygon.triangulation.TriangulateTopic;
@@ -35,6 +34,9 @@ record DrawnBody(
         List<Unlike> unlike) {
     /** Draws faces in their order, as is done with those that a method calls visible. */
     private static final String AS_FOUND = "none";
+
+    /** Draws all faces, where no method has said which are visible. */
+    private static final String ALL = "raycast";
 
     /** World units to the farthest corner of a body whose own magnitude no eye can look at. */
     private static final double REACH = 64;
@@ -94,7 +96,7 @@ record DrawnBody(
                 numbers.stream().mapToInt(Integer::intValue).toArray(),
                 eye,
                 farthest(xyz),
-                Optional.of(found.isEmpty() ? Renderer.REFERENCE : AS_FOUND),
+                Optional.of(found.isEmpty() ? ALL : AS_FOUND),
                 unlike);
     }
 

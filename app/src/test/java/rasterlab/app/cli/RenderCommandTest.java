@@ -39,10 +39,10 @@ class RenderCommandTest {
     }
 
     @Test
-    void referenceIsTheRayCasterWhateverElseIsAsked() throws Exception {
+    void referenceIsTheExactPictureWhateverElseIsAsked() throws Exception {
         String out = folder.resolve("r.png").toString();
         Ran ran = render("--visibility", "painter", "--reference", "--size", "8x6", "--out", out);
-        assertEquals("raycast", new ObjectMapper().readTree(ran.out()).path("visibility").asText());
+        assertEquals("exact", new ObjectMapper().readTree(ran.out()).path("visibility").asText());
     }
 
     private Path rendered(String visibility, String size) {

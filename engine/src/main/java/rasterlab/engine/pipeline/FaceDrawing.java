@@ -3,9 +3,7 @@ package rasterlab.engine.pipeline;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import rasterlab.engine.naming.Named;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.study.Method;
 import rasterlab.engine.visibility.DepthBuffer;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.PixelHistory;
@@ -46,8 +44,7 @@ public record FaceDrawing(ViewedMesh view, FacePaint paint, Visibility method, i
     }
 
     private static Visibility method(String name) {
-        List<Method<Visibility>> known = Renderer.visibilityMethods();
-        return Named.find("visibility method", name, known, Method::name).implementation();
+        return Renderer.drawing(Renderer.visibilityMethods(), name);
     }
 
     /** A picture of the right size with nothing drawn yet. */

@@ -14,7 +14,8 @@ import rasterlab.engine.visibility.ClipPlane;
 /**
  * How a scene is drawn, wherever it is seen from.
  *
- * @param visibility one of {@link Renderer#visibilities()}
+ * @param visibility one of {@link Renderer#visibilities()}, {@link Renderer#SURFACES} or {@link
+ *     Renderer#REFERENCE}
  * @param shading of the faces
  * @param texture how the faces' textures are looked up
  * @param terms the terms of light that are seen

@@ -28,14 +28,15 @@ import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityWork;
+import rasterlab.engine.visibility.exact.ExactVisibility;
 
 /**
  * Draws requests. The same request gives the same pixels; a renderer may serve several threads and
  * keeps working memory between frames.
  */
 public final class Renderer implements AutoCloseable {
-    /** The visibility method that the others are held against: one ray for each pixel. */
-    public static final String REFERENCE = "raycast";
+    /** Draws the exact picture, which all visibility methods are held against; not one of them. */
+    public static final String REFERENCE = "exact";
 
     /** Draws a scene's surfaces instead of its faces; no method of the faces' visibility. */
     public static final String SURFACES = "raycast-surface";
@@ -104,8 +105,8 @@ public final class Renderer implements AutoCloseable {
     }
 
     static void checkNames(String visibility, boolean outline) {
-        if (visibility.equals(SURFACES)) {
-            if (outline) throw new IllegalArgumentException(SURFACES + " draws no outlines");
+        if (visibility.equals(SURFACES) || visibility.equals(REFERENCE)) {
+            if (outline) throw new IllegalArgumentException(visibility + " draws no outlines");
             return;
         }
         List<String> known = Stream.concat(visibilities().stream(), Stream.of(SURFACES)).toList();
@@ -128,6 +129,13 @@ public final class Renderer implements AutoCloseable {
                 .filter(method -> method.implementation().drawsOutlines())
                 .map(Method::name)
                 .toList();
+    }
+
+    /** What draws faces under a name: a visibility method or the reference. */
+    static Visibility drawing(List<Method<Visibility>> methods, String name) {
+        return name.equals(REFERENCE)
+                ? new ExactVisibility()
+                : named(methods, name).implementation();
     }
 
     private static Method<Visibility> named(List<Method<Visibility>> methods, String name) {
@@ -210,7 +218,7 @@ public final class Renderer implements AutoCloseable {
         }
         String chosen = visibility(request).chosen();
         ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
-        Visibility method = named(visibilities, chosen).implementation();
+        Visibility method = drawing(visibilities, chosen);
         boolean wire = shading == ShadingMethod.WIRE;
         if (!wire && chosen.equals(PIPELINE) && drawsDirectly(look, shading)) {
             DirectLook how = directLook(look, shading);

@@ -60,6 +60,15 @@ public final class ViewTransform {
         return toEye[axis] * x + toEye[4 + axis] * y + toEye[8 + axis] * z + toEye[12 + axis];
     }
 
+    /**
+     * An entry of the matrix from world to eye, for points as columns.
+     *
+     * @param column 0 to 2 for x, y, z; 3 for what is added
+     */
+    public double entry(int axis, int column) {
+        return toEye[4 * column + axis];
+    }
+
     /** One coordinate of a plane's normal in eye space, not of length 1 in an oblique one. */
     public double normalToEye(int axis, double x, double y, double z) {
         return normalToEye[axis] * x + normalToEye[4 + axis] * y + normalToEye[8 + axis] * z;

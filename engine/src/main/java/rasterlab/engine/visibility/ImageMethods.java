@@ -24,8 +24,8 @@ final class ImageMethods {
                         + " different ones split the span where their planes cross",
                 "all pixels left of the present boundary are painted, each once",
                 "N·log N for a row of N faces, two depths per active face and span",
-                "none known but depths that doubles cannot tell; faces in one plane: the earlier"
-                        + " is shown",
+                "none known but depths that doubles cannot tell; faces in one plane within"
+                        + " rounding: the earlier is shown",
                 "C. Wylie, G. Romney, D. Evans, A. Erdahl, AFIPS 1967; G. S. Watkins, PhD thesis,"
                         + " University of Utah, 1970");
     }
@@ -44,7 +44,8 @@ final class ImageMethods {
                 "t = (c − n·o) / (n·d) for each face; the smallest t inside a face wins",
                 "a pixel's answer depends on no other pixel",
                 "about log N boxes and a few plane tests per pixel",
-                "none known; slow",
+                "none known but depths that doubles cannot tell; slow; faces in one plane within"
+                        + " rounding: the earlier is shown",
                 "A. Appel, AFIPS Spring Joint Computer Conference, 1968");
     }
 }

@@ -6,9 +6,8 @@ import rasterlab.engine.transform.PictureFit;
  * Nearness over one face, ρ/z in perspective and −z in parallel projection, as a linear function of
  * the pixel: {@code base + x·perColumn + y·perRow}. z itself is not linear in perspective.
  *
- * <p>It is that of the point at which {@link RayCast} looks through the pixel, a hair right of its
- * centre and below: of two faces that meet in a line through centres the one that is nearer beside
- * it is the nearer.
+ * <p>It is that of the {@link PixelPoint}: of two faces that meet in a line through centres the one
+ * that is nearer beside it is the nearer.
  */
 final class NearnessPlane {
     double base;
@@ -37,8 +36,8 @@ final class NearnessPlane {
         perRow = -perUnitY / fit.pixelsPerUnit();
         base =
                 middle
-                        + perUnitX * fit.toPlaneX(RayCast.RIGHT_OF_CENTRE)
-                        + perUnitY * fit.toPlaneY(RayCast.BELOW_CENTRE);
+                        + perUnitX * fit.toPlaneX(PixelPoint.RIGHT_OF_CENTRE)
+                        + perUnitY * fit.toPlaneY(PixelPoint.BELOW_CENTRE);
         return true;
     }
 }

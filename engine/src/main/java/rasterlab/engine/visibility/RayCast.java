@@ -7,23 +7,16 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.ViewTransform;
 
 /**
- * The exact reference: one ray per pixel centre against the faces, in world space and doubles.
+ * One ray per pixel against the faces, in world space and doubles.
  *
- * <p>It shares no step with the methods it judges: it never projects a vertex, but sends the ray
- * {@code o + t·d} from the eye and takes the smallest depth t at which it meets a face, or where
- * faces are transparent all of them down to the first opaque one. {@link BoxTree} leaves out faces
- * it cannot meet. The ray passes 2⁻²⁰ pixel right of the centre and 2⁻³⁰ below it, so that a centre
- * on a shared edge belongs to the face on its right, then below.
+ * <p>It never projects a vertex, but sends the ray {@code o + t·d} from the eye through the {@link
+ * PixelPoint} and takes the smallest depth t at which it meets a face, or where faces are
+ * transparent all of them down to the first opaque one. {@link BoxTree} leaves out faces it cannot
+ * meet.
  *
  * <p>Source: A. Appel, Some techniques for shading machine renderings of solids, AFIPS 1968.
  */
 final class RayCast implements Visibility {
-    /** Where the ray passes a pixel. */
-    static final double RIGHT_OF_CENTRE = 0x1p-20;
-
-    /** Where the ray passes a pixel. */
-    static final double BELOW_CENTRE = 0x1p-30;
-
     @Override
     public VisibilityWork draw(
             ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
@@ -50,7 +43,7 @@ final class RayCast implements Visibility {
         int[] seen = {};
         int from = 0;
         for (int x = 0; x < out.width(); x++) {
-            rays.through(x + RIGHT_OF_CENTRE, row + BELOW_CENTRE, ray);
+            rays.through(x + PixelPoint.RIGHT_OF_CENTRE, row + PixelPoint.BELOW_CENTRE, ray);
             hits.start(ray);
             boxes.cast(hits);
             if (hits.same(seen)) continue;

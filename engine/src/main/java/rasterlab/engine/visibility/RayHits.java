@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * One ray after the other, each with the faces it meets: the nearest first, up to the first one
- * that is opaque. Of faces met at one depth the earlier one counts as nearer.
+ * that is opaque. Of faces met at one depth, or in {@link OnePlane} at depths that rounding may
+ * have parted, the earlier one counts as nearer.
  */
 final class RayHits {
     private final RayTargets targets;
@@ -77,13 +78,22 @@ final class RayHits {
         double t = targets.meets(face, ray);
         if (!(t >= nearest && t <= end)) return;
         int at = count;
-        while (at > 0 && (t < depths[at - 1] || t == depths[at - 1] && face < faces[at - 1])) at--;
+        while (at > 0 && nearer(t, face, at - 1)) at--;
         if (at > 0 && paint.opaque(faces[at - 1])) return;
         if (paint.opaque(face)) {
             count = at;
-            end = t;
+            end = Math.min(drawn.end(), t + targets.room(t));
         }
         insert(at, t, face);
+    }
+
+    private boolean nearer(double t, int face, int than) {
+        double apart = t - depths[than];
+        boolean one =
+                apart == 0
+                        || Math.abs(apart) <= targets.room(t)
+                                && targets.onePlane(face, faces[than]);
+        return one ? face < faces[than] : apart < 0;
     }
 
     private void insert(int at, double t, int face) {

@@ -8,7 +8,7 @@ import rasterlab.engine.scene.Mesh;
  */
 final class RayTargets {
     /** How far outside an edge still counts as on it, as a share of the mesh's radius. */
-    private static final double ON_EDGE = 1e-12;
+    private static final double ON_EDGE = 0x1p-46;
 
     private final double[] planes;
     private final double[][] walls;
@@ -71,6 +71,24 @@ final class RayTargets {
                                 - planes[at + 2] * ray[2])
                         / toward;
         return inside(walls[face], ray, t) ? t : Double.NaN;
+    }
+
+    /** By how much rounding may part depths at which a ray meets one plane. */
+    double room(double t) {
+        return OnePlane.room(Math.abs(t) + radius);
+    }
+
+    /** Whether two faces are in one plane, whichever sides they turn to the eye. */
+    boolean onePlane(int one, int other) {
+        int a = 4 * one;
+        int b = 4 * other;
+        double turn = 0;
+        for (int i = 0; i < 3; i++) turn += planes[a + i] * planes[b + i];
+        double side = Math.signum(turn);
+        double apart = Math.abs(planes[a + 3] - side * planes[b + 3]);
+        for (int i = 0; i < 3; i++)
+            apart += radius * Math.abs(planes[a + i] - side * planes[b + i]);
+        return apart <= OnePlane.room(radius);
     }
 
     private static boolean inside(double[] walls, double[] ray, double t) {

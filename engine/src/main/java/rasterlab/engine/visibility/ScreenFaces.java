@@ -126,11 +126,32 @@ final class ScreenFaces {
         return nearness[at] + pixelY * nearness[at + 2] + pixelX * nearness[at + 1];
     }
 
-    /** Whether one is nearer than another at a pixel; of equal ones the earlier face is. */
+    /** Whether one is nearer than another at a pixel; in {@link OnePlane} the earlier face is. */
     boolean nearer(int one, int other, int pixelX, int pixelY) {
         double here = nearness(one, pixelX, pixelY);
         double there = nearness(other, pixelX, pixelY);
-        return here > there || here == there && one < other;
+        if (here == there) return one < other;
+        if (Math.abs(here - there) <= OnePlane.room(size(one)) && onePlane(one, other))
+            return one < other;
+        return here > there;
+    }
+
+    /** Whether nearnesses differ no more than rounding makes them, anywhere in the picture. */
+    private boolean onePlane(int one, int other) {
+        int a = 3 * one;
+        int b = 3 * other;
+        double apart =
+                Math.abs(nearness[a] - nearness[b])
+                        + Math.abs(nearness[a + 1] - nearness[b + 1]) * view.fit().width()
+                        + Math.abs(nearness[a + 2] - nearness[b + 2]) * view.fit().height();
+        return apart <= OnePlane.room(size(one));
+    }
+
+    /** The most that nearness can be in the picture. */
+    private double size(int place) {
+        return Math.abs(nearness[3 * place])
+                + Math.abs(nearness[3 * place + 1]) * view.fit().width()
+                + Math.abs(nearness[3 * place + 2]) * view.fit().height();
     }
 
     /** Takes the pixels of one row that the face owns. */

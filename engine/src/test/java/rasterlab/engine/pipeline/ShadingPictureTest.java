@@ -95,7 +95,8 @@ class ShadingPictureTest {
 
     private Raster picture(Scene scene, String shading, String projection, SphericalView camera) {
         var request =
-                new RenderRequest(scene, "raycast", shading, projection, camera, WIDTH, HEIGHT);
+                new RenderRequest(
+                        scene, Renderer.REFERENCE, shading, projection, camera, WIDTH, HEIGHT);
         return renderer.render(request, () -> false);
     }
 
@@ -220,7 +221,8 @@ class ShadingPictureTest {
                             scene, visibility, shading, "perspective", LitScenes.ASIDE, 200, 150);
             var difference =
                     PictureDifference.of(
-                            renderer.render(request.withVisibility("raycast"), () -> false),
+                            renderer.render(
+                                    request.withVisibility(Renderer.REFERENCE), () -> false),
                             renderer.render(request, () -> false));
             assertTrue(difference.share() < 0.0005, shading + ": " + difference.share());
         }

@@ -20,7 +20,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
-/** The z-buffer against the ray caster; figures are printed, as the course asks for them. */
+/** The z-buffer against the reference; figures are printed, as the course asks for them. */
 class AgreementTest {
     private static final double ALLOWED = 0.0005;
     private static final long SEED = 20240917;
@@ -105,7 +105,7 @@ class AgreementTest {
     private double share(
             Scene scene, String method, String projection, SphericalView camera, int w, int h) {
         var request = new RenderRequest(scene, method, "tone", projection, camera, w, h);
-        Raster exact = renderer.render(request.withVisibility("raycast"), () -> false);
+        Raster exact = renderer.render(request.withVisibility(Renderer.REFERENCE), () -> false);
         var difference = PictureDifference.of(exact, renderer.render(request, () -> false));
         System.out.printf(
                 "%s %s %s θ=%.3f φ=%.3f ρ=%.3f: %d of %d pixels wrong (%.4f %%)%n",

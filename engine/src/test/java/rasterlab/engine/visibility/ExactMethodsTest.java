@@ -25,7 +25,7 @@ import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
 
 /**
- * Every method that claims to be right, against the ray caster, in every projection. Where surfaces
+ * Every method that claims to be right, against the reference, in every projection. Where surfaces
  * coincide, or edges lie on pixel centres, {@link PixelAnswers} says what else is right.
  */
 class ExactMethodsTest {
@@ -45,7 +45,7 @@ class ExactMethodsTest {
     void fewPixelsAreWrong(Mesh mesh, SphericalView camera, List<String> methods) {
         for (Projection projection : Projection.values()) {
             ViewedMesh view = TestScenes.seen(mesh, camera, projection, WIDTH, HEIGHT);
-            Raster exact = TestScenes.picture("raycast", view);
+            Raster exact = TestScenes.exact(view);
             for (String method : methods) {
                 Raster picture = TestScenes.picture(method, view);
                 double share =
@@ -75,7 +75,7 @@ class ExactMethodsTest {
             var camera = scene.defaultCamera();
             ViewedMesh view = TestScenes.seen(scene.mesh(), camera, Projection.PERSPECTIVE, 64, 48);
             var answers = new PixelAnswers(view);
-            Raster exact = TestScenes.picture("raycast", view);
+            Raster exact = TestScenes.exact(view);
             int undecided = 0;
             for (int i = 0; i < 64 * 48; i++) {
                 assertTrue(answers.right(exact.argb()[i] - 1, i % 64, i / 64), name + " " + i);
@@ -128,7 +128,7 @@ class ExactMethodsTest {
     void circleIsExactAndItsSplitsAreCounted() {
         for (Projection projection : List.of(Projection.PERSPECTIVE, Projection.PARALLEL)) {
             ViewedMesh view = TestScenes.seen(TestScenes.cycle(), CAMERA, projection, 800, 600);
-            Raster exact = TestScenes.picture("raycast", view);
+            Raster exact = TestScenes.exact(view);
             long misled =
                     PictureDifference.of(exact, TestScenes.picture("painter", view)).wrongPixels();
             assertTrue(misled > 1000, "the painter is wrong in " + misled + " pixels only");
@@ -148,7 +148,7 @@ class ExactMethodsTest {
         for (Projection projection : List.of(Projection.PERSPECTIVE, Projection.CAVALIER)) {
             SphericalView camera = scene.defaultCamera();
             ViewedMesh view = TestScenes.seen(scene.mesh(), camera, projection, 400, 300);
-            Raster exact = TestScenes.picture("raycast", view);
+            Raster exact = TestScenes.exact(view);
             for (String method : List.of("newell", "bsp", "scanline", "warnock"))
                 assertArrayEquals(exact.argb(), TestScenes.picture(method, view).argb(), method);
             for (String method : List.of("z16", "z24", "zfloat", "reversed-z")) {
@@ -189,7 +189,7 @@ class ExactMethodsTest {
         var fit = PictureFit.of(800, 600, scene.pictureScale());
         var transform = new ViewTransform(scene.defaultCamera(), Projection.PERSPECTIVE);
         var view = new ViewedMesh(scene.mesh(), transform, fit);
-        Raster exact = TestScenes.picture("raycast", view);
+        Raster exact = TestScenes.exact(view);
         double share = PictureDifference.of(exact, TestScenes.picture("z16", view)).share();
         assertTrue(share <= ALLOWED, "share " + share);
     }
@@ -201,7 +201,7 @@ class ExactMethodsTest {
         var fit = PictureFit.of(400, 300, scene.pictureScale());
         var transform = new ViewTransform(scene.defaultCamera(), Projection.CAVALIER);
         var view = new ViewedMesh(scene.mesh(), transform, fit);
-        Raster exact = TestScenes.picture("raycast", view);
+        Raster exact = TestScenes.exact(view);
         for (String method : List.of("newell", "bsp", "scanline", "warnock", "z32"))
             assertArrayEquals(exact.argb(), TestScenes.picture(method, view).argb(), method);
     }
@@ -223,9 +223,7 @@ class ExactMethodsTest {
                     TestScenes.seen(TestScenes.box(50), camera, Projection.PERSPECTIVE, 320, 240);
             assertEquals(
                     0,
-                    PictureDifference.of(
-                                    TestScenes.picture("raycast", box),
-                                    TestScenes.picture("convex", box))
+                    PictureDifference.of(TestScenes.exact(box), TestScenes.picture("convex", box))
                             .wrongPixels(),
                     "rho " + rho);
         }

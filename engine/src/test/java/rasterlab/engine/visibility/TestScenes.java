@@ -7,6 +7,7 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.exact.ExactVisibility;
 
 /** Meshes on which methods disagree, and pictures whose colours are the numbers of faces. */
 final class TestScenes {
@@ -73,6 +74,17 @@ final class TestScenes {
 
     static Raster picture(String method, ViewedMesh view) {
         return picture(method, view, numbers(view.mesh()));
+    }
+
+    /** By the reference. */
+    static Raster exact(ViewedMesh view) {
+        return exact(view, numbers(view.mesh()));
+    }
+
+    static Raster exact(ViewedMesh view, FacePaint paint) {
+        var out = new Raster(view.fit().width(), view.fit().height());
+        new ExactVisibility().draw(view, paint, out, () -> false);
+        return out;
     }
 
     static Raster picture(String method, ViewedMesh view, FacePaint paint) {

@@ -36,7 +36,7 @@ class TransparencyTest {
             };
 
     @ParameterizedTest(name = "{0} loses or misplaces a layer")
-    @ValueSource(strings = {"newell", "bsp", "scanline", "warnock"})
+    @ValueSource(strings = {"newell", "bsp", "scanline", "warnock", "raycast"})
     void layersAreBlendedBackToFront(String method) {
         assertLayers(method, TestScenes.crossing(60, 60, SEED), 2e-4);
     }
@@ -65,7 +65,7 @@ class TransparencyTest {
 
     private static void assertLayers(String method, Mesh mesh, double allowed) {
         ViewedMesh view = TestScenes.seen(mesh, CAMERA, Projection.PERSPECTIVE, 400, 300);
-        Raster exact = TestScenes.picture("raycast", view, LAYERS);
+        Raster exact = TestScenes.exact(view, LAYERS);
         var difference = PictureDifference.of(exact, TestScenes.picture(method, view, LAYERS));
         assertEquals(0, difference.share(), allowed, method + ", seed " + SEED);
     }

@@ -1,5 +1,8 @@
 package rasterlab.tests.rules;
 
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.belongToAnyOf;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
@@ -21,6 +24,13 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.visibility.Cancellation;
+import rasterlab.engine.visibility.ClipPlane;
+import rasterlab.engine.visibility.FacePaint;
+import rasterlab.engine.visibility.PixelPoint;
+import rasterlab.engine.visibility.ViewedMesh;
+import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.VisibilityWork;
 
 class ArchitectureTest {
     private static final String[] SWING = {"javax.swing..", "java.awt.event..", "com.formdev.."};
@@ -176,6 +186,28 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideOutsideOfPackages("rasterlab.engine.clip.exact..", "java..")
+                .check(classes);
+    }
+
+    /** What it is given and what it answers is all that it has in common with them. */
+    @Test
+    void exactVisibilityKnowsNoMethod() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.engine.visibility.exact..")
+                .should()
+                .dependOnClassesThat(
+                        resideInAnyPackage("rasterlab.engine.visibility")
+                                .and(
+                                        not(
+                                                belongToAnyOf(
+                                                        Visibility.class,
+                                                        VisibilityWork.class,
+                                                        ViewedMesh.class,
+                                                        ClipPlane.class,
+                                                        FacePaint.class,
+                                                        PixelPoint.class,
+                                                        Cancellation.class))))
                 .check(classes);
     }
 

@@ -87,7 +87,13 @@ final class HiddenSurfacesHazards {
                                 new Quads().square(-10, -8, 500, 30).square(12, 9, 500, 33).mesh(),
                                 new SphericalView(0.7, 1.1, 500),
                                 Projection.PERSPECTIVE,
-                                SMALL)));
+                                SMALL)),
+                hazard(
+                        "coplanar-turned",
+                        "Two squares in one plane that was turned, which rounds it: the earlier is right.",
+                        "none back-face painter",
+                        "painter-textbook",
+                        TurnedSquares.seen()));
     }
 
     /** One is nearer on the left, the other on the right. */

@@ -11,15 +11,15 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.exact.ExactVisibility;
 
 /**
- * The face seen at each pixel, by every visibility method, held against one ray for each pixel.
+ * The face seen at each pixel, by every visibility method, held against {@link ExactVisibility}.
  *
  * <p>Up to 0.05 % of the pixels may differ: a pixel's centre may lie on an edge within rounding,
  * and two faces may meet in it. Up to 1 % is usable.
  */
 public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView, FacePicture> {
-    private static final String REFERENCE = "raycast";
     private static final double CORRECT = 0.05;
     private static final double USABLE = 1;
 
@@ -61,7 +61,7 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
 
     @Override
     public FacePicture exact(SurfaceView input, int limit) {
-        return run(visibilities.named(REFERENCE).implementation(), input, Integer.MAX_VALUE);
+        return run(new ExactVisibility(), input, Integer.MAX_VALUE);
     }
 
     @Override

@@ -34,6 +34,8 @@ import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.FlatPaint;
 import rasterlab.engine.visibility.PixelAnswers;
 import rasterlab.engine.visibility.ViewedMesh;
+import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.exact.ExactVisibility;
 
 /** The pipeline's pictures of scenes beside those of one ray for each pixel. */
 class DirectPictureTest {
@@ -49,9 +51,10 @@ class DirectPictureTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("looks")
-    void isTheRaysPicture(String scene, String shading, String projection) {
+    void isTheExactPicture(String scene, String shading, String projection) {
         var request = request(Scenes.named(scene), "pipeline", shading, projection);
-        double share = wrongShare(request.withVisibility("raycast"), request, answers(request));
+        double share =
+                wrongShare(request.withVisibility(Renderer.REFERENCE), request, answers(request));
         assertTrue(share <= ALLOWED, () -> "share of wrong pixels: " + share);
     }
 
@@ -110,7 +113,9 @@ class DirectPictureTest {
         Scene globe = Scenes.named("globe").with(finish -> finish.with(laid(finish, mode)));
         for (String shading : LIT) {
             var request = request(globe, "pipeline", shading, "perspective");
-            double share = wrongShare(request.withVisibility("raycast"), request, answers(request));
+            double share =
+                    wrongShare(
+                            request.withVisibility(Renderer.REFERENCE), request, answers(request));
             assertTrue(share <= ALLOWED, () -> shading + ": share of wrong pixels: " + share);
         }
     }
@@ -133,7 +138,9 @@ class DirectPictureTest {
                         globe.pictureScale());
         for (String shading : LIT) {
             var request = request(scene, "pipeline", shading, "perspective");
-            double share = wrongShare(request.withVisibility("raycast"), request, answers(request));
+            double share =
+                    wrongShare(
+                            request.withVisibility(Renderer.REFERENCE), request, answers(request));
             assertTrue(share <= ALLOWED, () -> shading + ": share of wrong pixels: " + share);
         }
     }
@@ -204,7 +211,7 @@ class DirectPictureTest {
         return (double) wrong / exact.length;
     }
 
-    /** Pixels through which a ray sees one face and the pipeline another that is as near there. */
+    /** Pixels in which one face is seen exactly and the pipeline another that is as near there. */
     private static BiPredicate<Integer, Integer> answers(RenderRequest request) {
         Scene scene = request.scene();
         var view =
@@ -212,26 +219,25 @@ class DirectPictureTest {
                         scene.mesh(),
                         new ViewTransform(request.camera(), request.projection()),
                         PictureFit.of(request.width(), request.height(), scene.pictureScale()));
-        Raster exact = numbers("raycast", view);
-        Raster drawn = numbers("pipeline", view);
+        Raster exact = numbers(new ExactVisibility(), view);
+        Raster drawn = numbers(pipeline(), view);
         var answers = new PixelAnswers(view);
         return (x, y) ->
                 exact.argb(x, y) != drawn.argb(x, y) && answers.right(drawn.argb(x, y) - 1, x, y);
     }
 
-    private static Raster numbers(String method, ViewedMesh view) {
+    private static Visibility pipeline() {
+        return Renderer.visibilityMethods().stream()
+                .filter(each -> each.name().equals(Renderer.PIPELINE))
+                .findFirst()
+                .orElseThrow()
+                .implementation();
+    }
+
+    private static Raster numbers(Visibility method, ViewedMesh view) {
         int[] fill = IntStream.rangeClosed(1, view.mesh().faceCount()).toArray();
         var out = new Raster(view.fit().width(), view.fit().height());
-        Renderer.visibilityMethods().stream()
-                .filter(each -> each.name().equals(method))
-                .forEach(
-                        each ->
-                                each.implementation()
-                                        .draw(
-                                                view,
-                                                new FlatPaint(fill, new int[0]),
-                                                out,
-                                                () -> false));
+        method.draw(view, new FlatPaint(fill, new int[0]), out, () -> false);
         return out;
     }
 
