@@ -64,7 +64,7 @@ class RussianComplaintsTest {
             render vase --out FOLDER/a.png --detail 3 --lang ru
             run line bresenham --lang ru
             render --lang ru
-            render vaes --out a.png --lang ru
+            render vaes --out FOLDER/a.png --lang ru
             render vase --outline --visibility z16 --out FOLDER/a.png --lang ru
             render vase --lang ru
             render vase --out a.gif --lang ru
