@@ -182,8 +182,9 @@ class RunPolygonTest {
 
     @Test
     void methodWithoutStepsSaysSo() {
-        Ran.labReading(TRIANGLE + "[[1,1]]}", "run", "point-in-triangle", "robust", "--steps")
-                .assertComplains(2, "./lab run: --steps: method 'robust' has no steps");
+        String call = "{\"name\":\"ROT3DX\",\"angle\":9}";
+        Ran.labReading(call, "run", "matrix", "formula", "--steps")
+                .assertComplains(2, "./lab run: --steps: method 'formula' has no steps");
     }
 
     @ParameterizedTest

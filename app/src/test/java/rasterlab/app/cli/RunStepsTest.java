@@ -34,7 +34,6 @@ class RunStepsTest {
                     "line-plane formula-textbook",
                     "line-plane formula",
                     "line-plane unrounded",
-                    "point-in-triangle robust",
                     "matrix formula-textbook",
                     "matrix formula",
                     "view one-matrix",

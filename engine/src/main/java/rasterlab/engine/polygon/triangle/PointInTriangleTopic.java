@@ -95,8 +95,8 @@ public final class PointInTriangleTopic
 
     @Override
     public Map<String, Long> operations(PointInTriangle method, ShapeAndPoints input) {
-        if (method instanceof SteppedTriangleTest stepped) return walked(stepped, input);
-        return method instanceof RobustTriangle ? ofRobust(input) : Map.of();
+        if (method instanceof RobustTriangle) return ofRobust(input);
+        return method instanceof SteppedTriangleTest stepped ? walked(stepped, input) : Map.of();
     }
 
     /** What the walks have counted. */

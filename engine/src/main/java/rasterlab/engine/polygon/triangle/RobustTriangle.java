@@ -1,6 +1,5 @@
 package rasterlab.engine.polygon.triangle;
 
-import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.geometry.Orientation;
 
 /**
@@ -21,8 +20,11 @@ import rasterlab.engine.geometry.Orientation;
  * exactly. The three doubled areas add up to the triangle's own, so where that is 0 and one of them
  * is not, two differ in sign: outside. Where all three are 0, corners and point lie on one line,
  * and their extent decides.
+ *
+ * <p>A walk asks side after side exactly, and so answers what {@code contains} does: doubles only
+ * spare the exact signs.
  */
-public final class RobustTriangle implements PointInTriangle {
+public final class RobustTriangle implements SteppedTriangleTest {
     private static final double ROUNDING = 8 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-1060;
 
@@ -74,6 +76,45 @@ public final class RobustTriangle implements PointInTriangle {
                     >= 0;
         }
         return exactly(ax, ay, bx, by, cx, cy, x, y);
+    }
+
+    @Override
+    public SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return new Walk(ax, ay, bx, by, cx, cy, x, y);
+    }
+
+    @Override
+    public String valueFormula() {
+        return "exact sign of (qx − px)·(y − py) − (qy − py)·(x − px) for the sides a–b, b–c, c–a;"
+                + " outside as soon as two are opposite";
+    }
+
+    private static final class Walk extends SideWalk {
+        private boolean left;
+        private boolean right;
+
+        Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+            super(ax, ay, bx, by, cx, cy, x, y);
+        }
+
+        @Override
+        double ask(int side) {
+            return switch (side) {
+                case 0 -> Orientation.of(ax, ay, bx, by, x, y);
+                case 1 -> Orientation.of(bx, by, cx, cy, x, y);
+                default -> Orientation.of(cx, cy, ax, ay, x, y);
+            };
+        }
+
+        @Override
+        boolean outside(int side, double value) {
+            left |= value > 0;
+            right |= value < 0;
+            if (left && right) return true;
+            boolean onOneLine = side == 2 && !left && !right;
+            return onOneLine && !(within(ax, bx, cx, x) && within(ay, by, cy, y));
+        }
     }
 
     private boolean exactly(

@@ -14,6 +14,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -70,6 +71,27 @@ class PointInTriangleTest {
             String first = TOPIC.compare(input, exact, actual).first();
             assertEquals("", first, "seed " + SEED + ", round " + round + ", " + corners);
         }
+    }
+
+    @Test
+    @DisplayName("the steps of the right method end in another answer than the method")
+    void robustWalkEndsWithTheAnswer() {
+        var stepped = (SteppedTriangleTest) ROBUST;
+        var random = new Random(SEED);
+        for (int round = 0; round < 10 * ROUNDS; round++) {
+            Points t = Points.of(random.ints(6, -4, 5).asDoubleStream().toArray());
+            double x = random.nextInt(-5, 6);
+            double y = random.nextInt(-5, 6);
+            String said = t + " (" + x + ", " + y + "), seed " + SEED;
+            assertEquals(contains(ROBUST, t, x, y), walked(stepped, t, x, y), said);
+        }
+    }
+
+    private static boolean walked(SteppedTriangleTest method, Points t, double x, double y) {
+        SideWalk walk = method.walk(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y);
+        while (walk.advance())
+            ;
+        return walk.inside();
     }
 
     /** Whole numbers up to ±2¹⁴ overflow nothing, so the classics are right off the boundary. */
