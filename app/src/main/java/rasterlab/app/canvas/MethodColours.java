@@ -30,34 +30,39 @@ public final class MethodColours {
     public static final Color INDIGO = new Color(0x332288);
     public static final Color OLIVE = new Color(0x999933);
 
-    /** This and the next two: the same source, palette "dark". */
+    /** From the same source, palette "dark". */
     public static final Color DARK_GREEN = new Color(0x225522);
 
-    public static final Color BROWN = new Color(0x663333);
-    public static final Color SLATE = new Color(0x225555);
-
-    /** This and the next two: palette "muted" again, nearer to some of those above. */
-    public static final Color TEAL = new Color(0x44AA99);
-
+    /** From palette "muted" again. */
     public static final Color MAGENTA = new Color(0xAA4499);
-    public static final Color SAND = new Color(0xDDCC77);
 
-    /** Palette "light". */
+    /** From palette "light". */
     public static final Color ROSE = new Color(0xFFAABB);
+
+    /**
+     * This and the next three are of no published palette, whose like-named colours are too near to
+     * those above: they were found by measuring, as the class's tests do.
+     */
+    public static final Color BROWN = new Color(0x692B04);
+
+    public static final Color SLATE = new Color(0x4F5769);
+    public static final Color TEAL = new Color(0x49C796);
+    public static final Color SAND = new Color(0xCFCB9A);
 
     /**
      * For lines on a dark ground, in which these drown; merely paler, they would be others. No
      * published palette: these were found by measuring, as the class's tests do, the contrast with
-     * the dark stage, at least 3, and the distance from every other colour of the palette, red and
-     * green taken together: as far as on white, or 40 levels.
+     * the dark stage, at least 3, the distance from every other colour of the palette, at least
+     * 0.12 in OKLab, and the same with red and green taken together: as far as on white, or 40
+     * levels.
      */
     private static final Map<Color, Color> ON_DARK =
             Map.of(
-                    WINE, new Color(0xF7CEDF),
-                    INDIGO, new Color(0x2D5DFC),
-                    DARK_GREEN, new Color(0xDBFFB8),
-                    BROWN, new Color(0x8F6238),
-                    SLATE, new Color(0x1F95FF));
+                    WINE, new Color(0xF8DEF1),
+                    INDIGO, new Color(0x2F59FB),
+                    DARK_GREEN, new Color(0xD8FFC7),
+                    BROWN, new Color(0x915F1A),
+                    SLATE, new Color(0x3D8CFF));
 
     /** What methods without a colour of their own are given, those first that differ most. */
     private static final List<Color> PALETTE =

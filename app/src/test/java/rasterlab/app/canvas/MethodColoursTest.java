@@ -25,6 +25,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.visibility.depth.DepthPrecision;
 
 class MethodColoursTest {
     /** What colour-blind people can tell apart. */
@@ -117,6 +118,70 @@ class MethodColoursTest {
                                         + " apart");
             }
         }
+    }
+
+    /** Colours of one chart, in OKLab: nearer ones are taken for each other at a glance. */
+    private static final double LEAST_OKLAB = 0.12;
+
+    static Stream<List<String>> charts() {
+        Stream<List<String>> palette =
+                Stream.of(IntStream.range(0, 17).mapToObj(i -> "method " + i).toList());
+        Stream<List<String>> all =
+                Topics.all().stream()
+                        .map(topic -> topic.methods().stream().map(Method::name).toList());
+        return Stream.of(palette, all, Stream.of(Renderer.visibilities(), DepthPrecision.FORMATS))
+                .flatMap(each -> each);
+    }
+
+    @ParameterizedTest(name = "two colours of one chart are near-alike: {0}")
+    @MethodSource("charts")
+    void coloursOfOneChartAreFarApartInEveryTheme(List<String> names) {
+        Map<String, MethodLook> looks = MethodLook.of(names);
+        for (StageColours stage :
+                List.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR))
+            for (String one : names)
+                for (String two : names.subList(0, names.indexOf(one))) {
+                    ChartLook paper = ChartLook.on(stage);
+                    double far =
+                            perceived(
+                                    looks.get(one).on(paper).colour(),
+                                    looks.get(two).on(paper).colour());
+                    assertTrue(
+                            far >= LEAST_OKLAB,
+                            () -> one + ", " + two + " are " + far + " apart on " + stage.ground());
+                }
+    }
+
+    @Test
+    void blackAndWhiteAreOneApartInOklab() {
+        assertEquals(1, perceived(Color.BLACK, Color.WHITE), 1e-4);
+        assertEquals(0, perceived(Color.RED, Color.RED), 0);
+    }
+
+    /** Source: B. Ottosson, A perceptual color space for image processing, 2020. */
+    private static double perceived(Color one, Color two) {
+        double[] a = oklab(one);
+        double[] b = oklab(two);
+        return Math.hypot(Math.hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
+    }
+
+    private static double[] oklab(Color colour) {
+        double r = linear(colour.getRed());
+        double g = linear(colour.getGreen());
+        double b = linear(colour.getBlue());
+        double l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+        double m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+        double s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+        return new double[] {
+            0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s
+        };
+    }
+
+    private static double linear(int level) {
+        double s = level / 255.0;
+        return s <= 0.04045 ? s / 12.92 : Math.pow((s + 0.055) / 1.055, 2.4);
     }
 
     private static double apart(List<String> names, String one, String two, StageColours stage) {
