@@ -17,6 +17,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
@@ -70,7 +71,14 @@ record PlaneFrame(
 
     void paint(Graphics2D g, BooleanSupplier cancelled) {
         DevicePixels.smooth(g);
-        var rulers = new PlaneRulers(map, new Dimension(width, height), colours, font, locale);
+        var rulers =
+                new PlaneRulers(
+                        map,
+                        new Dimension(width, height),
+                        colours,
+                        font,
+                        locale,
+                        picture.leastTick());
         if (picture.ruled()) rulers.paintGrid(g);
         else paintGround(g);
         var inner = (Graphics2D) g.create();
@@ -113,16 +121,19 @@ record PlaneFrame(
     }
 
     private Rectangle handle(PlanePoint point, Rectangle sight) {
-        int size = PictureType.scaled(HANDLE);
-        double x = map.viewX(point.x());
-        double y = map.viewY(point.y());
-        var square =
-                new Rectangle(
-                        Rulers.square(x, sight.x, sight.x + sight.width, size),
-                        Rulers.square(y, sight.y, sight.y + sight.height, size),
-                        size,
-                        size);
-        return ZoomButtons.clear(square, new Point2D.Double(x, y), sight, covered);
+        return EdgeArrow.place(view(point), PictureType.scaled(HANDLE), sight, covered);
+    }
+
+    private Point2D view(PlanePoint point) {
+        return new Point2D.Double(map.viewX(point.x()), map.viewY(point.y()));
+    }
+
+    /** Where each point lies from its handle if it is out of sight: an angle as of an arrow. */
+    List<OptionalDouble> directions() {
+        Rectangle sight = note(picture, note, new Dimension(width, height), font).below();
+        return points.stream()
+                .map(point -> EdgeArrow.towards(view(point), handle(point, sight), sight, covered))
+                .toList();
     }
 
     /**

@@ -15,6 +15,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.OptionalDouble;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 
@@ -40,10 +41,16 @@ final class PlaneHandle extends SelfDrawn {
         void remove(PlanePoint point);
 
         void focused(PlaneHandle handle);
+
+        /** A point out of sight was clicked. */
+        void seek();
     }
 
     private final transient Plane plane;
     private transient PlanePoint point;
+
+    /** Where the point lies if it is out of sight: the angle clockwise from the right. */
+    private transient OptionalDouble away = OptionalDouble.empty();
 
     PlaneHandle(PlanePoint point, Plane plane) {
         super(AccessibleRole.SLIDER);
@@ -87,12 +94,26 @@ final class PlaneHandle extends SelfDrawn {
         return point;
     }
 
+    /**
+     * Becomes an arrow to a point out of sight, which is not dragged from there; or a ring again.
+     */
+    void point(OptionalDouble angle) {
+        if (angle.equals(away)) return;
+        away = angle;
+        repaint();
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         StageColours colours = StageColours.now();
+        if (away.isPresent()) {
+            EdgeArrow.paint(g, colours, getWidth(), getHeight(), away.getAsDouble(), showsFocus());
+            g.dispose();
+            return;
+        }
         Shape ring = ring(Math.min(getWidth(), getHeight()) - 6);
         g.setColor(colours.ground());
         g.setStroke(new BasicStroke(showsFocus() ? 5.5f : 4.5f));
@@ -123,23 +144,32 @@ final class PlaneHandle extends SelfDrawn {
     /** One drag of the handle, which is one change for undo. */
     private final class Drag extends MouseAdapter implements FocusListener {
         private Point offset = new Point();
+        private boolean dragging;
 
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
             offset = new Point(e.getX() - getWidth() / 2, e.getY() - getHeight() / 2);
-            plane.beginDrag();
+            dragging = away.isEmpty();
+            if (dragging) plane.beginDrag();
         }
 
         @Override
         public void mouseDragged(MouseEvent e) {
+            if (!dragging) return;
             plane.drag(
                     point, new Point(getX() + e.getX() - offset.x, getY() + e.getY() - offset.y));
         }
 
         @Override
         public void mouseReleased(MouseEvent e) {
-            plane.endDrag();
+            if (dragging) plane.endDrag();
+            dragging = false;
+        }
+
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            if (away.isPresent()) plane.seek();
         }
 
         @Override

@@ -24,6 +24,11 @@ public interface PlanePicture {
         return true;
     }
 
+    /** World units between two lines of the grid, at least: 1 where only whole pixels are meant. */
+    default double leastTick() {
+        return 0;
+    }
+
     /**
      * What labels of points leave clear where there is room, in view units.
      *

@@ -27,23 +27,36 @@ final class PlaneRulers {
     private final StageColours colours;
     private final Font font;
     private final Locale locale;
+    private final double least;
 
     /**
      * @param font of a label; the numbers are smaller
+     * @param least world units between two lines; 0 for any step
      */
-    PlaneRulers(PlaneMap map, Dimension view, StageColours colours, Font font, Locale locale) {
+    PlaneRulers(
+            PlaneMap map,
+            Dimension view,
+            StageColours colours,
+            Font font,
+            Locale locale,
+            double least) {
         this.map = map;
         this.view = view;
         this.colours = colours;
         this.font = font.deriveFont(Font.PLAIN, font.getSize2D() * 11 / 13);
         this.locale = locale;
+        this.least = least;
+    }
+
+    private RoundTicks ticks(double world) {
+        return RoundTicks.atLeast(Math.max(least, world));
     }
 
     void paintGrid(Graphics2D g) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, view.width, view.height);
         Numbers numbers = numbers(g);
-        RoundTicks columns = equal() ? numbers.columns : RoundTicks.atLeast(map.worldWidth(APART));
+        RoundTicks columns = equal() ? numbers.columns : ticks(map.worldWidth(APART));
         each(
                 columns,
                 leftWorld(),
@@ -84,7 +97,7 @@ final class PlaneRulers {
 
     private Numbers numbers(Graphics2D g) {
         FontMetrics metrics = g.getFontMetrics(font);
-        RoundTicks close = RoundTicks.atLeast(map.worldHeight(APART));
+        RoundTicks close = ticks(map.worldHeight(APART));
         if (!equal()) return new Numbers(columnsWithRoom(metrics, false), close, false);
         if (fitInFull(close, g) && !close.isLong()) {
             RoundTicks both = columnsWithRoom(metrics, false);
@@ -133,7 +146,7 @@ final class PlaneRulers {
     private RoundTicks columnsWithRoom(FontMetrics metrics, boolean factored) {
         double apart = APART;
         while (true) {
-            RoundTicks ticks = RoundTicks.atLeast(map.worldWidth(apart));
+            RoundTicks ticks = ticks(map.worldWidth(apart));
             int widest =
                     Math.max(
                             wide(metrics, ticks, leftWorld(), factored),

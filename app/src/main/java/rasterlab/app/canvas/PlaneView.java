@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javax.accessibility.AccessibleRole;
@@ -236,7 +237,11 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         pointed.place(getHeight());
         PlaneFrame due = frame(map());
         List<Rectangle> places = due.handles();
-        for (int i = 0; i < handles.size(); i++) handles.get(i).setBounds(places.get(i));
+        List<OptionalDouble> directions = due.directions();
+        for (int i = 0; i < handles.size(); i++) {
+            handles.get(i).setBounds(places.get(i));
+            handles.get(i).point(directions.get(i));
+        }
         if (asked.filter(due::equals).isPresent()) return;
         asked = Optional.of(due);
         frames.ask(due);
@@ -307,6 +312,11 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         @Override
         public void remove(PlanePoint point) {
             edits.remove(point.name());
+        }
+
+        @Override
+        public void seek() {
+            fit();
         }
 
         @Override

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.Arranged;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
@@ -22,9 +23,12 @@ import rasterlab.engine.study.Method;
 public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseable {
     private final ClipTopics topics;
     private final LatestOnly<ClipScene, ClipResults> clippings;
-    private final History<ClipChoice> history = new History<>(() -> state().choice(), this::bring);
+    private final History<Arranged<ClipChoice>> history = new History<>(this::present, this::bring);
     private final Listeners<ClipLabState> listeners = new Listeners<>();
     private ClipLabState state;
+
+    /** Arrangements so far; one that undo brings back is no new one. */
+    private int arrangements;
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -157,13 +161,16 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         edit(change.apply(state.choice().volume()));
     }
 
-    private void bring(ClipChoice choice) {
-        boolean other = choice.mode() != state.choice().mode();
-        clip(choice, state.arrangement() + (other ? 1 : 0));
+    private Arranged<ClipChoice> present() {
+        return new Arranged<>(state.choice(), state.arrangement());
+    }
+
+    private void bring(Arranged<ClipChoice> earlier) {
+        clip(earlier.choice(), earlier.arrangement());
     }
 
     /** What can be undone and redone. */
-    public History<ClipChoice> history() {
+    public History<?> history() {
         return history;
     }
 
@@ -189,7 +196,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
             topics.method(mode, scene.method());
             if (!scene.comparison().isEmpty()) topics.method(mode, scene.comparison());
         }
-        clip(choice, state.arrangement() + 1);
+        clip(choice, ++arrangements);
     }
 
     /** Waits until every choice so far is clipped or dropped. Any other thread. */
@@ -240,7 +247,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     private void change(ClipChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
         if (!next.equals(state.choice())) history.remember();
-        clip(next, state.arrangement() + (arrange ? 1 : 0));
+        clip(next, arrange ? ++arrangements : state.arrangement());
     }
 
     private void clip(ClipChoice choice, int arrangement) {

@@ -29,6 +29,11 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
     private static final int BETWEEN_CHECKS = 5000;
 
     @Override
+    public double leastTick() {
+        return 1;
+    }
+
+    @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         Color colour = MethodColours.of(drawing.method());
         Color edge =

@@ -12,9 +12,11 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.OptionalDouble;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
+import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
@@ -33,18 +35,27 @@ final class EndHandle extends SelfDrawn {
     private final End end;
     private final transient LineLabModel model;
 
+    /** Where the end lies if it is out of sight: the angle clockwise from the right. */
+    private transient OptionalDouble away = OptionalDouble.empty();
+
     /**
      * @param dragged told where the pointer is while it drags, in this component's coordinates
      * @param released told the end of a drag
+     * @param sought told that an end out of sight was clicked
      */
-    EndHandle(End end, LineLabModel model, Consumer<Point> dragged, Runnable released) {
+    EndHandle(
+            End end,
+            LineLabModel model,
+            Consumer<Point> dragged,
+            Runnable released,
+            Runnable sought) {
         super(AccessibleRole.SLIDER);
         this.end = end;
         this.model = model;
         setName("end." + end);
         setFocusable(true);
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
-        var mouse = new Drag(dragged, released);
+        var mouse = new Drag(dragged, released, sought);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         repaintOnFocus();
@@ -63,12 +74,27 @@ final class EndHandle extends SelfDrawn {
                 () -> model.nudgeEnd(end, FAR * dx, FAR * dy));
     }
 
+    /**
+     * Becomes an arrow to an end out of sight, which is not dragged from there; or a ring again.
+     */
+    void point(OptionalDouble angle, String hint) {
+        setToolTipText(angle.isPresent() ? hint : null);
+        if (angle.equals(away)) return;
+        away = angle;
+        repaint();
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         StageColours colours = StageColours.now();
+        if (away.isPresent()) {
+            EdgeArrow.paint(g, colours, getWidth(), getHeight(), away.getAsDouble(), showsFocus());
+            g.dispose();
+            return;
+        }
         double size = Math.min(getWidth(), getHeight()) - 6;
         Shape ring =
                 end == End.A
@@ -87,27 +113,38 @@ final class EndHandle extends SelfDrawn {
     private final class Drag extends MouseAdapter {
         private final Consumer<Point> dragged;
         private final Runnable released;
+        private final Runnable sought;
+        private boolean dragging;
 
-        Drag(Consumer<Point> dragged, Runnable released) {
+        Drag(Consumer<Point> dragged, Runnable released, Runnable sought) {
             this.dragged = dragged;
             this.released = released;
+            this.sought = sought;
         }
 
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
-            model.beginDrag();
+            dragging = away.isEmpty();
+            if (dragging) model.beginDrag();
         }
 
         @Override
         public void mouseDragged(MouseEvent e) {
-            dragged.accept(e.getPoint());
+            if (dragging) dragged.accept(e.getPoint());
         }
 
         @Override
         public void mouseReleased(MouseEvent e) {
+            if (!dragging) return;
+            dragging = false;
             model.endDrag();
             released.run();
+        }
+
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            if (away.isPresent()) sought.run();
         }
     }
 }

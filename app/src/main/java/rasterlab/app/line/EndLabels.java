@@ -1,20 +1,27 @@
 package rasterlab.app.line;
 
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
-/** Where the label of an end stands: beside its ring, and on no marked pixel. */
+/** Where the label of an end stands: beside its ring, and on no lit or marked pixel. */
 final class EndLabels {
     /** View units between ring and label. */
     private static final int GAP = 6;
+
+    /** A label stands at most so many times its height farther away. */
+    private static final int FARTHEST = 4;
 
     private EndLabels() {}
 
     /**
      * The place that covers the least of what is to be seen; of several the first: beyond the end,
-     * towards the other one, to the left, to the right.
+     * towards the other one, to the left, to the right, off the ring's corners; then the same
+     * farther away.
      *
      * @param ring around the end
      * @param above whether the other end lies below
@@ -28,19 +35,34 @@ final class EndLabels {
             boolean above,
             Rectangle within,
             List<? extends Rectangle2D> seen) {
-        int x = ring.x + (ring.width - width) / 2;
-        int y = ring.y + (ring.height - height) / 2;
-        int over = ring.y - GAP - height;
-        int under = ring.y + ring.height + GAP;
-        return List.of(
-                        new Rectangle(x, above ? over : under, width, height),
-                        new Rectangle(x, above ? under : over, width, height),
-                        new Rectangle(ring.x - GAP - width, y, width, height),
-                        new Rectangle(ring.x + ring.width + GAP, y, width, height))
-                .stream()
+        return IntStream.rangeClosed(0, FARTHEST)
+                .mapToObj(times -> GAP + times * height)
+                .flatMap(gap -> around(width, height, ring, above, gap))
                 .map(place -> moved(place, within))
                 .min(Comparator.comparingDouble(place -> covered(place, seen)))
                 .orElseThrow();
+    }
+
+    private static Stream<Rectangle> around(
+            int width, int height, Rectangle ring, boolean above, int gap) {
+        int x = ring.x + (ring.width - width) / 2;
+        int y = ring.y + (ring.height - height) / 2;
+        int over = ring.y - gap - height;
+        int under = ring.y + ring.height + gap;
+        int left = ring.x - gap - width;
+        int right = ring.x + ring.width + gap;
+        int beyond = above ? over : under;
+        int towards = above ? under : over;
+        return Stream.of(
+                        new Point(x, beyond),
+                        new Point(x, towards),
+                        new Point(left, y),
+                        new Point(right, y),
+                        new Point(left, beyond),
+                        new Point(right, beyond),
+                        new Point(left, towards),
+                        new Point(right, towards))
+                .map(corner -> new Rectangle(corner.x, corner.y, width, height));
     }
 
     private static Rectangle moved(Rectangle place, Rectangle within) {

@@ -27,10 +27,15 @@ import rasterlab.engine.study.Method;
 public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
     private final FigureTopics topics = new FigureTopics();
     private final LatestOnly<FigureScene, FigureDrawings> drawings;
-    private final History<Scenes> history = new History<>(this::kept, this::bring);
+    private final History<Remembered> history = new History<>(this::present, this::bring);
     private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
     private final Listeners<FigureState> listeners = new Listeners<>();
     private FigureState state;
+
+    /** Arrangements so far, and what was sought; those that undo brings back are none. */
+    private int arrangements;
+
+    private int soughts;
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -60,6 +65,9 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
             scenes = Map.copyOf(scenes);
         }
     }
+
+    /** What undo brings back, and with which numbers it came into sight. */
+    private record Remembered(Scenes scenes, int arrangement, int sought) {}
 
     public FigureState state() {
         return state;
@@ -166,7 +174,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         FigureScene next = state.scene().with(changed.apply(old));
         if (next.equals(state.scene())) return;
         history.remember();
-        draw(next, state.arrangement(), state.sought() + 1);
+        draw(next, state.arrangement(), ++soughts);
     }
 
     /** Changes something that only a pen's line has. */
@@ -185,14 +193,18 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     /** A mode that is not shown may have been given a hazard's figure too. */
-    private void bring(Scenes earlier) {
-        scenes.putAll(earlier.scenes());
-        boolean other = earlier.last() != state.scene().mode();
-        draw(scenes.get(earlier.last()), arranged(other), state.sought() + 1);
+    private void bring(Remembered earlier) {
+        scenes.putAll(earlier.scenes().scenes());
+        FigureScene shown = scenes.get(earlier.scenes().last());
+        draw(shown, earlier.arrangement(), earlier.sought());
+    }
+
+    private Remembered present() {
+        return new Remembered(kept(), state.arrangement(), state.sought());
     }
 
     /** What can be undone and redone. */
-    public History<Scenes> history() {
+    public History<?> history() {
         return history;
     }
 
@@ -275,7 +287,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     private int arranged(boolean again) {
-        return state.arrangement() + (again ? 1 : 0);
+        return again ? ++arrangements : state.arrangement();
     }
 
     private void draw(FigureScene scene, int arrangement) {

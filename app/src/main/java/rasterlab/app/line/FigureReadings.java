@@ -94,7 +94,10 @@ final class FigureReadings {
     private String other(FigureDrawing second) {
         if (!second.brightness().isEmpty()) return light(second.brightness());
         if (!second.judged()) return NONE;
-        if (!state.finished()) return texts.text("missing.later");
+        if (!state.finished()) {
+            int step = Math.min(state.step(), second.steps());
+            return texts.text("other.later", second.extra().among(step));
+        }
         return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
     }
 

@@ -14,6 +14,7 @@ import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
+import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Plates;
@@ -21,7 +22,6 @@ import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.StageNote;
-import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.Segment;
 
@@ -86,46 +86,58 @@ record LineFrame(
     static Rectangle around(
             End end, Segment segment, PixelGrid grid, Rectangle sight, Rectangle zoom) {
         int size = (int) Math.max(PictureType.scaled(26), Math.min(60, grid.cell() * 1.5 + 6));
-        int right = sight.x + sight.width;
-        int bottom = sight.y + sight.height;
-        double x = grid.viewX(end.x(segment));
-        double y = grid.viewY(end.y(segment));
-        var square =
-                new Rectangle(
-                        Rulers.square(x, sight.x, right, size),
-                        Rulers.square(y, sight.y, bottom, size),
-                        size,
-                        size);
-        return ZoomButtons.clear(square, new Point2D.Double(x, y), sight, zoom);
+        return EdgeArrow.place(middle(end, segment, grid), size, sight, zoom);
+    }
+
+    /** Where the middle of an end's pixel lies, in sight or not. */
+    static Point2D middle(End end, Segment segment, PixelGrid grid) {
+        return new Point2D.Double(grid.viewX(end.x(segment)), grid.viewY(end.y(segment)));
     }
 
     /** The ends' letters and coordinates. */
     private void paintLetters(Graphics2D g, Rectangle sight) {
-        Segment segment = drawings.choice().segment();
         FontMetrics metrics = g.getFontMetrics();
+        List<Rectangle> places = labels(metrics, sight);
+        for (End end : End.values()) {
+            Rectangle place = places.get(end.ordinal());
+            Plates.plate(
+                    g,
+                    label(end, drawings.choice().segment(), locale),
+                    place.x + 4,
+                    place.y + 1 + metrics.getAscent(),
+                    Plates.nearlyOpaque(colours.ground()),
+                    colours.ink());
+        }
+    }
+
+    /** Where the ends' labels lie. */
+    List<Rectangle> labels() {
+        var any = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
+        FontMetrics metrics = any.getFontMetrics(font.deriveFont(Font.BOLD));
+        any.dispose();
+        return labels(metrics, note(note, new Dimension(width, height), font).below());
+    }
+
+    private List<Rectangle> labels(FontMetrics metrics, Rectangle sight) {
+        Segment segment = drawings.choice().segment();
         var within = new Rectangle(sight.x + 3, sight.y + 4, sight.width - 8, sight.height - 11);
         List<Rectangle2D> seen = marked();
         seen.add(zoom);
         for (End end : End.values()) seen.add(around(end, segment, grid, sight, zoom));
+        var places = new ArrayList<Rectangle>();
         for (End end : End.values()) {
-            String text = label(end, segment, locale);
             Rectangle place =
                     EndLabels.place(
-                            metrics.stringWidth(text) + 8,
+                            metrics.stringWidth(label(end, segment, locale)) + 8,
                             metrics.getHeight() + 1,
                             marked(end, segment, sight),
                             (end == End.A) == (segment.y0() <= segment.y1()),
                             within,
                             seen);
-            Plates.plate(
-                    g,
-                    text,
-                    place.x + 4,
-                    place.y + 1 + metrics.getAscent(),
-                    Plates.nearlyOpaque(colours.ground()),
-                    colours.ink());
             seen.add(place);
+            places.add(place);
         }
+        return places;
     }
 
     /** An end's ring, and its pixel where that is larger. */
@@ -145,7 +157,7 @@ record LineFrame(
         return end + " " + Shown.point(end.x(segment), end.y(segment), locale);
     }
 
-    /** The squares of the pixels in sight that bear a mark. */
+    /** The squares of the pixels in sight that are lit or bear a mark. */
     private List<Rectangle2D> marked() {
         var stage = new Rectangle(width, height);
         var marked = new ArrayList<Rectangle2D>();
@@ -157,8 +169,15 @@ record LineFrame(
                                     grid.viewX(x) - size / 2, grid.viewY(y) - size / 2, size, size);
                     if (stage.intersects(each)) marked.add(each);
                 };
+        lit(drawings.drawing(), square);
+        drawings.other().ifPresent(other -> lit(other, square));
         drawings.drawing().marks().missing(step, square);
         drawings.drawing().marks().extra(step, square);
         return marked;
+    }
+
+    private void lit(LineDrawing drawing, Pixels square) {
+        int last = Math.min(step, drawing.pixels());
+        for (int i = 1; i <= last; i++) square.plot(drawing.x(i), drawing.y(i));
     }
 }

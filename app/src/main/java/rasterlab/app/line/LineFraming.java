@@ -28,15 +28,19 @@ final class LineFraming {
      * @param view where the grid may lie, in view units
      */
     static PixelGrid of(LineLabState state, Rectangle view) {
+        return PixelGrid.fitting(of(state), view);
+    }
+
+    /** The pixels to be seen. */
+    static Rectangle of(LineLabState state) {
         Segment segment = state.choice().segment();
-        if (segment.steps() >= LineDrawing.LIMIT)
-            return PixelGrid.fitting(beginning(segment), view);
+        if (segment.steps() >= LineDrawing.LIMIT) return beginning(segment);
         Optional<Plotted> plotted =
                 state.drawings()
                         .tried()
                         .filter(program -> program.fits(state.choice()))
                         .flatMap(Tried::drawn);
-        return PixelGrid.fitting(whole(segment, plotted), view);
+        return whole(segment, plotted);
     }
 
     private static Rectangle whole(Segment segment, Optional<Plotted> plotted) {

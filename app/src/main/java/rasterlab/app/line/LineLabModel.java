@@ -41,6 +41,9 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private Optional<Tried> tried = Optional.empty();
     private LineLabState state;
 
+    /** Arrangements so far; one that undo brought back is no new one. */
+    private int arrangements;
+
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what drawing threw, on any thread
@@ -68,8 +71,8 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      */
     private record Question(LineChoice choice, Optional<Tried> tried, LineDrawings shown) {}
 
-    /** What undo brings back. */
-    private record Remembered(LineChoice choice, Optional<Tried> tried) {}
+    /** What undo brings back; with another arrangement the stage shows the whole segment again. */
+    private record Remembered(LineChoice choice, Optional<Tried> tried, int arrangement) {}
 
     public LineLabState state() {
         return state;
@@ -176,7 +179,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     public void show(Segment segment) {
-        change(new Remembered(state.choice().with(segment), Optional.empty()), true);
+        arrange(state.choice().with(segment), Optional.empty());
     }
 
     /**
@@ -191,7 +194,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         String right = method.isEmpty() ? state.choice().method() : topic.method(method).name();
         chooseMode(LineMode.SEGMENT);
         var program = new Tried(segment, right, drawn);
-        change(new Remembered(new LineChoice(segment, right, ""), Optional.of(program)), true);
+        arrange(new LineChoice(segment, right, ""), Optional.of(program));
     }
 
     /**
@@ -217,7 +220,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     /** Back to the first segment and method; can be undone. */
     public void reset() {
-        change(new Remembered(first, Optional.empty()), true);
+        arrange(first, Optional.empty());
     }
 
     @Override
@@ -234,7 +237,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     public void bringBack(LineChoice choice) {
         topic.method(choice.method());
         if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
-        draw(choice, state.arrangement() + 1);
+        draw(choice, ++arrangements);
     }
 
     /** Waits until every choice so far is drawn or dropped. Any other thread. */
@@ -276,24 +279,25 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     private Remembered present() {
-        return new Remembered(state.choice(), tried);
+        return new Remembered(state.choice(), tried, state.arrangement());
     }
 
     private void change(LineChoice next) {
-        change(new Remembered(next, tried), false);
+        if (next.equals(state.choice())) return;
+        history.remember();
+        draw(next, state.arrangement());
     }
 
-    private void change(Remembered next, boolean arrange) {
-        boolean same = next.equals(present());
-        if (same && !arrange) return;
-        if (!same) history.remember();
-        tried = next.tried();
-        draw(next.choice(), state.arrangement() + (arrange ? 1 : 0));
+    /** Changes the segment so that the stage is to show the whole of it. */
+    private void arrange(LineChoice next, Optional<Tried> program) {
+        if (!next.equals(state.choice()) || !program.equals(tried)) history.remember();
+        tried = program;
+        draw(next, ++arrangements);
     }
 
     private void bring(Remembered earlier) {
         tried = earlier.tried();
-        draw(earlier.choice(), state.arrangement() + 1);
+        draw(earlier.choice(), earlier.arrangement());
     }
 
     private void draw(LineChoice choice, int arrangement) {

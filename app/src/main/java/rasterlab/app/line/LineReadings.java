@@ -10,6 +10,8 @@ import rasterlab.engine.raster.PixelDifference;
 
 /** The live numbers of a state as the inspector writes them. */
 final class LineReadings {
+    private static final String NONE = "–";
+
     private final LineLabState state;
     private final Texts texts;
 
@@ -19,7 +21,7 @@ final class LineReadings {
     }
 
     String pixel() {
-        if (state.step() == 0) return "–";
+        if (state.step() == 0) return NONE;
         return drawing().shades(state.step()).stream()
                 .map(shade -> Shown.point(shade.x(), shade.y(), texts.locale()))
                 .collect(Collectors.joining(", "));
@@ -27,7 +29,7 @@ final class LineReadings {
 
     /** How much the step covered of each of its pixels. */
     String coverage() {
-        if (state.step() == 0) return "–";
+        if (state.step() == 0) return NONE;
         return texts.text(
                 "coverage.levels",
                 drawing().shades(state.step()).stream()
@@ -38,11 +40,11 @@ final class LineReadings {
     /** The decision variable and which pixel it is about. */
     String decision() {
         var decisions = drawing().trace().decisions();
-        if (state.step() == 0 || decisions.isEmpty()) return "–";
+        if (state.step() == 0 || decisions.isEmpty()) return NONE;
         double value = decisions.get(state.step() - 1);
         return switch (drawing().trace().decides()) {
             case THIS_PIXEL -> texts.text("decides.this", number(value));
-            case NEXT_PIXEL -> texts.text("decides.next", number(value));
+            case NEXT_PIXEL -> state.finished() ? NONE : texts.text("decides.next", number(value));
         };
     }
 
@@ -55,7 +57,7 @@ final class LineReadings {
 
     /** Where the next step goes. */
     String decided() {
-        if (state.step() == 0) return "–";
+        if (state.step() == 0) return NONE;
         if (state.finished()) return texts.text("decided.end");
         long dx = (long) drawing().x(state.step() + 1) - drawing().x(state.step());
         long dy = (long) drawing().y(state.step() + 1) - drawing().y(state.step());
@@ -93,9 +95,18 @@ final class LineReadings {
         return texts.text("apart.pixels", extra + missing, extra, missing);
     }
 
-    /** The wrong pixels of a second method or of a program in one line; "" when there is none. */
+    /**
+     * The wrong pixels of a second method or of a program in one line, while it steps those that
+     * can be told so far; "" when there is none.
+     */
     String other() {
-        return state.other().map(other -> wrong(other.difference())).orElse("");
+        return state.other().map(this::other).orElse("");
+    }
+
+    private String other(LineDrawing other) {
+        if (state.finished()) return wrong(other.difference());
+        int step = Math.min(state.step(), other.pixels());
+        return texts.text("other.later", other.marks().extraCount(step));
     }
 
     /** Of a program that was cut only the first pixels are compared. */
@@ -109,7 +120,7 @@ final class LineReadings {
     }
 
     private String worst(LineDrawing drawing) {
-        if (drawing.pixels() == 0) return "–";
+        if (drawing.pixels() == 0) return NONE;
         if (!state.finished()) return texts.text("missing.later");
         if (drawing.coverage().isPresent())
             return texts.text("worst.levels", drawing.coverage().get().worst());

@@ -16,11 +16,13 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.DevicePixels;
+import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.PixelGrid;
@@ -57,6 +59,11 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     /** The grid under the pointer while an end is dragged. */
     private transient Optional<PixelGrid> held = Optional.empty();
 
+    /** The pixels in sight where nobody has zoomed. */
+    private transient Rectangle framed;
+
+    private transient Segment seen;
+    private transient Optional<Tried> program = Optional.empty();
     private End keyed = End.A;
     private int arrangement;
 
@@ -85,6 +92,8 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
         arrangement = model.state().arrangement();
+        seen = model.state().choice().segment();
+        framed = LineFraming.of(model.state());
     }
 
     @Override
@@ -111,7 +120,8 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                             Point pixel = grid().pixelAt(view.x, view.y);
                             model.moveEnd(end, pixel.x, pixel.y);
                         },
-                        this::release);
+                        this::release,
+                        this::fit);
         handle[0].addFocusListener(
                 new FocusAdapter() {
                     @Override
@@ -123,9 +133,15 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         return handle[0];
     }
 
+    /** Leaves the grid where it was while the end was dragged. */
     private void release() {
+        held.filter(grid -> !grid.equals(fitting(sight()))).ifPresent(this::keep);
         held = Optional.empty();
         revalidate();
+    }
+
+    private void keep(PixelGrid grid) {
+        chosen = Optional.of(grid);
     }
 
     /** Gives the keyboard to the end that had it last, at first to A. */
@@ -137,13 +153,31 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     void refresh() {
         LineLabState state = model.state();
         if (state.arrangement() != arrangement) fit();
+        else if (!state.drawings().tried().equals(program)) reframe();
+        else if (held.isEmpty() && isLost(state.choice().segment())) reframe();
         arrangement = state.arrangement();
+        seen = state.choice().segment();
+        program = state.drawings().tried();
         revalidate();
+    }
+
+    /** Whether an end that was in another pixel before is out of sight, where nobody has zoomed. */
+    private boolean isLost(Segment segment) {
+        if (segment.equals(seen) || chosen.isPresent()) return false;
+        PixelGrid grid = grid();
+        return Stream.of(End.values())
+                .filter(end -> end.x(segment) != end.x(seen) || end.y(segment) != end.y(seen))
+                .anyMatch(end -> !sight().contains(LineFrame.middle(end, segment, grid)));
+    }
+
+    private void reframe() {
+        framed = LineFraming.of(model.state());
     }
 
     /** Shows the whole segment again, and keeps doing so when the stage changes its size. */
     private void fit() {
         chosen = Optional.empty();
+        reframe();
         revalidate();
     }
 
@@ -158,7 +192,11 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private PixelGrid grid(Rectangle sight) {
-        return held.or(() -> chosen).orElseGet(() -> LineFraming.of(model.state(), sight));
+        return held.or(() -> chosen).orElseGet(() -> fitting(sight));
+    }
+
+    private PixelGrid fitting(Rectangle sight) {
+        return chosen.orElseGet(() -> PixelGrid.fitting(framed, sight));
     }
 
     /** What rulers and the note leave. */
@@ -183,7 +221,12 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         PixelGrid grid = grid(sight);
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
-            handle.setBounds(LineFrame.around(end, segment, grid, sight, zoom.getBounds()));
+            Rectangle place = LineFrame.around(end, segment, grid, sight, zoom.getBounds());
+            handle.setBounds(place);
+            handle.point(
+                    EdgeArrow.towards(
+                            LineFrame.middle(end, segment, grid), place, sight, zoom.getBounds()),
+                    texts.text("end.away", end.name()));
             handle.getAccessibleContext()
                     .setAccessibleName(
                             texts.text(

@@ -18,6 +18,11 @@ record PenPicture(PenFigure figure) implements PlanePicture {
     private static final double GRID = 5;
 
     @Override
+    public double leastTick() {
+        return 1;
+    }
+
+    @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         Raster raster = figure.picture(colours.ground().getRGB(), MethodColours.BLUE.getRGB());
         double left = map.viewX(-0.5);

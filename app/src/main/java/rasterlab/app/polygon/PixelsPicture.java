@@ -47,6 +47,11 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
     }
 
     @Override
+    public double leastTick() {
+        return figure instanceof SeedFigure ? 1 : 0;
+    }
+
+    @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         BufferedImage image = image(colours);
         var frame =

@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.Arranged;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
@@ -23,10 +24,13 @@ import rasterlab.engine.study.Method;
 public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCloseable {
     private final PolygonTopics topics;
     private final LatestOnly<PolygonScene, PolygonResults> works;
-    private final History<PolygonChoice> history =
-            new History<>(() -> state().choice(), this::bring);
+    private final History<Arranged<PolygonChoice>> history =
+            new History<>(this::present, this::bring);
     private final Listeners<PolygonLabState> listeners = new Listeners<>();
     private PolygonLabState state;
+
+    /** Arrangements so far; one that undo brings back is no new one. */
+    private int arrangements;
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -182,13 +186,16 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         return state.choice().scene().figure();
     }
 
-    private void bring(PolygonChoice choice) {
-        boolean other = choice.mode() != state.choice().mode();
-        work(choice, state.arrangement() + (other ? 1 : 0));
+    private Arranged<PolygonChoice> present() {
+        return new Arranged<>(state.choice(), state.arrangement());
+    }
+
+    private void bring(Arranged<PolygonChoice> earlier) {
+        work(earlier.choice(), earlier.arrangement());
     }
 
     /** What can be undone and redone. */
-    public History<PolygonChoice> history() {
+    public History<?> history() {
         return history;
     }
 
@@ -217,7 +224,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
             topics.method(mode, scene.method());
             if (!scene.comparison().isEmpty()) topics.method(mode, scene.comparison());
         }
-        work(choice, state.arrangement() + 1);
+        work(choice, ++arrangements);
     }
 
     /** Waits until every choice so far is worked on or dropped. Any other thread. */
@@ -272,7 +279,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     private void change(PolygonChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
         if (!next.equals(state.choice())) history.remember();
-        work(next, state.arrangement() + (arrange ? 1 : 0));
+        work(next, arrange ? ++arrangements : state.arrangement());
     }
 
     private void work(PolygonChoice choice, int arrangement) {

@@ -6,11 +6,11 @@ package rasterlab.app.polygon;
  * @param comparison a second method, "" for none
  */
 public record PolygonScene(PolygonMode mode, Figure figure, String method, String comparison) {
+    /** Opens on a method that no hazard is known to break. */
     static PolygonScene first(PolygonMode mode) {
         return switch (mode) {
-            case TRIANGLE ->
-                    new PolygonScene(mode, InsideFigure.firstTriangle(), "sign-double", "");
-            case POLYGON -> new PolygonScene(mode, InsideFigure.firstPolygon(), "ray", "");
+            case TRIANGLE -> new PolygonScene(mode, InsideFigure.firstTriangle(), "robust", "");
+            case POLYGON -> new PolygonScene(mode, InsideFigure.firstPolygon(), "robust", "");
             case TRIANGULATION -> new PolygonScene(mode, CutFigure.first(), "ear-clipping", "");
             case FILL -> new PolygonScene(mode, FillFigure.first(), "scanline", "");
             case SEED -> new PolygonScene(mode, SeedFigure.first(), "span", "");

@@ -3,6 +3,7 @@ package rasterlab.app.spline;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Arranged;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
@@ -39,11 +40,15 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
                     "",
                     new CurveOverlays(true, true, false));
     private final LatestOnly<CurveChoice, CurveDrawings> drawings;
-    private final History<CurveChoice> history =
+    private final History<Arranged<CurveChoice>> history =
             new History<>(
-                    () -> state().choice(), choice -> draw(choice, state().arrangement() + 1));
+                    () -> new Arranged<>(state().choice(), state().arrangement()),
+                    earlier -> draw(earlier.choice(), earlier.arrangement()));
     private final Listeners<CurveLabState> listeners = new Listeners<>();
     private CurveLabState state;
+
+    /** Arrangements so far; one that undo brings back is no new one. */
+    private int arrangements;
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -146,7 +151,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     }
 
     /** What can be undone and redone. */
-    public History<CurveChoice> history() {
+    public History<?> history() {
         return history;
     }
 
@@ -171,7 +176,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
         topic.method(choice.method());
         if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
         choice.curves();
-        draw(choice, state.arrangement() + 1);
+        draw(choice, ++arrangements);
     }
 
     /** Waits until every choice so far is drawn or dropped. Any other thread. */
@@ -214,7 +219,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     private void change(CurveChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
         if (!next.equals(state.choice())) history.remember();
-        draw(next, state.arrangement() + (arrange ? 1 : 0));
+        draw(next, arrange ? ++arrangements : state.arrangement());
     }
 
     private void draw(CurveChoice choice, int arrangement) {

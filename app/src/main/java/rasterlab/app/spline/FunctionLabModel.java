@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Arranged;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
@@ -44,11 +45,16 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
                     topic.method("cubic").name(),
                     topic.method("monotone").name());
     private final LatestOnly<FunctionChoice, FunctionDrawings> drawings;
-    private final History<FunctionChoice> history =
+    private final History<Arranged<FunctionChoice>> history =
             new History<>(
-                    () -> state().choice(), choice -> find(choice, state().arrangement() + 1));
+                    () -> new Arranged<>(state().choice(), state().arrangement()),
+                    earlier -> find(earlier.choice(), earlier.arrangement()));
     private final Listeners<FunctionLabState> listeners = new Listeners<>();
     private FunctionLabState state;
+
+    /** Arrangements so far; one that undo brings back is no new one. */
+    private int arrangements;
+
     private boolean arranging;
 
     /**
@@ -176,7 +182,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     }
 
     /** What can be undone and redone. */
-    public History<FunctionChoice> history() {
+    public History<?> history() {
         return history;
     }
 
@@ -200,7 +206,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     public void bringBack(FunctionChoice choice) {
         topic.method(choice.method());
         if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
-        find(choice, state.arrangement() + 1);
+        find(choice, ++arrangements);
     }
 
     /** Waits until every choice so far is answered or dropped. Any other thread. */
@@ -243,7 +249,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     private void change(FunctionChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
         if (!next.equals(state.choice())) history.remember();
-        find(next, state.arrangement() + (arrange ? 1 : 0));
+        find(next, arrange ? ++arrangements : state.arrangement());
     }
 
     private void find(FunctionChoice choice, int arrangement) {
@@ -254,7 +260,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     /** What is found may reach beyond what was arranged before it was known. */
     private void accept(FunctionDrawings found) {
-        int arrangement = state.arrangement() + (arranging ? 1 : 0);
+        int arrangement = arranging ? ++arrangements : state.arrangement();
         arranging = false;
         publish(
                 state(

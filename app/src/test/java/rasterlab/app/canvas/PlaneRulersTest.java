@@ -75,7 +75,8 @@ class PlaneRulersTest {
                                                 new Dimension(444, 422),
                                                 StageColours.LIGHT,
                                                 FONT,
-                                                Locale.ENGLISH)
+                                                Locale.ENGLISH,
+                                                0)
                                         .paintMargins(g))
                 .document();
     }

@@ -13,6 +13,7 @@ import java.awt.event.MouseWheelEvent;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -21,10 +22,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.circle.Circle;
 
 @Timeout(60)
 class FigureStageTest {
@@ -87,6 +90,23 @@ class FigureStageTest {
         zoomOut(3);
         typed(old -> old.withCentre(1_000_000, 0));
         assertSeen();
+    }
+
+    @ParameterizedTest(name = "the grid of a circle of radius {0} counts parts of pixels")
+    @ValueSource(ints = {0, 1, 2, 3, 40, 5_000})
+    void gridOfACircleCountsWholePixels(int radius) {
+        model.show(new Circle(0, 0, radius));
+        thread.settle(model::settle);
+        layOut();
+        List<String> numbers =
+                Pattern.compile(">(−?[\\d.,]+)</text")
+                        .matcher(stage.svg().document())
+                        .results()
+                        .map(found -> found.group(1))
+                        .toList();
+        assertTrue(numbers.size() > 4, numbers.toString());
+        for (String number : numbers)
+            assertTrue(number.matches("−?(\\d+|\\d{1,3}(,\\d{3})+)"), numbers.toString());
     }
 
     private void zoomOut(int notches) {

@@ -63,6 +63,41 @@ class LineReadingsTest {
         assertEquals(reading, readings.apart());
     }
 
+    @ParameterizedTest(name = "the last step speaks of a next pixel: {0}")
+    @CsvSource({"bresenham, –", "midpoint, –", "naive, 4 (this pixel)"})
+    void lastStepDecidesNothingAboutANextPixel(String method, String reading)
+            throws InterruptedException {
+        model.chooseMethod(method);
+        model.show(new Segment(0, 0, 8, 4));
+        model.settle();
+        model.goTo(model.last());
+        var readings = new LineReadings(model.state(), Texts.of("line", Language.ENGLISH));
+        assertEquals(reading, readings.decision());
+    }
+
+    @ParameterizedTest(name = "while stepping the second method is told from its end: step {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 | none | 0 extra so far | пока лишних 0",
+                "6 | 5 pixels | 5 extra so far | пока лишних 5",
+                "11 | 10 pixels | 10 missing, 10 extra | пропущено 10, лишних 10"
+            })
+    void bothMethodsAreCountedSoFarWhileTheyStep(
+            int step, String chosen, String english, String russian) throws InterruptedException {
+        model.chooseMethod("bresenham-pascal-textbook");
+        model.compareWith("bresenham-pascal-textbook");
+        model.show(new Segment(0, 10, 10, 0));
+        model.settle();
+        model.goTo(step);
+        var readings = new LineReadings(model.state(), Texts.of("line", Language.ENGLISH));
+        assertEquals(chosen, readings.extra());
+        assertEquals(english, readings.other());
+        assertEquals(
+                russian,
+                new LineReadings(model.state(), Texts.of("line", Language.RUSSIAN)).other());
+    }
+
     @Test
     void largestErrorIsKnownAtTheEnd() throws InterruptedException {
         model.chooseMethod("naive-textbook");

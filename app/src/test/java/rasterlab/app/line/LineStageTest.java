@@ -9,13 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.Color;
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Font;
-import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
@@ -276,49 +272,30 @@ class LineStageTest {
     }
 
     @Test
-    @DisplayName("the picture moves under the pointer while an end is dragged")
-    void theGridStaysWhileAnEndIsDragged() throws Exception {
-        EventQueue.invokeAndWait(
-                () -> {
-                    var stage =
-                            new LineStage(model, Texts.of("line", Language.ENGLISH), failures::add);
-                    model.show(new Segment(0, 0, 11, 4));
-                    stage.refresh();
-                    stage.setSize(600, 400);
-                    stage.doLayout();
-                    Component end = named(stage, "end.B");
-                    Point from = new Point(end.getWidth() / 2, end.getHeight() / 2);
-                    Component other = named(stage, "end.A");
-                    Rectangle before = other.getBounds();
-                    press(end, MouseEvent.MOUSE_PRESSED, from);
-                    Point pointer = new Point(end.getX() + from.x, end.getY() + from.y);
-                    for (int down = 30; down <= 150; down += 30) {
-                        press(
-                                end,
-                                MouseEvent.MOUSE_DRAGGED,
-                                new Point(pointer.x - end.getX(), pointer.y + down - end.getY()));
-                        stage.refresh();
-                        stage.doLayout();
-                        assertEquals(11, model.state().choice().segment().x1());
-                        assertEquals(before, other.getBounds());
-                    }
-                    press(end, MouseEvent.MOUSE_RELEASED, from);
-                    stage.doLayout();
-                    assertNotEquals(before, other.getBounds(), "fitted again");
-                    stage.close();
-                });
+    @DisplayName("the ring of an end near the border is pushed off its pixel")
+    void ringNearTheBorderKeepsItsPixelInTheMiddle() {
+        var sight = new Rectangle(44, 22, 456, 278);
+        var grid = new PixelGrid(50, 30, 4);
+        Rectangle ring = LineFrame.around(End.A, new Segment(0, 0, 9, 9), grid, sight, NO_BUTTONS);
+        assertEquals(50, ring.getCenterX(), 1);
+        assertEquals(30, ring.getCenterY(), 1);
     }
 
-    private static Component named(Container in, String name) {
-        return Stream.of(in.getComponents())
-                .filter(one -> name.equals(one.getName()))
-                .findFirst()
-                .orElseThrow();
-    }
-
-    private static void press(Component target, int kind, Point at) {
-        target.dispatchEvent(
-                new MouseEvent(target, kind, 0, 0, at.x, at.y, 1, false, MouseEvent.BUTTON1));
+    @Test
+    @DisplayName("a label hides a lit pixel though there is room beside it")
+    void labelsLieOnNoLitPixel() throws InterruptedException {
+        for (var segment : List.of(new Segment(9, 6, 2, 2), new Segment(2, 2, 60, 40))) {
+            model.show(segment);
+            model.settle();
+            LineFrame frame = frame(model.state().drawings(), 1);
+            for (Rectangle label : frame.labels())
+                for (int i = 1; i <= model.state().drawing().pixels(); i++) {
+                    int x = 100 + 20 * model.state().drawing().x(i);
+                    int y = 60 + 20 * model.state().drawing().y(i);
+                    var pixel = new Rectangle(x - 10, y - 10, 20, 20);
+                    assertFalse(pixel.intersects(label), segment + ": " + pixel + " " + label);
+                }
+        }
     }
 
     @ParameterizedTest(name = "a pinned handle lies on the zoom buttons: of an end at {0}, {1}")

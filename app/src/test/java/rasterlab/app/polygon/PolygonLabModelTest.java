@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -59,6 +60,21 @@ class PolygonLabModelTest {
         assertTrue(opened.steps() > 1);
         assertTrue(model.state().finished());
         assertEquals(opened.steps() + 1, model.last());
+    }
+
+    @ParameterizedTest(name = "a mode opens on a method that a hazard breaks: {0}")
+    @EnumSource
+    void opensOnAMethodThatIsRight(PolygonMode mode) {
+        model.chooseMode(mode);
+        String method = model.state().choice().scene().method();
+        for (Hazard<?> hazard : model.hazards(mode)) {
+            Verdict.Kind kind = hazard.recorded().get(method);
+            boolean none = hazard.recorded().values().stream().allMatch(kind::equals);
+            boolean refused = kind == Verdict.Kind.REFUSED;
+            assertTrue(
+                    kind == Verdict.Kind.EXACT || none || refused,
+                    method + " on " + hazard.name() + ": " + kind);
+        }
     }
 
     @ParameterizedTest(name = "lab and recorded verdict differ: {0}")
@@ -218,6 +234,7 @@ class PolygonLabModelTest {
 
     @Test
     void pointOnASideIsWronglyJudgedOutside() {
+        model.chooseMethod("sign-double");
         assertTrue(((InsideAnswer) outcome().answer()).isWrong(0));
         model.move(Grip.POINT, 4, 2);
         assertFalse(((InsideAnswer) outcome().answer()).isWrong(0));
@@ -225,6 +242,8 @@ class PolygonLabModelTest {
 
     @Test
     void pointOnASideIsSaidToBeThereAndNotBesideIt() {
+        model.chooseMethod("sign-double");
+        settle();
         assertEquals("on the side (within 1 ulp)", worst(Language.ENGLISH));
         assertEquals("на стороне (до 1 ulp)", worst(Language.RUSSIAN));
         model.move(Grip.POINT, 4, 2);
@@ -239,6 +258,7 @@ class PolygonLabModelTest {
 
     @Test
     void numbersSayThatTheyAreAboutThePointAlone() {
+        model.chooseMethod("sign-double");
         model.compareWith("robust");
         settle();
         assertEquals(List.of("at P", "not at P", "right at P"), numbers(Language.ENGLISH));
@@ -272,7 +292,22 @@ class PolygonLabModelTest {
     }
 
     @Test
+    @DisplayName("undo of a move changes the view, or undo of a hazard leaves it there")
+    void undoBringsBackTheViewOfItsFigure() {
+        int before = model.state().arrangement();
+        model.move(Grip.POINT, 4, 2);
+        model.history().undo();
+        assertEquals(before, model.state().arrangement());
+        model.show(PolygonMode.TRIANGLE, "huge");
+        assertTrue(model.state().arrangement() != before);
+        model.history().undo();
+        assertEquals(before, model.state().arrangement());
+        settle();
+    }
+
+    @Test
     void comparesTwoMethods() {
+        model.chooseMethod("sign-double");
         model.compareWith("robust");
         settle();
         Outcome other = model.state().results().other().orElseThrow();

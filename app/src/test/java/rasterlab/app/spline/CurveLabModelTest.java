@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -49,6 +50,18 @@ class CurveLabModelTest {
         assertTrue(drawing.right());
         assertTrue(drawing.segments() > 4, "" + drawing.segments());
         assertTrue(drawing.errorPixels() <= drawing.allowedPixels());
+    }
+
+    @Test
+    @DisplayName("undo of a drag moves the view")
+    void undoLeavesTheViewWhereTheChangeLeftIt() {
+        int before = model.state().arrangement();
+        model.move(1, 100, 44);
+        model.history().undo();
+        assertEquals(before, model.state().arrangement());
+        model.history().redo();
+        assertEquals(before, model.state().arrangement());
+        settle();
     }
 
     @Test

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.figure;
 
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Arranged;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
@@ -13,10 +14,13 @@ import rasterlab.app.canvas.Listeners;
  */
 public abstract class ChoiceModel<C> implements Kept<C> {
     private final C first;
-    private final History<C> history = new History<>(this::choice, this::bring);
+    private final History<Arranged<C>> history = new History<>(this::present, this::bring);
     private final Listeners<C> listeners = new Listeners<>();
     private C choice;
     private int arrangement;
+
+    /** Arrangements so far; one that undo brings back is no new one. */
+    private int arrangements;
 
     protected ChoiceModel(C first) {
         this.first = first;
@@ -46,8 +50,10 @@ public abstract class ChoiceModel<C> implements Kept<C> {
 
     /** The same for a choice that looks so different that all of it should come into sight. */
     public final void rearrange(C next) {
-        arrangement++;
-        change(next);
+        boolean same = next.equals(choice);
+        if (!same) history.remember();
+        arrangement = ++arrangements;
+        if (!same) show(next);
     }
 
     /** Shows a choice that undo passes over, such as another step of the same scene. */
@@ -64,13 +70,17 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         tell();
     }
 
-    private void bring(C next) {
-        arrangement++;
-        show(next);
+    private Arranged<C> present() {
+        return new Arranged<>(choice, arrangement);
+    }
+
+    private void bring(Arranged<C> earlier) {
+        arrangement = earlier.arrangement();
+        show(earlier.choice());
     }
 
     /** What can be undone and redone. */
-    public final History<C> history() {
+    public final History<?> history() {
         return history;
     }
 
@@ -94,7 +104,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
     public final void bringBack(C kept) {
         C before = choice;
         try {
-            bring(kept);
+            bring(new Arranged<>(kept, ++arrangements));
         } catch (RuntimeException e) {
             show(before);
             throw e;
