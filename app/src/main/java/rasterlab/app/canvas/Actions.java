@@ -35,6 +35,8 @@ public final class Actions extends JPanel {
     private final WrappedText status = new WrappedText("status");
 
     private transient Optional<History<?>> history = Optional.empty();
+    private transient Runnable onChange = () -> {};
+    private long changes;
 
     /** Told what could not be copied; set by {@link #addPicture}. */
     private transient Optional<Consumer<Throwable>> onFailure = Optional.empty();
@@ -133,6 +135,17 @@ public final class Actions extends JPanel {
         add("undo", changes::undo);
         add("redo", changes::redo);
         history = Optional.of(changes);
+        this.changes = changes.changes();
+    }
+
+    /** What can be undone, if anything. */
+    Optional<History<?>> history() {
+        return history;
+    }
+
+    /** Runs it in {@link #refreshUndo} whenever something was changed or undone since. */
+    void whenChanged(Runnable told) {
+        onChange = told;
     }
 
     /** Binds the keys for undo and redo in a lab. */
@@ -146,6 +159,10 @@ public final class Actions extends JPanel {
     public void refreshUndo() {
         enable("undo", history.filter(History::undoable).isPresent());
         enable("redo", history.filter(History::redoable).isPresent());
+        long now = history.map(History::changes).orElse(changes);
+        if (now == changes) return;
+        changes = now;
+        onChange.run();
     }
 
     /** Says something else of a button than its usual hint. */

@@ -7,6 +7,7 @@ import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
+import javax.swing.SwingUtilities;
 import rasterlab.app.language.Texts;
 
 /**
@@ -47,13 +48,24 @@ public final class Chips extends JPanel {
      * @param hint one sentence: what is special about the input
      */
     public void add(String name, String text, String hint, Runnable action) {
-        JButton chip = chip("chip." + name, text, action);
-        chip.setToolTipText(hint);
-        chip.getAccessibleContext().setAccessibleDescription(hint);
+        add(HazardCase.unjudged(name, text, hint, action));
+    }
+
+    /** A chip that also says over the stage what is special, and which methods fail. */
+    public void add(HazardCase hazard) {
+        JButton chip = chip("chip." + hazard.name(), hazard.label(), () -> choose(hazard));
+        chip.setToolTipText(hazard.special());
+        chip.getAccessibleContext().setAccessibleDescription(hazard.special());
         add(chip, getComponentCount() - 1);
     }
 
-    private static JButton chip(String name, String text, Runnable action) {
+    private void choose(HazardCase hazard) {
+        hazard.show().run();
+        if (SwingUtilities.getAncestorOfClass(LabLayout.class, this) instanceof LabLayout lab)
+            lab.guide().clicked(hazard, this);
+    }
+
+    static JButton chip(String name, String text, Runnable action) {
         var chip = new JButton(text);
         chip.setName(name);
         chip.putClientProperty("JButton.buttonType", "roundRect");

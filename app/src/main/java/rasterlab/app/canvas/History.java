@@ -2,7 +2,9 @@ package rasterlab.app.canvas;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
@@ -19,6 +21,10 @@ public final class History<T> {
     private final Supplier<T> present;
     private final Consumer<T> show;
     private Optional<T> dragStart = Optional.empty();
+    private long changes;
+
+    /** Names of the stages on which something was done, for as long as the program runs. */
+    private final Set<String> tried = new HashSet<>();
 
     /**
      * @param present the choice of this moment
@@ -54,6 +60,21 @@ public final class History<T> {
         }
     }
 
+    /** Whether something was done on the stage of that name. */
+    boolean isTried(String stage) {
+        return tried.contains(stage);
+    }
+
+    /** Something was done on the stage of that name, which panels made anew shall know. */
+    void tried(String stage) {
+        tried.add(stage);
+    }
+
+    /** How often something was changed, undone or redone: another number after each time. */
+    public long changes() {
+        return changes;
+    }
+
     public boolean undoable() {
         return !earlier.isEmpty() || dragStart.isPresent();
     }
@@ -83,6 +104,7 @@ public final class History<T> {
         boolean dragging = dragStart.isPresent();
         endDrag();
         if (!from.isEmpty()) {
+            changes++;
             to.push(present.get());
             show.accept(from.pop());
         }
@@ -90,6 +112,7 @@ public final class History<T> {
     }
 
     private void remember(T choice) {
+        changes++;
         takenBack.clear();
         earlier.push(choice);
         if (earlier.size() > REMEMBERED) earlier.removeLast();

@@ -4,6 +4,7 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
+import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -12,6 +13,7 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Texts;
 
 /**
  * The one layout of every lab: hazard chips above the stage, the stage left and largest, the
@@ -40,6 +42,7 @@ public final class LabLayout extends JPanel {
 
     private final JPanel column;
     private final InspectorSwitch hiding;
+    private final StageGuide guide;
     private final boolean large = LargeType.now();
     private final int wide;
 
@@ -67,7 +70,16 @@ public final class LabLayout extends JPanel {
         wide = Math.max(usual, Math.max(needed(inspector), buttons));
         String width = "w 0:%dpx:max(50%%,%dpx), ".formatted(wide, buttons);
         add(column, width + "cell 2 0 1 3, growy, hmin 0");
-        add(stage, "cell 0 1, wmin 100, hmin 100");
+        Optional<Actions> undo =
+                Optional.of(actions).filter(Actions.class::isInstance).map(Actions.class::cast);
+        guide =
+                new StageGuide(
+                        stage,
+                        Texts.of("canvas", inspector.language()),
+                        undo.flatMap(Actions::history));
+        undo.ifPresent(each -> each.whenChanged(guide::done));
+        if (timeline instanceof StepPlayer player) player.whenUsed(guide::done);
+        add(guide, "cell 0 1, wmin 100, hmin 100");
         add(timeline, "cell 0 2, wmin 0, growx");
         refresh();
     }
@@ -76,6 +88,11 @@ public final class LabLayout extends JPanel {
     public void doLayout() {
         refresh();
         super.doLayout();
+    }
+
+    /** What is said on the stage and over it. */
+    public StageGuide guide() {
+        return guide;
     }
 
     /** Whether the labs show their inspectors. On the event thread. */

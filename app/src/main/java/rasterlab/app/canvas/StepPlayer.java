@@ -3,8 +3,11 @@ package rasterlab.app.canvas;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -36,6 +39,7 @@ public final class StepPlayer extends JPanel {
     private final SteadyLabel count = new SteadyLabel();
     private final Timer timer = new Timer(1000, this::advance);
     private boolean refreshing;
+    private transient Runnable onUse = () -> {};
 
     /**
      * @param texts of this package
@@ -84,15 +88,36 @@ public final class StepPlayer extends JPanel {
 
     /** Lets the keys that the hints name work while that component has the focus. */
     public void bindKeys(JComponent stage) {
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("SPACE"), this::togglePlaying);
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> go(steps.after(-1)));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> go(steps.after(1)));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> go(steps.first()));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> go(steps.last()));
+        for (KeyStroke key : keys()) KeyBinding.within(stage, key, () -> press(key));
+    }
+
+    /** The keys that the hints name. */
+    public static List<KeyStroke> keys() {
+        return Stream.of("SPACE", "PAGE_UP", "PAGE_DOWN", "HOME", "END")
+                .map(KeyStroke::getKeyStroke)
+                .toList();
+    }
+
+    /** Does what one of the {@link #keys} means. */
+    public void press(KeyStroke key) {
+        switch (key.getKeyCode()) {
+            case KeyEvent.VK_SPACE -> togglePlaying();
+            case KeyEvent.VK_PAGE_UP -> go(steps.after(-1));
+            case KeyEvent.VK_PAGE_DOWN -> go(steps.after(1));
+            case KeyEvent.VK_HOME -> go(steps.first());
+            case KeyEvent.VK_END -> go(steps.last());
+            default -> throw new IllegalArgumentException("no key of the player: " + key);
+        }
+    }
+
+    /** Runs it whenever the user steps or plays. */
+    void whenUsed(Runnable told) {
+        onUse = told;
     }
 
     /** Plays from where it stands, from the first step when it stands at the last; or stops. */
     public void togglePlaying() {
+        onUse.run();
         if (timer.isRunning()) {
             stop();
             return;
@@ -111,6 +136,7 @@ public final class StepPlayer extends JPanel {
 
     /** One step of the user's, after which others follow while it plays or the slider is held. */
     private void go(int step) {
+        onUse.run();
         steps.goTo(step);
         if (!timer.isRunning() && !position.getValueIsAdjusting()) steps.rest();
     }

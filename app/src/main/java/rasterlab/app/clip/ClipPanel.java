@@ -5,10 +5,13 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -25,6 +28,7 @@ public final class ClipPanel extends LabPanel {
     private final StepPlayer player;
     private final Actions actions;
     private final ModeRows<ClipMode> chips = new ModeRows<>(this::chips);
+    private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -54,7 +58,20 @@ public final class ClipPanel extends LabPanel {
     }
 
     private void putTogether() {
-        add(new LabLayout(chips, stage, inspector.column(), actions, player));
+        var layout = new LabLayout(chips, stage, inspector.column(), actions, player);
+        guide =
+                layout.guide()
+                        .of(
+                                new LabInput(
+                                        () ->
+                                                model.state()
+                                                        .choice()
+                                                        .scene()
+                                                        .withMethod("")
+                                                        .withComparison(""),
+                                        () -> model.state().choice().scene().method(),
+                                        model::chooseMethod));
+        add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -87,6 +104,9 @@ public final class ClipPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        guide.refresh();
+        String mode = model.state().choice().mode().code();
+        guide.hint("clip." + mode, texts.text("first." + mode));
     }
 
     private Chips chips(ClipMode mode) {
@@ -95,10 +115,12 @@ public final class ClipPanel extends LabPanel {
         for (Hazard<?> hazard : model.hazards(mode)) {
             String key = "hazard." + mode.code() + "." + hazard.name();
             row.add(
-                    hazard.name(),
-                    texts.textOr(key, hazard.name()),
-                    translations.textOr(key, hazard.description()),
-                    () -> model.show(mode, hazard.name()));
+                    HazardCase.of(
+                            hazard,
+                            texts.textOr(key, hazard.name()),
+                            translations.textOr(key, hazard.description()),
+                            model.methods(mode),
+                            () -> model.show(mode, hazard.name())));
         }
         return row;
     }

@@ -8,11 +8,13 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.SceneWriting;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -39,6 +41,8 @@ public final class LightPanel extends LabPanel {
     private final transient LitSceneSaving saving;
     private final Actions lightActions;
     private final Actions colourActions;
+    private StageGuide lightGuide;
+    private StageGuide colourGuide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -84,13 +88,15 @@ public final class LightPanel extends LabPanel {
     }
 
     private void addLight() {
-        addCard(new LabLayout(chips(), stage, light.column(), lightActions, orbit), ModeRow.LIGHT);
+        var layout = new LabLayout(chips(), stage, light.column(), lightActions, orbit);
+        lightGuide = layout.guide().of(LabInput.unjudged(() -> model.state().choice()));
+        addCard(layout, ModeRow.LIGHT);
     }
 
     private void addColours() {
-        addCard(
-                new LabLayout(colourChips(), cube, colours.column(), colourActions, turning),
-                ModeRow.COLOURS);
+        var layout = new LabLayout(colourChips(), cube, colours.column(), colourActions, turning);
+        colourGuide = layout.guide().of(LabInput.unjudged(() -> model.state().colour().rgb()));
+        addCard(layout, ModeRow.COLOURS);
     }
 
     private void listen() {
@@ -214,12 +220,16 @@ public final class LightPanel extends LabPanel {
             colours.refresh();
             turning.refresh();
             colourActions.refreshUndo();
+            colourGuide.refresh();
+            colourGuide.hint("light.colours", texts.text("first.colours"));
         } else {
             turning.stop();
             stage.repaint();
             light.refresh();
             orbit.refresh();
             lightActions.refreshUndo();
+            lightGuide.refresh();
+            lightGuide.hint("light", texts.text("first.light"));
             boolean saved = saving.commands().isPresent();
             lightActions.enable("copyCommand", model.state().drawn().isPresent());
             lightActions.hint("copyCommand", texts.text(saved ? "copy.saved" : "copy.unsaved"));

@@ -5,10 +5,13 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Language;
@@ -26,6 +29,7 @@ final class FigurePanel extends LabPanel {
     private final StepPlayer player;
     private final Actions actions;
     private final ModeRows<LineMode> above = new ModeRows<>(this::above);
+    private final StageGuide guide;
     private final transient Runnable unsubscribe;
 
     /**
@@ -46,7 +50,15 @@ final class FigurePanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("figure", stage, stage::svg), onFailure);
         actions.addCopy("copyCommand", told -> command().ifPresent(told));
-        add(new LabLayout(above, stage, inspector.column(), actions, player));
+        var layout = new LabLayout(above, stage, inspector.column(), actions, player);
+        guide =
+                layout.guide()
+                        .of(
+                                new LabInput(
+                                        () -> model.state().scene().figure(),
+                                        () -> model.state().scene().method(),
+                                        model::chooseMethod));
+        add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -83,6 +95,9 @@ final class FigurePanel extends LabPanel {
         player.refresh();
         player.setVisible(hasSteps(model.state().scene().mode()));
         actions.refreshUndo();
+        guide.refresh();
+        String mode = model.state().scene().mode().code();
+        guide.hint("line." + mode, texts.text("first." + mode));
         actions.enable("copyCommand", command().isPresent());
     }
 
@@ -104,10 +119,12 @@ final class FigurePanel extends LabPanel {
         for (Hazard<?> hazard : model.hazards(mode)) {
             String key = "hazard." + mode.code() + "." + hazard.name();
             row.add(
-                    hazard.name(),
-                    texts.textOr(key, hazard.name()),
-                    translations.textOr(key, hazard.description()),
-                    () -> model.show(mode, hazard.name()));
+                    HazardCase.of(
+                            hazard,
+                            texts.textOr(key, hazard.name()),
+                            translations.textOr(key, hazard.description()),
+                            model.methods(mode),
+                            () -> model.show(mode, hazard.name())));
         }
         return row;
     }

@@ -5,14 +5,18 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 
 /** The lab of segments as the window shows it, in one language. */
 final class SegmentPanel extends LabPanel {
@@ -24,6 +28,7 @@ final class SegmentPanel extends LabPanel {
     private final transient LineInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -54,7 +59,15 @@ final class SegmentPanel extends LabPanel {
     }
 
     private void putTogether() {
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        var layout = new LabLayout(chips(), stage, inspector.column(), actions, player);
+        guide =
+                layout.guide()
+                        .of(
+                                new LabInput(
+                                        () -> model.state().choice().segment(),
+                                        () -> model.state().choice().method(),
+                                        model::chooseMethod));
+        add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -85,17 +98,22 @@ final class SegmentPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        guide.refresh();
+        guide.hint("line.segment", texts.text("first.segment"));
     }
 
     private Chips chips() {
         var chips = new Chips(texts, "hazards");
         Texts translations = Texts.of("line", "topic", texts.language());
+        List<String> methods = model.methods().stream().map(Method::name).toList();
         for (Hazard<Segment> hazard : model.hazards())
             chips.add(
-                    hazard.name(),
-                    texts.textOr("hazard." + hazard.name(), hazard.name()),
-                    translations.textOr("hazard." + hazard.name(), hazard.description()),
-                    () -> model.show(hazard.input()));
+                    HazardCase.of(
+                            hazard,
+                            texts.textOr("hazard." + hazard.name(), hazard.name()),
+                            translations.textOr("hazard." + hazard.name(), hazard.description()),
+                            methods,
+                            () -> model.show(hazard.input())));
         return chips;
     }
 }

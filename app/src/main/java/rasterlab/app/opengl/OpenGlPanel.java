@@ -6,10 +6,12 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -24,6 +26,7 @@ public final class OpenGlPanel extends LabPanel {
     private final transient OpenGlInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -53,7 +56,9 @@ public final class OpenGlPanel extends LabPanel {
     }
 
     private void putTogether() {
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        var layout = new LabLayout(chips(), stage, inspector.column(), actions, player);
+        guide = layout.guide().of(LabInput.unjudged(() -> model.state().choice()));
+        add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());
         unsubscribe = model.listen(state -> refresh());
@@ -91,6 +96,8 @@ public final class OpenGlPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        guide.refresh();
+        guide.hint("opengl", texts.text("first"));
         actions.enable("copyCommand", command().isPresent());
         actions.hint("copyCommand", texts.text("copy.software"));
     }

@@ -4,16 +4,20 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
 
 /** The lab of rows as its tab shows it, in one language. */
 public final class RowPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
     private final transient RowLabModel model;
+    private final transient Texts texts;
     private final RowStage stage;
     private final transient RowInspector inspector;
 
@@ -31,7 +35,7 @@ public final class RowPanel extends LabCard {
             Consumer<Throwable> onFailure) {
         super("rows", model, tab.language());
         Language language = tab.language();
-        Texts texts = Texts.of("row", language);
+        texts = Texts.of("row", language);
         this.model = model;
         stage = new RowStage(model, texts);
         inspector = new RowInspector(model, texts, tab, modes, onMode);
@@ -60,10 +64,18 @@ public final class RowPanel extends LabCard {
                         each -> {
                             String key = "hazard." + each.hazard().name();
                             chips.add(
-                                    each.hazard().name(),
-                                    texts.text(key),
-                                    translations.textOr(key, each.hazard().description()),
-                                    () -> model.show(each.topic(), each.hazard().name(), ""));
+                                    HazardCase.of(
+                                            each.hazard(),
+                                            texts.text(key),
+                                            translations.textOr(key, each.hazard().description()),
+                                            model.methods(each.topic()).stream()
+                                                    .map(Method::name)
+                                                    .toList(),
+                                            () ->
+                                                    model.show(
+                                                            each.topic(),
+                                                            each.hazard().name(),
+                                                            "")));
                         });
         return chips;
     }
@@ -71,6 +83,19 @@ public final class RowPanel extends LabCard {
     @Override
     protected void whenDrawn(Runnable taken) {
         model.whenShown(taken);
+    }
+
+    @Override
+    protected LabInput input() {
+        return new LabInput(
+                () -> List.of(model.choice().topic(), model.choice().hazard()),
+                () -> model.choice().method(),
+                model::chooseMethod);
+    }
+
+    @Override
+    protected String first() {
+        return texts.text("first");
     }
 
     @Override

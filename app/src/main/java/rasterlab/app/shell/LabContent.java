@@ -2,12 +2,16 @@ package rasterlab.app.shell;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.awt.Window;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -19,6 +23,7 @@ public final class LabContent extends JPanel {
 
     private final TabbedLabs pane;
     private final transient WindowKeys keys = new WindowKeys(this);
+    private final transient PlayerKeys player = new PlayerKeys(() -> StepPlayer.seenIn(this));
 
     /**
      * @param shown name of the tab to show; an unknown one is the first
@@ -40,8 +45,11 @@ public final class LabContent extends JPanel {
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
         pane.putClientProperty(
                 "JTabbedPane.trailingComponent",
-                new LookControls(texts, look, keys, onLook, onLanguage));
+                new LookControls(
+                        texts, look, keys, onLook, onLanguage, () -> help(labs.language())));
         pane.bindSteps(keys);
+        player.bind(keys);
+        keys.bind(KeyStroke.getKeyStroke("F1"), () -> help(labs.language()));
         add(pane);
         setTransferHandler(StrayDrop.on(this, texts));
         DropThrough.within(this);
@@ -57,11 +65,13 @@ public final class LabContent extends JPanel {
     public void addNotify() {
         super.addNotify();
         keys.listen();
+        player.listen();
     }
 
     @Override
     public void removeNotify() {
         keys.close();
+        player.close();
         super.removeNotify();
     }
 
@@ -87,6 +97,12 @@ public final class LabContent extends JPanel {
     /** Shows the tab of that name; an unknown name leaves the one that is shown. */
     public void show(String tab) {
         pane.show(tab);
+    }
+
+    /** Says what can be done in the tab that is shown. */
+    private void help(Language language) {
+        Window window = SwingUtilities.getWindowAncestor(this);
+        new HelpDialog(window, HelpText.of(pane.seen().name(), language)).setVisible(true);
     }
 
     private static JLabel brand() {

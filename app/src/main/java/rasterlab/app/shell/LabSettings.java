@@ -21,6 +21,9 @@ public record LabSettings(
         boolean maximised,
         boolean controls,
         LastChosen chosen) {
+    /** A first run opens on the lab that is understood soonest. */
+    private static final String FIRST_TAB = "line";
+
     public LabSettings {
         bounds = bounds.map(Rectangle::new);
     }
@@ -28,7 +31,7 @@ public record LabSettings(
     /** The settings of a first run. */
     public static LabSettings first(Language language) {
         return new LabSettings(
-                LabLook.first(language), "", Optional.empty(), false, true, LastChosen.NONE);
+                LabLook.first(language), FIRST_TAB, Optional.empty(), false, true, LastChosen.NONE);
     }
 
     public LabSettings with(LabLook other) {

@@ -25,22 +25,26 @@ final class LookControls extends JPanel {
     private final transient WindowKeys keys;
     private final transient Consumer<LabLook> onLook;
     private final transient Consumer<Language> onLanguage;
+    private final transient Runnable onHelp;
 
     /**
      * @param keys given the keys of the choice
+     * @param onHelp asked what can be done in the tab
      */
     LookControls(
             Texts texts,
             LabLook look,
             WindowKeys keys,
             Consumer<LabLook> onLook,
-            Consumer<Language> onLanguage) {
+            Consumer<Language> onLanguage,
+            Runnable onHelp) {
         super(new MigLayout("insets 0 8 0 10, gap 8", "push[][]", "[center,grow]"));
         this.texts = texts;
         this.look = look;
         this.keys = keys;
         this.onLook = onLook;
         this.onLanguage = onLanguage;
+        this.onHelp = onHelp;
         setOpaque(false);
         add(language());
         add(button());
@@ -96,7 +100,17 @@ final class LookControls extends JPanel {
         menu.add(size("larger", "ctrl typed +", look::larger));
         menu.add(size("smaller", "ctrl typed −", look::smaller));
         menu.add(size("usual", "ctrl 0", look::usualSize));
+        menu.addSeparator();
+        menu.add(help());
         return menu;
+    }
+
+    private JMenuItem help() {
+        var item = new JMenuItem(texts.text("help"));
+        item.setName("help.open");
+        item.setAccelerator(KeyStroke.getKeyStroke("F1"));
+        item.addActionListener(e -> onHelp.run());
+        return item;
     }
 
     private JMenuItem size(String name, String keys, Supplier<LabLook> next) {

@@ -1,11 +1,13 @@
 package rasterlab.app.shell;
 
+import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
@@ -18,6 +20,7 @@ import javax.swing.SwingUtilities;
 final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
     private final JComponent content;
     private final Map<KeyStroke, Runnable> actions = new HashMap<>();
+    private final Map<KeyStroke, Predicate<Component>> tries = new HashMap<>();
 
     /**
      * @param content of the window
@@ -28,6 +31,13 @@ final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
 
     void bind(KeyStroke key, Runnable action) {
         actions.put(key, action);
+    }
+
+    /**
+     * @param tried given what has the keyboard, says whether it took the key from there
+     */
+    void bindWhere(KeyStroke key, Predicate<Component> tried) {
+        tries.put(key, tried);
     }
 
     /** Hears keys until it is closed. */
@@ -43,6 +53,8 @@ final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
     @Override
     public boolean dispatchKeyEvent(KeyEvent e) {
         KeyStroke key = KeyStroke.getKeyStrokeForEvent(e);
+        if (tries.containsKey(key) && content.isShowing() && isOurs())
+            return tries.get(key).test(e.getComponent());
         Optional<Runnable> action = Optional.ofNullable(actions.get(key));
         if (action.isEmpty() || !content.isShowing() || !isOurs()) return false;
         MenuSelectionManager.defaultManager().clearSelectedPath();

@@ -6,17 +6,21 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 
 /** The lab of curves as the tab shows it, in one language. */
 final class CurvePanel extends LabPanel {
@@ -29,6 +33,7 @@ final class CurvePanel extends LabPanel {
     private final transient CurveInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -73,7 +78,15 @@ final class CurvePanel extends LabPanel {
     }
 
     private void putTogether() {
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        var layout = new LabLayout(chips(), stage, inspector.column(), actions, player);
+        guide =
+                layout.guide()
+                        .of(
+                                new LabInput(
+                                        this::input,
+                                        () -> model.state().choice().method(),
+                                        model::chooseMethod));
+        add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -112,16 +125,27 @@ final class CurvePanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        guide.refresh();
+        guide.hint("spline.curve", texts.text("first.curve"));
+    }
+
+    /** What a method is asked, whichever it is. */
+    private Object input() {
+        CurveChoice choice = model.state().choice();
+        return List.of(choice.form(), choice.points(), choice.joining(), choice.sampling());
     }
 
     private Chips chips() {
         var chips = new Chips(texts, "hazards");
+        List<String> methods = model.methods().stream().map(Method::name).toList();
         for (Hazard<CurveTask> hazard : model.hazards())
             chips.add(
-                    hazard.name(),
-                    texts.text("hazard." + hazard.name()),
-                    translations.textOr("hazard." + hazard.name(), hazard.description()),
-                    () -> model.show(hazard.input()));
+                    HazardCase.of(
+                            hazard,
+                            texts.text("hazard." + hazard.name()),
+                            translations.textOr("hazard." + hazard.name(), hazard.description()),
+                            methods,
+                            () -> model.show(hazard.input())));
         return chips;
     }
 

@@ -6,18 +6,22 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.SplineProblem;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 
 /** The lab of functions through knots as the tab shows it, in one language. */
 final class FunctionPanel extends LabPanel {
@@ -33,6 +37,7 @@ final class FunctionPanel extends LabPanel {
     private final transient FunctionInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private StageGuide guide;
     private final transient Runnable unsubscribe;
 
     /**
@@ -66,7 +71,15 @@ final class FunctionPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("function", stage, stage::svg), onFailure);
         actions.addCopy("copyCommand", told -> told.accept(FunctionCommand.of(model.state())));
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        var layout = new LabLayout(chips(), stage, inspector.column(), actions, player);
+        guide =
+                layout.guide()
+                        .of(
+                                new LabInput(
+                                        this::input,
+                                        () -> model.state().choice().method(),
+                                        model::chooseMethod));
+        add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -111,6 +124,8 @@ final class FunctionPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        guide.refresh();
+        guide.hint("spline.function", texts.text("first.function"));
     }
 
     private List<Place> slopes(FunctionLabState state) {
@@ -124,14 +139,23 @@ final class FunctionPanel extends LabPanel {
         return List.copyOf(slopes);
     }
 
+    /** What a method is asked, whichever it is. */
+    private Object input() {
+        FunctionChoice choice = model.state().choice();
+        return List.of(choice.knots(), choice.ends());
+    }
+
     private Chips chips() {
         var chips = new Chips(texts, "hazards");
+        List<String> methods = model.methods().stream().map(Method::name).toList();
         for (Hazard<SplineProblem> hazard : model.hazards())
             chips.add(
-                    hazard.name(),
-                    texts.text("hazard." + hazard.name()),
-                    translations.textOr("hazard." + hazard.name(), hazard.description()),
-                    () -> model.show(hazard.input()));
+                    HazardCase.of(
+                            hazard,
+                            texts.text("hazard." + hazard.name()),
+                            translations.textOr("hazard." + hazard.name(), hazard.description()),
+                            methods,
+                            () -> model.show(hazard.input())));
         return chips;
     }
 

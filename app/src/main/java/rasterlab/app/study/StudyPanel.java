@@ -24,6 +24,7 @@ import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -54,6 +55,7 @@ public final class StudyPanel extends LabPanel {
     private final transient RunButtons runButtons;
     private final JButton save;
     private final JProgressBar progress = new JProgressBar();
+    private final StageGuide guide;
     private final transient Runnable unsubscribe;
 
     /**
@@ -85,7 +87,9 @@ public final class StudyPanel extends LabPanel {
         stage.setName("stage");
         stage.add(chart, StudyView.CHART.code());
         stage.add(table.scroll(), StudyView.HAZARDS.code());
-        add(new LabLayout(bar(), stage, inspector.column(), actions, timeline()));
+        var layout = new LabLayout(bar(), stage, inspector.column(), actions, timeline());
+        guide = layout.guide();
+        add(layout);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
         unsubscribe = model.listen(state -> refresh());
     }
@@ -204,6 +208,8 @@ public final class StudyPanel extends LabPanel {
         chart.refresh();
         table.refresh();
         inspector.refresh();
+        boolean tried = state.work().running() || state.study().isPresent();
+        guide.hint("study", tried ? "" : texts.text("first"));
         show(state);
     }
 

@@ -7,11 +7,13 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.SceneWriting;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -31,6 +33,7 @@ public final class VisibilityPanel extends LabPanel {
     private final transient VisibilityInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -69,6 +72,7 @@ public final class VisibilityPanel extends LabPanel {
 
     private void putTogether() {
         var scenes = new LabLayout(chips(), stage, inspector.column(), actions, player);
+        guide = scenes.guide().of(LabInput.unjudged(() -> model.state().choice()));
         shown.add(scenes, VisibilityMode.SCENE);
         add(shown);
         Actions.bindUndo(scenes, model.history());
@@ -126,6 +130,8 @@ public final class VisibilityPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        guide.refresh();
+        guide.hint("visibility", texts.text("first"));
         actions.hint(
                 "copyCommand",
                 texts.text(VisibilityCommand.needsFile(model) ? "copy.unsaved" : "copy.command"));

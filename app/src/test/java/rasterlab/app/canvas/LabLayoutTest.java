@@ -17,6 +17,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -96,10 +97,11 @@ class LabLayoutTest {
                     if (hidden) press(KeyEvent.VK_F9, lab);
                     lab.setSize(900, 600);
                     lab.doLayout();
+                    lab.guide().doLayout();
                     List<Rectangle> places =
                             found(lab, JLabel.class).stream()
-                                    .filter(each -> each.getParent() == lab)
-                                    .map(Component::getBounds)
+                                    .filter(each -> isPart(each, lab))
+                                    .map(each -> placeIn(lab, each))
                                     .toList();
                     assertEquals(3, places.size());
                     Rectangle stage = places.get(1);
@@ -146,6 +148,16 @@ class LabLayoutTest {
         lab.setSize(1280, 740);
         lab.doLayout();
         lab.doLayout();
+        lab.guide().doLayout();
+    }
+
+    /** Whether it is one of those that the layout was given. */
+    private static boolean isPart(Component each, LabLayout lab) {
+        return each.getParent() == lab || each.getParent() == lab.guide();
+    }
+
+    private static Rectangle placeIn(LabLayout lab, Component part) {
+        return SwingUtilities.convertRectangle(part.getParent(), part.getBounds(), lab);
     }
 
     private static Component stage(LabLayout lab) {

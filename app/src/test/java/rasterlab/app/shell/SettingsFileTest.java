@@ -31,6 +31,11 @@ class SettingsFileTest {
     private final List<String> problems = new ArrayList<>();
 
     @Test
+    void firstRunOpensOnLines() {
+        assertEquals("line", FIRST.tab());
+    }
+
+    @Test
     void keepsEverythingBetweenRuns() {
         var settings =
                 new LabSettings(

@@ -8,11 +8,14 @@ import java.util.stream.Stream;
 import javax.swing.JComponent;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.canvas.SvgDrawing;
@@ -30,6 +33,7 @@ public abstract class LabCard extends LabPanel {
     private final transient ChoiceModel<?> model;
     private final Actions actions;
     private transient Optional<StepPlayer> player = Optional.empty();
+    private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
     protected LabCard(String name, ChoiceModel<?> model, Language language) {
@@ -89,7 +93,9 @@ public abstract class LabCard extends LabPanel {
     /** Puts the parts together and shows the model from now on. */
     protected final void arrange(
             JComponent chips, JComponent stage, Inspector inspector, JComponent below) {
-        add(new LabLayout(chips, stage, inspector, actions, below));
+        var layout = new LabLayout(chips, stage, inspector, actions, below);
+        guide = layout.guide().of(input());
+        add(layout);
         Actions.bindUndo(this, model.history());
         unsubscribe = model.listen(choice -> refresh());
     }
@@ -99,7 +105,17 @@ public abstract class LabCard extends LabPanel {
         refreshParts();
         player.ifPresent(StepPlayer::refresh);
         actions.refreshUndo();
+        guide.refresh();
+        guide.hint("coordinates." + getName(), first());
     }
+
+    /** What hazards are compared with; a card that judges methods has its own. */
+    protected LabInput input() {
+        return LabInput.unjudged(model::choice);
+    }
+
+    /** A sentence that says what to do on the stage. */
+    protected abstract String first();
 
     /** Shows the model's present state on stage and inspector. */
     protected abstract void refreshParts();
@@ -124,16 +140,23 @@ public abstract class LabCard extends LabPanel {
      *
      * @param texts the lab's, with their short names
      * @param translations what they are, where that is not English
+     * @param methods names of those that the lab offers
      */
     protected static <I> Chips hazards(
-            Texts texts, Texts translations, List<Hazard<I>> hazards, Consumer<Hazard<I>> chosen) {
+            Texts texts,
+            Texts translations,
+            List<Hazard<I>> hazards,
+            List<String> methods,
+            Consumer<Hazard<I>> chosen) {
         var chips = new Chips(texts, "hazards");
         for (Hazard<I> each : hazards)
             chips.add(
-                    each.name(),
-                    texts.textOr("hazard." + each.name(), each.name()),
-                    translations.textOr("hazard." + each.name(), each.description()),
-                    () -> chosen.accept(each));
+                    HazardCase.of(
+                            each,
+                            texts.textOr("hazard." + each.name(), each.name()),
+                            translations.textOr("hazard." + each.name(), each.description()),
+                            methods,
+                            () -> chosen.accept(each)));
         return chips;
     }
 

@@ -1,20 +1,25 @@
 package rasterlab.app.coordinates.list;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 
 /** The lab of lists as the tab shows it, in one language. */
 public final class ListPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
     private final transient ListLabModel model;
+    private final transient Texts texts;
     private final ModeRows<String> chips;
     private final ListStage stage;
     private final transient ListInspector inspector;
@@ -30,7 +35,7 @@ public final class ListPanel extends LabCard {
             Consumer<Throwable> onFailure) {
         super("transformations", model, language);
         this.model = model;
-        Texts texts = Texts.of("coordinates.list", language);
+        texts = Texts.of("coordinates.list", language);
         stage = new ListStage(model, texts, onFailure);
         inspector =
                 new ListInspector(
@@ -50,16 +55,45 @@ public final class ListPanel extends LabCard {
                     texts,
                     Texts.of("coordinates.list", "topic", texts.language()),
                     model.hazards(),
+                    model.methods().stream().map(Method::name).toList(),
                     model::show);
         var chips = new Chips(texts, "hazards");
         TrialTexts said = model.trials().kind(topic).texts();
         for (Hazard<?> hazard : model.trials().hazards(topic))
             chips.add(
-                    hazard.name(),
-                    texts.textOr("hazard." + topic + "." + hazard.name(), hazard.name()),
-                    said.said(hazard, texts.language()),
-                    () -> model.show(topic, hazard.name(), ""));
+                    HazardCase.of(
+                            hazard,
+                            texts.textOr("hazard." + topic + "." + hazard.name(), hazard.name()),
+                            said.said(hazard, texts.language()),
+                            model.trials().methods(topic).stream().map(Method::name).toList(),
+                            () -> model.show(topic, hazard.name(), "")));
         return chips;
+    }
+
+    @Override
+    protected LabInput input() {
+        return new LabInput(this::asked, this::method, this::choose);
+    }
+
+    private Object asked() {
+        ListChoice choice = model.choice();
+        return List.of(choice.subject(), choice.items(), choice.trial().map(now -> now.by("")));
+    }
+
+    private String method() {
+        return model.choice().trial().map(Trial::method).orElseGet(() -> model.choice().method());
+    }
+
+    private void choose(String method) {
+        model.choice()
+                .trial()
+                .ifPresentOrElse(
+                        now -> model.show(now.by(method)), () -> model.chooseMethod(method));
+    }
+
+    @Override
+    protected String first() {
+        return texts.text("first");
     }
 
     @Override

@@ -1,17 +1,20 @@
 package rasterlab.app.coordinates.meeting;
 
 import java.util.function.Consumer;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
 
 /** The lab of a line that meets a plane as the tab shows it, in one language. */
 public final class MeetingPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
     private final transient MeetingLabModel model;
+    private final transient Texts texts;
     private final MeetingStage stage;
     private final transient MeetingInspector inspector;
 
@@ -25,8 +28,8 @@ public final class MeetingPanel extends LabCard {
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
         super("meeting", model, language);
-        Texts texts = Texts.of("coordinates.meeting", language);
         this.model = model;
+        texts = Texts.of("coordinates.meeting", language);
         stage = new MeetingStage(model, texts, onFailure);
         inspector =
                 new MeetingInspector(
@@ -43,10 +46,24 @@ public final class MeetingPanel extends LabCard {
                         texts,
                         Texts.of("coordinates.meeting", "topic", language),
                         model.hazards(),
+                        model.methods().stream().map(Method::name).toList(),
                         hazard -> model.show(hazard.input())),
                 stage,
                 inspector.column(),
                 legend);
+    }
+
+    @Override
+    protected LabInput input() {
+        return new LabInput(
+                () -> model.choice().withMethod(""),
+                () -> model.choice().method(),
+                model::chooseMethod);
+    }
+
+    @Override
+    protected String first() {
+        return texts.text("first");
     }
 
     @Override

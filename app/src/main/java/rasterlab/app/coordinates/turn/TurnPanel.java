@@ -4,15 +4,19 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
 
 /** The lab of rotations as the tab shows it, in one language. */
 public final class TurnPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
+    private final transient TurnLabModel model;
+    private final transient Texts texts;
     private final TurnStage stage;
     private final transient TurnInspector inspector;
 
@@ -26,7 +30,8 @@ public final class TurnPanel extends LabCard {
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
         super("rotation", model, language);
-        Texts texts = Texts.of("coordinates.turn", language);
+        this.model = model;
+        texts = Texts.of("coordinates.turn", language);
         stage = new TurnStage(model, texts, onFailure);
         inspector =
                 new TurnInspector(model, texts, modes(CoordinatesMode.ROTATION, language, onMode));
@@ -40,6 +45,7 @@ public final class TurnPanel extends LabCard {
                         texts,
                         Texts.of("coordinates.turn", "topic", language),
                         model.hazards(),
+                        model.methods().stream().map(Method::name).toList(),
                         model::show),
                 stage,
                 inspector.column(),
@@ -47,6 +53,19 @@ public final class TurnPanel extends LabCard {
                 texts);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
         model.begin();
+    }
+
+    @Override
+    protected LabInput input() {
+        return new LabInput(
+                () -> model.choice().withMethod(""),
+                () -> model.choice().method(),
+                model::chooseMethod);
+    }
+
+    @Override
+    protected String first() {
+        return texts.text("first");
     }
 
     @Override

@@ -1,0 +1,179 @@
+package rasterlab.app.canvas;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * Says over the stage of a clicked hazard what is special about it, what the chosen method's
+ * verdict is, and which methods fail: each is a button that chooses it.
+ *
+ * <p>It stays until it is closed or another mode is shown, so that the stage keeps its size while
+ * the input is changed; then it tells that the verdicts are of the case as it was.
+ */
+final class HazardStrip extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final transient Texts verdicts;
+    private final WrappedText special = new WrappedText("hazard.special");
+    private final JPanel row = new JPanel(FlowRows.inTheMiddle(6));
+    private final JLabel verdict = new JLabel();
+    private transient Optional<HazardCase> shown = Optional.empty();
+    private transient Optional<LabInput> lab = Optional.empty();
+    private transient Object input = "";
+    private transient String before = "";
+    private transient Component source = this;
+    private int tallest;
+
+    HazardStrip(Texts texts) {
+        super(new MigLayout("insets 6 10 6 6, gap 4 4", "[grow,fill][]", "[][]"));
+        this.texts = texts;
+        verdicts = Texts.of("study", texts.language());
+        setName("hazard.strip");
+        row.setOpaque(false);
+        FlowRows.keepWrapped(row);
+        verdict.setName("hazard.verdict");
+        verdict.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, 14));
+        add(special, "wmin 0, aligny center");
+        add(close(), "aligny top, wrap");
+        add(row, "wmin 0, span 2");
+        setVisible(false);
+    }
+
+    private JButton close() {
+        var close = new JButton("×");
+        close.setName("hazard.close");
+        close.setToolTipText(texts.text("hazard.close"));
+        close.getAccessibleContext().setAccessibleName(texts.text("hazard.close"));
+        close.putClientProperty("JButton.buttonType", "toolBarButton");
+        close.putClientProperty("JButton.squareSize", true);
+        close.addActionListener(e -> close(this));
+        return close;
+    }
+
+    private static void close(HazardStrip strip) {
+        strip.shown = Optional.empty();
+        strip.refresh();
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        StageColours colours = StageColours.now();
+        setBackground(colours.margin());
+        setBorder(
+                BorderFactory.createMatteBorder(
+                        1, 1, 0, 1, UIManager.getColor("Component.borderColor")));
+    }
+
+    /** Whose input and method the verdicts are compared with. */
+    void of(LabInput next) {
+        lab = Optional.of(next);
+    }
+
+    /**
+     * Says all about a hazard whose input is shown now.
+     *
+     * @param chips among which it was chosen: the strip goes when they are hidden
+     */
+    void tell(HazardCase hazard, Component chips) {
+        shown = Optional.of(hazard);
+        source = chips;
+        input = lab.<Object>map(one -> one.input().get()).orElse("");
+        before = method();
+        tallest = 0;
+        refresh();
+    }
+
+    private String method() {
+        return lab.map(one -> one.method().get()).orElse("");
+    }
+
+    /** Compares what was told with the lab's present state. */
+    void refresh() {
+        if (shown.isPresent() && !source.isVisible()) shown = Optional.empty();
+        setVisible(shown.isPresent());
+        if (shown.isEmpty()) return;
+        HazardCase hazard = shown.get();
+        boolean changed = lab.isPresent() && !lab.get().input().get().equals(input);
+        special.show(texts.text("hazard.special", hazard.label(), hazard.special()));
+        special.setEnabled(!changed);
+        row.removeAll();
+        if (changed) addChanged(hazard);
+        else if (!hazard.failing().isEmpty() || !hazard.methods().isEmpty()) addVerdicts(hazard);
+        row.setVisible(row.getComponentCount() > 0);
+        row.revalidate();
+        row.repaint();
+    }
+
+    private void addChanged(HazardCase hazard) {
+        var said = new JLabel(texts.text("hazard.changed"));
+        said.setName("hazard.changed");
+        row.add(said);
+        row.add(button("hazard.again", texts.text("hazard.again"), () -> again(hazard)));
+    }
+
+    private void again(HazardCase hazard) {
+        hazard.show().run();
+        tell(hazard, source);
+    }
+
+    private void addVerdicts(HazardCase hazard) {
+        String method = method();
+        Verdict.Kind kind = hazard.recorded().get(method);
+        if (kind != null) {
+            verdict.setText(said(method, kind));
+            verdict.setIcon(new MethodSwatch(method));
+            row.add(verdict);
+        }
+        row.add(
+                new JLabel(
+                        texts.text(hazard.failing().isEmpty() ? "hazard.all" : "hazard.failing")));
+        for (String failing : hazard.failing())
+            if (!failing.equals(method)) row.add(choice(failing, hazard));
+        boolean back = !before.equals(method) && !hazard.failing().contains(before);
+        if (back && hazard.recorded().containsKey(before)) row.add(choice(before, hazard));
+    }
+
+    private JButton choice(String method, HazardCase hazard) {
+        String text = said(method, hazard.recorded().get(method));
+        JButton button =
+                button(
+                        "hazard.method." + method,
+                        text,
+                        () -> {
+                            lab.ifPresent(one -> one.choose().accept(method));
+                            refresh();
+                        });
+        button.setIcon(new MethodSwatch(method));
+        button.setToolTipText(texts.text("hazard.choose", method));
+        return button;
+    }
+
+    private String said(String method, Verdict.Kind kind) {
+        return texts.text("hazard.verdict", method, verdicts.text("verdict." + kind.code()));
+    }
+
+    private static JButton button(String name, String text, Runnable action) {
+        JButton button = Chips.chip(name, text, action);
+        button.setFocusable(false);
+        return button;
+    }
+
+    /** No smaller than before for the same hazard, so that the stage keeps its size. */
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension size = super.getPreferredSize();
+        tallest = Math.max(tallest, size.height);
+        return new Dimension(size.width, tallest);
+    }
+}

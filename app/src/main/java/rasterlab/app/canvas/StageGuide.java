@@ -1,0 +1,102 @@
+package rasterlab.app.canvas;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Rectangle;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import rasterlab.app.language.Texts;
+
+/**
+ * A stage with what is said to somebody who sees it first: over it what is special about a clicked
+ * hazard, on it what to do there.
+ */
+public final class StageGuide extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final JComponent stage;
+    private final HazardStrip strip;
+    private final StageHint hint;
+
+    /**
+     * @param texts of this package
+     * @param history remembers on which stages something was done; empty where nothing can be
+     *     undone
+     */
+    StageGuide(JComponent stage, Texts texts, Optional<History<?>> history) {
+        super(null);
+        this.texts = texts;
+        this.stage = stage;
+        strip = new HazardStrip(texts);
+        hint = new StageHint(history);
+        setOpaque(false);
+        add(hint);
+        add(strip);
+        add(stage);
+    }
+
+    /** Compares hazards with what the lab works on. */
+    public StageGuide of(LabInput lab) {
+        strip.of(lab);
+        return this;
+    }
+
+    /**
+     * Says on the stage what to do there, unless something was done already.
+     *
+     * @param key the same for the same stage in every language, another one in another mode
+     * @param sentence "" for none
+     */
+    public void hint(String key, String sentence) {
+        hint.show(key, sentence.isEmpty() ? "" : texts.text("hint.help", sentence));
+        revalidate();
+    }
+
+    /** Something was done on the stage: the sentence goes. */
+    public void done() {
+        hint.done();
+    }
+
+    void clicked(HazardCase hazard, Component chips) {
+        strip.tell(hazard, chips);
+        revalidate();
+    }
+
+    /** Compares what is said with what the lab shows now. */
+    public void refresh() {
+        boolean before = strip.isVisible();
+        strip.refresh();
+        if (strip.isVisible() != before) revalidate();
+    }
+
+    /** What lies on the stage, and in no copied picture, overlaps it. */
+    @Override
+    public boolean isOptimizedDrawingEnabled() {
+        return false;
+    }
+
+    @Override
+    public void doLayout() {
+        int high = 0;
+        if (strip.isVisible()) {
+            strip.setSize(getWidth(), Math.max(1, strip.getHeight()));
+            high = Math.min(strip.getPreferredSize().height, getHeight() / 2);
+            strip.setBounds(0, 0, getWidth(), high);
+        }
+        var rest = new Rectangle(0, high, getWidth(), getHeight() - high);
+        stage.setBounds(rest);
+        hint.place(rest);
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return stage.getPreferredSize();
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return stage.getMinimumSize();
+    }
+}

@@ -1,0 +1,52 @@
+package rasterlab.app.shell;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/**
+ * What can be done in a tab, and by which keys.
+ *
+ * @param title names the tab
+ * @param sections those of the tab first, then what works everywhere
+ */
+record HelpText(String title, List<Section> sections) {
+    /** Tabs without a player. */
+    private static final Set<String> WITHOUT_STEPS = Set.of("study", "exercises");
+
+    HelpText {
+        sections = List.copyOf(sections);
+    }
+
+    /** Some ways under a heading. */
+    record Section(String heading, List<Way> ways) {
+        Section {
+            ways = List.copyOf(ways);
+        }
+    }
+
+    /** A key or a movement of the mouse, and what it does. */
+    record Way(String by, String does) {}
+
+    static HelpText of(String tab, Language language) {
+        Texts texts = Texts.of("shell", "help", language);
+        String name = Texts.of("shell", language).text("tab." + tab);
+        var sections = new ArrayList<Section>();
+        sections.add(new Section(texts.text("heading.tab"), ways(texts, tab)));
+        if (!WITHOUT_STEPS.contains(tab))
+            sections.add(new Section(texts.text("heading.player"), ways(texts, "player")));
+        sections.add(new Section(texts.text("heading.window"), ways(texts, "window")));
+        return new HelpText(texts.text("title", name), sections);
+    }
+
+    private static List<Way> ways(Texts texts, String part) {
+        var ways = new ArrayList<Way>();
+        for (int i = 1; texts.has(part + "." + i + ".by"); i++) {
+            String key = part + "." + i;
+            ways.add(new Way(texts.text(key + ".by"), texts.text(key + ".does")));
+        }
+        return ways;
+    }
+}

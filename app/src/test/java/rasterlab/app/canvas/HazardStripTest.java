@@ -1,0 +1,132 @@
+package rasterlab.app.canvas;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.engine.study.Verdict;
+
+class HazardStripTest {
+    private final JPanel chips = new JPanel();
+    private String input = "first";
+    private String method = "right";
+    private HazardStrip strip;
+
+    @BeforeEach
+    void tell() {
+        LabTheme.LIGHT.install();
+        strip = new HazardStrip(Texts.of("canvas", Language.ENGLISH));
+        strip.of(new LabInput(() -> input, () -> method, chosen -> method = chosen));
+        var hazard =
+                new HazardCase(
+                        "steep",
+                        "Steep",
+                        "Above 45° there are more rows than columns.",
+                        List.of("wrong", "right", "endless"),
+                        Map.of(
+                                "right", Verdict.Kind.EXACT,
+                                "wrong", Verdict.Kind.WRONG,
+                                "endless", Verdict.Kind.ENDLESS),
+                        () -> input = "steep");
+        hazard.show().run();
+        strip.tell(hazard, chips);
+    }
+
+    @Test
+    @DisplayName("a clicked hazard does not say what is special, or how the method does there")
+    void saysWhatIsSpecialAndTheVerdict() {
+        assertTrue(strip.isVisible());
+        assertEquals(
+                "“Steep”: Above 45° there are more rows than columns.",
+                ((WrappedText) named("hazard.special").orElseThrow()).getText());
+        assertEquals("right: exact", verdict());
+        assertEquals(List.of("hazard.method.wrong", "hazard.method.endless"), choices());
+    }
+
+    @Test
+    @DisplayName("a button does not switch to the method that fails, or there is no way back")
+    void buttonsChooseTheMethodsThatFail() {
+        button("hazard.method.wrong").doClick();
+        assertEquals("wrong", method);
+        assertEquals("wrong: wrong", verdict());
+        assertEquals(List.of("hazard.method.endless", "hazard.method.right"), choices());
+        button("hazard.method.right").doClick();
+        assertEquals("right: exact", verdict());
+    }
+
+    @Test
+    @DisplayName("verdicts stay beside an input that was changed")
+    void changedInputHasNoVerdicts() {
+        input = "moved";
+        strip.refresh();
+        assertEquals(List.of(), choices());
+        assertTrue(strip.isVisible(), "the stage changes its size while the input is dragged");
+        button("hazard.again").doClick();
+        assertEquals("steep", input);
+        assertEquals("right: exact", verdict());
+    }
+
+    @Test
+    void itsHeightStaysWhileTheInputIsChanged() {
+        strip.setSize(300, 200);
+        int before = strip.getPreferredSize().height;
+        input = "moved";
+        strip.refresh();
+        assertEquals(before, strip.getPreferredSize().height);
+    }
+
+    @Test
+    void goesWithItsChipsOrWhenItIsClosed() {
+        chips.setVisible(false);
+        strip.refresh();
+        assertFalse(strip.isVisible(), "another mode is shown");
+        chips.setVisible(true);
+        tell();
+        button("hazard.close").doClick();
+        assertFalse(strip.isVisible());
+    }
+
+    private String verdict() {
+        return ((JLabel) named("hazard.verdict").orElseThrow()).getText();
+    }
+
+    private List<String> choices() {
+        return parts(strip)
+                .map(part -> String.valueOf(part.getName()))
+                .filter(name -> name.startsWith("hazard.method."))
+                .toList();
+    }
+
+    private JButton button(String name) {
+        return (JButton) named(name).orElseThrow();
+    }
+
+    private Optional<Component> named(String name) {
+        return parts(strip).filter(part -> name.equals(part.getName())).findFirst();
+    }
+
+    private static Stream<Component> parts(Container parent) {
+        var all = new ArrayList<Component>();
+        for (Component each : parent.getComponents()) {
+            all.add(each);
+            if (each instanceof Container inner) all.addAll(parts(inner).toList());
+        }
+        return all.stream();
+    }
+}
