@@ -108,7 +108,7 @@ final class TriangulateHazards {
                         "keyhole",
                         "A hole joined to the outside by a bridge, gone along once each way.",
                         KEYHOLE,
-                        recorded(REFUSED, WRONG, EXACT, EXACT)),
+                        recorded(REFUSED, EXACT, EXACT, EXACT)),
                 hazard(
                         "hole-the-wrong-way",
                         "The hole is gone round the same way as the outside: its inside twice.",
