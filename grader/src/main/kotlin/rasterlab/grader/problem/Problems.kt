@@ -64,7 +64,8 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
             is Rejection.TooSlow -> call.response.header(HttpHeaders.Connection, "close")
             else -> Unit
         }
-        show(call, rejection.status(), rejection.code, rejection.message)
+        val code = if (call.isForPrograms()) rejection.code else rejection.pageText
+        show(call, rejection.status(), code, rejection.message)
     }
     exception<BadRequestException> { call, malformed ->
         log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), malformed.message)

@@ -13,6 +13,7 @@ import io.ktor.http.HttpStatusCode.Companion.TooManyRequests
 import io.ktor.http.HttpStatusCode.Companion.Unauthorized
 import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
+import rasterlab.exercises.SourceEncoding
 
 /**
  * Why the server does not do what it was asked.
@@ -24,6 +25,9 @@ sealed class Rejection(
     override val message: String,
     val code: String,
 ) : Exception(message) {
+    /** Names the text that a page shows: the code, or more exactly what was met. */
+    open val pageText get() = code
+
     class NotSignedIn :
         Rejection("needs the header 'Authorization: Bearer TOKEN' with a token of this server", "not-signed-in")
 
@@ -81,9 +85,27 @@ sealed class Rejection(
     class EmptySource :
         Rejection("the source is empty; it is the whole body, or the field 'source' of a form", "empty-source")
 
+    /** @param likely encoding of the source */
     class NotUtf8(
         place: String,
-    ) : Rejection("the source is not UTF-8 text: $place", "not-utf-8")
+        likely: SourceEncoding,
+    ) : Rejection("the source is not UTF-8 text: $place${likely.advice()}", "not-utf-8") {
+        override val pageText = "$code${likely.ending()}"
+
+        private companion object {
+            fun SourceEncoding.advice() =
+                when (this) {
+                    SourceEncoding.WINDOWS_1251 -> "; it looks like Windows-1251 (CP1251): save it as UTF-8"
+                    SourceEncoding.UTF_16 -> "; it looks like UTF-16: save it as UTF-8"
+                    SourceEncoding.OTHER -> ""
+                }
+
+            fun SourceEncoding.ending() =
+                if (this == SourceEncoding.OTHER) "" else ".${name.lowercase().replace('_', '-')}"
+        }
+    }
+
+    class Kotlin : Rejection("Kotlin is not accepted; send Java", "kotlin")
 
     class UnknownLanguage(
         asked: String,
@@ -133,7 +155,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge
-        is Rejection.WrongMediaType -> UnsupportedMediaType
+        is Rejection.WrongMediaType, is Rejection.Kotlin -> UnsupportedMediaType
         is Rejection.TooSlow -> RequestTimeout
         is Rejection.TooManyQueued, is Rejection.TooFast -> TooManyRequests
         is Rejection.NoRoom -> ServiceUnavailable

@@ -1,67 +1,54 @@
 package rasterlab.grader.submission
 
 import io.ktor.http.ContentType
-import io.ktor.http.content.PartData
-import io.ktor.http.content.forEachPart
+import io.ktor.http.HttpHeaders
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.request.contentLength
-import io.ktor.server.request.receiveMultipart
-import io.ktor.utils.io.readRemaining
-import kotlinx.io.IOException
-import kotlinx.io.readByteArray
+import io.ktor.server.request.contentType
 import rasterlab.exercises.Grading
+import rasterlab.exercises.SourceEncoding
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.bodyType
-import rasterlab.grader.problem.inTime
 import rasterlab.grader.problem.receiveAtMost
 import rasterlab.grader.problem.utf8
 
 const val LONGEST_SOURCE_BYTES = Grading.MOST_SOURCE_BYTES
 private const val FORM_EXTRA_BYTES = 16 * 1024
+private const val KOTLIN = "text/x-kotlin"
 private val JAVA_SOURCE = ContentType("text", "x-java-source")
 
 /** The source in the body: alone, or the multipart field `source`. */
 suspend fun ApplicationCall.receiveSource(): String {
-    val type = bodyType(JAVA_SOURCE, ContentType.MultiPart.FormData)
-    if (type == JAVA_SOURCE) return sourceOf(receiveAtMost(LONGEST_SOURCE_BYTES))
-    return sourceOf(receiveFields()["source"]?.firstOrNull() ?: ByteArray(0))
+    if (request.headers[HttpHeaders.ContentType].orEmpty().startsWith(KOTLIN)) throw Rejection.Kotlin()
+    if (bodyType(JAVA_SOURCE, ContentType.MultiPart.FormData) == JAVA_SOURCE) {
+        return sourceOf(receiveAtMost(LONGEST_SOURCE_BYTES))
+    }
+    return sourceOf(receiveFields())
 }
 
 /** Bytes of a source as text. */
 fun sourceOf(bytes: ByteArray): String {
     if (bytes.size > LONGEST_SOURCE_BYTES) throw Rejection.TooLarge(LONGEST_SOURCE_BYTES)
-    val text = utf8(bytes, Rejection::NotUtf8)
+    val text = utf8(bytes) { Rejection.NotUtf8(it, SourceEncoding.of(bytes)) }
     if (text.isBlank()) throw Rejection.EmptySource()
     return text
 }
 
-/** The fields of a form, each with the bytes of its values in order. */
-suspend fun ApplicationCall.receiveFields(): Map<String, List<ByteArray>> {
+/** The fields of a form, in order. */
+internal suspend fun ApplicationCall.receiveFields(): List<FormField> {
     bodyType(ContentType.MultiPart.FormData)
-    val limit = 2 * LONGEST_SOURCE_BYTES + FORM_EXTRA_BYTES
-    if ((request.contentLength() ?: 0) > limit) receiveAtMost(limit)
-    val fields = mutableMapOf<String, MutableList<ByteArray>>()
-    var left = limit
-    try {
-        inTime {
-            receiveMultipart(formFieldLimit = limit.toLong()).forEachPart { part ->
-                val bytes = part.bytes(left)
-                left -= bytes.size
-                if (left < 0) throw Rejection.TooLarge(limit)
-                fields.getOrPut(part.name.orEmpty()) { mutableListOf() } += bytes
-                part.release()
-            }
-        }
-    } catch (failure: IOException) {
-        throw Rejection.Malformed("the form cannot be read")
-    }
-    return fields
+    return formFields(receiveAtMost(2 * LONGEST_SOURCE_BYTES + FORM_EXTRA_BYTES), request.contentType())
 }
 
-/** At most one byte more than [limit]. */
-private suspend fun PartData.bytes(limit: Int) =
-    when (this) {
-        is PartData.FormItem -> value.toByteArray()
-        is PartData.FileItem -> provider().readRemaining(limit + 1L).readByteArray()
-        else -> ByteArray(0)
+/** What the form's field `source` holds; of several, the first that is not empty. */
+internal fun sourceOf(fields: List<FormField>): String {
+    val sources = fields.filter { it.name == "source" }
+    val sent = sources.firstOrNull { it.content.isNotEmpty() } ?: throw Rejection.EmptySource()
+    if (sent.file
+            .orEmpty()
+            .lowercase()
+            .let { it.endsWith(".kt") || it.endsWith(".kts") }
+    ) {
+        throw Rejection.Kotlin()
     }
+    return sourceOf(sent.content)
+}

@@ -31,6 +31,8 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.respondPicture
 import rasterlab.grader.exercise.respondStarter
 import rasterlab.grader.exercise.starterFile
+import rasterlab.grader.storage.Secrets
+import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.Submissions
@@ -63,12 +65,22 @@ fun Route.exercisePages(
         call.requireOwnForm()
         val student = call.studentHere(accounts)
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        val source = call.receiveFields()["source"].orEmpty().firstOrNull { it.isNotEmpty() } ?: ByteArray(0)
-        val accepted = intake.accept(student, exercise, sourceOf(source), key = null)
+        val fields = call.receiveFields()
+        val source = sourceOf(fields)
+        val accepted = intake.accept(student, exercise, source, onceOf(fields, source))
         queue.ring(accepted.id)
         call.respondRedirect("/submissions/${accepted.id}")
     }
 }
+
+/**
+ * A key that is the same when one page sends one source again, as by a double click. Its space keeps
+ * it apart from those that programs choose. Another source from the same page is another attempt.
+ */
+private fun onceOf(
+    fields: List<FormField>,
+    source: String,
+) = fields.firstOrNull { it.name == ONCE }?.let { "page ${Secrets.hash(it.content.decodeToString() + "\n" + source)}" }
 
 private suspend fun ApplicationCall.respondExercises(
     who: Identity,
@@ -128,6 +140,9 @@ private suspend fun ApplicationCall.respondExercise(
     }
 }
 
+/** The field that tells one opened page from the next. */
+private const val ONCE = "once"
+
 /** The page shows the title itself. */
 private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "") else this
 
@@ -137,6 +152,7 @@ private fun FlowContent.handIn(
 ) {
     h2 { +texts.say("exercise.submit") }
     form("/exercises/${exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
+        input(InputType.hidden, name = ONCE) { value = Secrets.newId() }
         label {
             span { +texts.say("exercise.file") }
             input(InputType.file, name = "source") { accept = ".java,text/x-java-source" }

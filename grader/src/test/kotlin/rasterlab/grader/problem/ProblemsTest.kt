@@ -234,6 +234,12 @@ class ProblemsTest {
                     "not-utf-8",
                 ) { upload(byteArrayOf(0x63, 0xE9.toByte(), 0x20)) },
                 asked(
+                    "source in Windows-1251",
+                    422,
+                    "not-utf-8",
+                ) { upload("// рисует отрезок".toByteArray(charset("windows-1251"))) },
+                asked("Kotlin by its type", 415, "kotlin") { upload("fun main() {}", type = "text/x-kotlin") },
+                asked(
                     "form without a source",
                     422,
                     "empty-source",
@@ -243,7 +249,7 @@ class ProblemsTest {
                     413,
                     "too-large",
                 ) { upload(form("source", "a".repeat(1_000_000)), type = null) },
-                asked("form without its boundary inside", 422, "empty-source") {
+                asked("form without its boundary inside", 400, "malformed-request") {
                     upload("--x\r\nrubbish", type = "multipart/form-data; boundary=y")
                 },
                 asked(

@@ -125,6 +125,46 @@ class PagesTest {
         }
 
     @Test
+    fun takesADoubleClickForOneAttempt() =
+        Classroom(folder).open(grades = false) {
+            val cookie = session(form("/join", "course" to newCourse(), "name" to "Ada"))
+            val page = "Content-Disposition: form-data; name=\"once\"\r\n\r\n${once(cookie)}"
+            val source = "Content-Disposition: form-data; name=\"source\""
+
+            suspend fun send(text: String) =
+                handIn(cookie, "$page\r\n--b\r\n$source", text.toByteArray()).headers[HttpHeaders.Location]
+
+            val first = send("class Dot {}")
+            assertEquals(first, send("class Dot {}"), "the second click is another attempt")
+            val changed = send("class Dot { int a; }")
+            assertTrue(changed != null && changed != first, "another source is no attempt: $changed")
+            assertTrue(once(cookie) != once(cookie), "two pages are one")
+        }
+
+    private suspend fun Visit.once(cookie: String) =
+        checkNotNull(Regex("""name="once" value="([^"]+)""").find(page("/exercises/draw-dot", cookie))).groupValues[1]
+
+    @Test
+    fun saysHowToSaveARussianFile() =
+        Classroom(folder).open(grades = false) {
+            val cookie = session(form("/join", "course" to newCourse(), "name" to "Ada"))
+            val head = "Content-Disposition: form-data; name=\"source\"; filename=\"Dot.java\""
+            val answer = handIn(cookie, head, "// рисует точку".toByteArray(charset("windows-1251")))
+            assertEquals(422, answer.status.value)
+            assertTrue("Windows-1251 (CP1251), not UTF-8. Save it as UTF-8" in answer.bodyAsText(), answer.bodyAsText())
+        }
+
+    @Test
+    fun refusesAKotlinFileByItsName() =
+        Classroom(folder).open(grades = false) {
+            val cookie = session(form("/join", "course" to newCourse(), "name" to "Ada"))
+            val head = "Content-Disposition: form-data; name=\"source\"; filename=\"Dot.kt\""
+            val answer = handIn(cookie, head, "class Dot".toByteArray())
+            assertEquals(415, answer.status.value)
+            assertTrue("Kotlin is not accepted; send Java" in answer.bodyAsText(), answer.bodyAsText())
+        }
+
+    @Test
     fun refusesFormsOfOtherSites() =
         Classroom(folder).open(grades = false) {
             val code = newCourse()
@@ -270,6 +310,18 @@ class PagesTest {
         header(HttpHeaders.Origin, "http://localhost")
         header(HttpHeaders.Cookie, cookie)
         setBody(MultiPartFormDataContent(formData(FormPart("source", source))))
+    }
+
+    private suspend fun Visit.handIn(
+        cookie: String,
+        head: String,
+        content: ByteArray,
+    ) = client.post("/exercises/draw-dot") {
+        header(HttpHeaders.Host, "localhost")
+        header(HttpHeaders.Origin, "http://localhost")
+        header(HttpHeaders.Cookie, cookie)
+        header(HttpHeaders.ContentType, "multipart/form-data; boundary=b")
+        setBody("--b\r\n$head\r\n\r\n".toByteArray() + content + "\r\n--b--".toByteArray())
     }
 
     private suspend fun Visit.get(

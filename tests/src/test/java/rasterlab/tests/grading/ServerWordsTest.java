@@ -14,12 +14,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.exercises.SourceEncoding;
 import rasterlab.grader.problem.Rejection;
 
 /** The server says no in English; the window says it in its own language. */
 class ServerWordsTest {
     private static final Pattern ENGLISH =
-            Pattern.compile("\\b(the|no|of|at|you|only|must|this)\\b");
+            Pattern.compile("\\b(the|no|of|at|you|only|must|this|send)\\b");
 
     /** What the window never brings about, since it makes requests as they should be. */
     private static final Set<Class<?>> OF_OTHER_CLIENTS =
@@ -44,7 +45,10 @@ class ServerWordsTest {
                 new Rejection.BadName("name", 80),
                 new Rejection.KeyReused(),
                 new Rejection.EmptySource(),
-                new Rejection.NotUtf8("byte 3"),
+                new Rejection.NotUtf8("byte 3", SourceEncoding.OTHER),
+                new Rejection.NotUtf8("byte 3", SourceEncoding.WINDOWS_1251),
+                new Rejection.NotUtf8("byte 3", SourceEncoding.UTF_16),
+                new Rejection.Kotlin(),
                 new Rejection.TooLarge(65536),
                 new Rejection.TooSlow(30),
                 new Rejection.TooManyQueued(5, 10),
