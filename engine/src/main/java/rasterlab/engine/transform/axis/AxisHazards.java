@@ -23,6 +23,11 @@ final class AxisHazards {
                         AxisTurn.about(1, 2, 2, 0, 5, -3, 8),
                         EXACT),
                 hazard(
+                        "quarter-turn",
+                        "Counter-clockwise seen from where the direction points to.",
+                        AxisTurn.about(1, 2, 2, 90, 3, 0, 0),
+                        WRONG),
+                hazard(
                         "axis-itself",
                         "A point of the axis has to stay where it is.",
                         AxisTurn.about(

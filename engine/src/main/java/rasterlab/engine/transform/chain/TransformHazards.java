@@ -20,7 +20,24 @@ final class TransformHazards {
     private TransformHazards() {}
 
     static List<Hazard<Chain>> all() {
-        return Stream.of(eye(), cancellation()).flatMap(List::stream).toList();
+        return Stream.of(order(), eye(), cancellation()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<Chain>> order() {
+        return List.of(
+                hazard(
+                        "shift-then-turn",
+                        "The order counts: shifted first, turned then.",
+                        Map.of(),
+                        new double[] {1, 2, 3},
+                        cells("TRANSL3D", 4, 0, 0),
+                        cells("ROT3DZ", 90)),
+                hazard(
+                        "shift-in-the-last-row",
+                        "Points are rows, so a shift stands in the last row of its matrix.",
+                        Map.of(),
+                        new double[] {1, 2, 3},
+                        cells("TRANSL3D", 4, 5, 6)));
     }
 
     private static List<Hazard<Chain>> eye() {

@@ -34,6 +34,11 @@ final class RotateHazards {
                         new Turns(37, 1, new double[] {3, 4}),
                         Map.of(FLOAT, DEGRADED)),
                 hazard(
+                        "quarter-turn",
+                        "Counter-clockwise: x turns to y.",
+                        new Turns(90, 1, new double[] {3, 4}),
+                        Map.of()),
+                hazard(
                         "between-degrees",
                         "Half a degree beside every entry of the table.",
                         new Turns(12.5, 1, new double[] {3, 4}),

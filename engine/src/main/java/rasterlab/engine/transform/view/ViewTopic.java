@@ -63,6 +63,11 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     public List<Hazard<Look>> hazards() {
         return List.of(
                 hazard("pole", "φ = 0: the eye is above the north pole.", 30, 0, 10, 1, 2, 3),
+                hazard("origin", "The origin lies ρ straight ahead.", 30, 60, 400, 0, 0, 0),
+                hazard("upwards", "What is above the origin is seen above it.", 30, 60, 9, 0, 0, 2),
+                hazard("to-the-right", "Seen from +x, +y is to the right.", 0, 90, 9, 0, 2, 0),
+                hazard("quarter-turn", "θ = 90° stands on the y axis.", 90, 90, 9, 1, 2, 3),
+                hazard("from-below", "φ = 120°: the eye is below the equator.", 0, 120, 9, 1, 2, 3),
                 hazard("at-the-eye", "A point where the eye is.", 0, 90, 5, 5, 0, 0),
                 hazard("far-eye", "ρ swallows the points' depths.", 20, 70, 1e12, 1, 2, 3));
     }

@@ -1,0 +1,83 @@
+package rasterlab.engine.color;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.contract.ColorConverter;
+import rasterlab.contract.ColorModel;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Colours written in another model with one mistake. */
+final class ColorMutants implements Mutants<ColorConverter> {
+    private static final ColorConverter RIGHT = new FormulaColors();
+
+    @Override
+    public List<Mutant<ColorConverter>> all() {
+        return List.of(
+                new Mutant<>(
+                        "hues between blue and red are negative",
+                        "pure-colours",
+                        ColorMutants::negativeHues),
+                new Mutant<>(
+                        "blue, green and red for red, green and blue",
+                        "pure-colours",
+                        ColorMutants::blueFirst),
+                new Mutant<>("hue 360° has no sector", "full-turn", ColorMutants::sixSectors),
+                new Mutant<>(
+                        "a model to itself is copied",
+                        "to-itself",
+                        (from, components, to) ->
+                                from == to
+                                        ? components.clone()
+                                        : RIGHT.convert(from, components, to)),
+                new Mutant<>("a grey has hue 0", "grey", ColorMutants::greyIsRed),
+                new Mutant<>(
+                        "what is nearly grey is grey", "nearly-grey", ColorMutants::nearlyGrey),
+                new Mutant<>("0 of 0 inks for black", "black", ColorMutants::blackByDivision),
+                new Mutant<>("shares are cut to bytes", "between-levels", ColorMutants::bytes));
+    }
+
+    private static double[] negativeHues(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to.isHue(0) && answer[0] >= 300) answer[0] -= 360;
+        return answer;
+    }
+
+    private static double[] blueFirst(ColorModel from, double[] components, ColorModel to) {
+        double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
+        return RIGHT.convert(ColorModel.RGB, new double[] {rgb[2], rgb[1], rgb[0]}, to);
+    }
+
+    private static double[] sixSectors(ColorModel from, double[] components, ColorModel to) {
+        boolean seventh = from == ColorModel.HSV && components[0] == 360;
+        return seventh
+                ? RIGHT.convert(ColorModel.RGB, new double[3], to)
+                : RIGHT.convert(from, components, to);
+    }
+
+    private static double[] greyIsRed(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (Double.isNaN(answer[0])) answer[0] = 0;
+        return answer;
+    }
+
+    private static double[] nearlyGrey(ColorModel from, double[] components, ColorModel to) {
+        double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
+        double[] sorted = rgb.clone();
+        Arrays.sort(sorted);
+        if (sorted[2] - sorted[0] < 0.01) Arrays.fill(rgb, sorted[1]);
+        return RIGHT.convert(ColorModel.RGB, rgb, to);
+    }
+
+    private static double[] blackByDivision(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to == ColorModel.CMYK && answer[3] == 1) Arrays.fill(answer, 0, 3, 0.0 / 0.0);
+        return answer;
+    }
+
+    private static double[] bytes(ColorModel from, double[] components, ColorModel to) {
+        double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
+        for (int i = 0; i < 3; i++) rgb[i] = (int) (255 * rgb[i]) / 255.0;
+        return RIGHT.convert(ColorModel.RGB, rgb, to);
+    }
+}

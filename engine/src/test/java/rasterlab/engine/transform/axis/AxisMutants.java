@@ -1,0 +1,68 @@
+package rasterlab.engine.transform.axis;
+
+import java.util.List;
+import rasterlab.contract.AxisRotation;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Rotations about an axis with one mistake. */
+final class AxisMutants implements Mutants<AxisRotation> {
+    private static final AxisRotation RIGHT = new RodriguesRotation();
+
+    @Override
+    public List<Mutant<AxisRotation>> all() {
+        return List.of(
+                new Mutant<>(
+                        "clockwise",
+                        "quarter-turn",
+                        (through, direction, degrees, points) ->
+                                RIGHT.rotate(through, direction, -degrees, points)),
+                new Mutant<>(
+                        "degrees for radians",
+                        "quarter-turn",
+                        (through, direction, degrees, points) ->
+                                RIGHT.rotate(through, direction, Math.toDegrees(degrees), points)),
+                new Mutant<>(
+                        "the axis goes through the origin",
+                        "axis-through-far-point",
+                        (through, direction, degrees, points) ->
+                                RIGHT.rotate(new double[3], direction, degrees, points)),
+                new Mutant<>(
+                        "an axis along z is always taken upwards",
+                        "axis-against-z",
+                        (through, direction, degrees, points) -> {
+                            double[] up = direction.clone();
+                            if (up[0] == 0 && up[1] == 0) up[2] = Math.abs(up[2]);
+                            RIGHT.rotate(through, up, degrees, points);
+                        }),
+                new Mutant<>(
+                        "the squared length overflows", "huge-direction", AxisMutants::bySquares),
+                new Mutant<>(
+                        "the squared length vanishes", "tiny-direction", AxisMutants::bySquares),
+                new Mutant<>(
+                        "the angle in float",
+                        "many-turns",
+                        (through, direction, degrees, points) ->
+                                RIGHT.rotate(through, direction, (float) degrees, points)),
+                new Mutant<>(
+                        "x and y of the direction exchanged",
+                        "axis-along-x",
+                        (through, direction, degrees, points) ->
+                                RIGHT.rotate(
+                                        through,
+                                        new double[] {direction[1], direction[0], direction[2]},
+                                        degrees,
+                                        points)));
+    }
+
+    /** A direction whose square is no double stays as long as it is: no unit vector. */
+    private static void bySquares(
+            double[] through, double[] direction, double degrees, double[] points) {
+        double square = 0;
+        for (double each : direction) square += each * each;
+        double length = Math.sqrt(square);
+        if (length > 0 && length < Double.POSITIVE_INFINITY)
+            RIGHT.rotate(through, direction, degrees, points);
+        else for (int i = 0; i < points.length; i++) points[i] /= length;
+    }
+}

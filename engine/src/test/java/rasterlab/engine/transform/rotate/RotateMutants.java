@@ -1,0 +1,69 @@
+package rasterlab.engine.transform.rotate;
+
+import java.util.List;
+import rasterlab.contract.PlaneRotation;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Rotations of the plane with one mistake. */
+final class RotateMutants implements Mutants<PlaneRotation> {
+    private static final PlaneRotation RIGHT = new TotalAngleRotation();
+
+    @Override
+    public List<Mutant<PlaneRotation>> all() {
+        return List.of(
+                new Mutant<>(
+                        "clockwise",
+                        "quarter-turn",
+                        (degrees, times, points) -> RIGHT.rotate(-degrees, times, points)),
+                new Mutant<>("the new x is used for y", "quarter-turn", RotateMutants::newXForY),
+                new Mutant<>(
+                        "one turn too many",
+                        "whole-degrees",
+                        (degrees, times, points) -> RIGHT.rotate(degrees, times + 1, points)),
+                new Mutant<>(
+                        "the angle in whole degrees",
+                        "between-degrees",
+                        (degrees, times, points) ->
+                                RIGHT.rotate(Math.rint(degrees), times, points)),
+                new Mutant<>("tan 90° for half a half-turn", "half-turn", RotateMutants::byTangent),
+                new Mutant<>(
+                        "all turns but one are left out",
+                        "hundred-thousand-turns",
+                        (degrees, times, points) ->
+                                RIGHT.rotate(degrees, Math.min(times, 1), points)),
+                new Mutant<>(
+                        "the angle in float",
+                        "huge-angle",
+                        (degrees, times, points) -> RIGHT.rotate((float) degrees, times, points)),
+                new Mutant<>(
+                        "coordinates pass through floats",
+                        "beyond-float",
+                        (degrees, times, points) -> {
+                            RIGHT.rotate(degrees, times, points);
+                            for (int i = 0; i < points.length; i++) points[i] = (float) points[i];
+                        }));
+    }
+
+    private static void newXForY(double degrees, int times, double[] points) {
+        double sine = Math.sin(Math.toRadians(degrees));
+        double cosine = Math.cos(Math.toRadians(degrees));
+        for (int n = 0; n < times; n++)
+            for (int i = 0; i < points.length; i += 2) {
+                points[i] = points[i] * cosine - points[i + 1] * sine;
+                points[i + 1] = points[i] * sine + points[i + 1] * cosine;
+            }
+    }
+
+    /** Buneman's three multiplications, where only half-turns have no tangent. */
+    private static void byTangent(double degrees, int times, double[] points) {
+        if (degrees % 360 != 180 || times != 1) RIGHT.rotate(degrees, times, points);
+        else
+            for (int i = 0; i < points.length; i += 2) {
+                double tangent = Math.tan(Math.toRadians(degrees) / 2);
+                double sheared = points[i + 1] + points[i] * tangent;
+                points[i] -= sheared * Math.sin(Math.toRadians(degrees));
+                points[i + 1] = points[i] * tangent + sheared;
+            }
+    }
+}

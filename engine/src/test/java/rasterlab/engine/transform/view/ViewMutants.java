@@ -1,0 +1,53 @@
+package rasterlab.engine.transform.view;
+
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import rasterlab.contract.EyeView;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Views from an eye with one mistake. */
+final class ViewMutants implements Mutants<EyeView> {
+    private static final EyeView RIGHT = new TakenApartView();
+
+    @Override
+    public List<Mutant<EyeView>> all() {
+        return List.of(
+                new Mutant<>("z grows towards the eye", "origin", changed(2, (z, rho) -> -z)),
+                new Mutant<>("y grows downwards", "upwards", changed(1, (y, rho) -> -y)),
+                new Mutant<>("x grows to the left", "to-the-right", changed(0, (x, rho) -> -x)),
+                new Mutant<>(
+                        "φ from the equator",
+                        "pole",
+                        (theta, phi, rho, points) -> RIGHT.view(theta, 90 - phi, rho, points)),
+                new Mutant<>("degrees for radians", "quarter-turn", angles(Math::toDegrees)),
+                new Mutant<>(
+                        "θ grows clockwise",
+                        "quarter-turn",
+                        (theta, phi, rho, points) -> RIGHT.view(-theta, phi, rho, points)),
+                new Mutant<>(
+                        "the eye is always above the equator",
+                        "from-below",
+                        (theta, phi, rho, points) ->
+                                RIGHT.view(theta, Math.min(phi, 180 - phi), rho, points)));
+    }
+
+    private static EyeView angles(DoubleUnaryOperator change) {
+        return (theta, phi, rho, points) ->
+                RIGHT.view(change.applyAsDouble(theta), change.applyAsDouble(phi), rho, points);
+    }
+
+    /** What becomes of one coordinate. */
+    @FunctionalInterface
+    private interface Change {
+        double of(double coordinate, double rho);
+    }
+
+    private static EyeView changed(int coordinate, Change change) {
+        return (theta, phi, rho, points) -> {
+            RIGHT.view(theta, phi, rho, points);
+            for (int i = coordinate; i < points.length; i += 3)
+                points[i] = change.of(points[i], rho);
+        };
+    }
+}
