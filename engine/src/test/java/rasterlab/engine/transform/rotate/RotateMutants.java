@@ -18,10 +18,6 @@ final class RotateMutants implements Mutants<PlaneRotation> {
                         (degrees, times, points) -> RIGHT.rotate(-degrees, times, points)),
                 new Mutant<>("the new x is used for y", "quarter-turn", RotateMutants::newXForY),
                 new Mutant<>(
-                        "one turn too many",
-                        "whole-degrees",
-                        (degrees, times, points) -> RIGHT.rotate(degrees, times + 1, points)),
-                new Mutant<>(
                         "the angle in whole degrees",
                         "between-degrees",
                         (degrees, times, points) ->
