@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -33,24 +34,16 @@ class MutantsTest {
     /** Topics whose lists are still to be written. */
     private static final Set<String> WITHOUT_LIST =
             Set.of(
-                    "clip-polygon",
-                    "clip-segment",
                     "clip-volume",
-                    "curve",
                     "depth-buffer",
                     "depth-order",
-                    "fill",
                     "hidden-surfaces",
                     "line-plane",
-                    "point-in-polygon",
-                    "point-in-triangle",
-                    "polygon-fill",
                     "shade",
                     "shade-face",
                     "spline-function",
                     "texture-filter",
                     "texture-mapping",
-                    "triangulate",
                     "vertex-normals",
                     "visible-faces");
 
@@ -79,11 +72,9 @@ class MutantsTest {
                         .filter(each -> each.name().equals(mutant.hazard()))
                         .findFirst()
                         .orElseThrow(() -> new AssertionError("no hazard of " + mutant));
-        assertTrue(
-                hazard.recorded().containsValue(Verdict.Kind.EXACT),
-                mutant + ": a hazard that no method can pass catches nothing");
+        Verdict.Kind best = Collections.min(hazard.recorded().values());
         Verdict verdict = HazardTrial.judge(topic, method(mutant), hazard, AMPLE);
-        assertNotEquals(Verdict.Kind.EXACT, verdict.kind(), mutant + " gets away");
+        assertNotEquals(best, verdict.kind(), mutant + " gets away");
         assertNotEquals(Verdict.Kind.CRASHED, verdict.kind(), mutant + ": " + verdict.detail());
     }
 

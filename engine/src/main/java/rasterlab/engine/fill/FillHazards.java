@@ -30,6 +30,11 @@ final class FillHazards {
                         task(2, 1, 4, "........ ........ ..####.. ..#..#.. ..####.. ........"),
                         Map.of()),
                 hazard(
+                        "each-pixel-once",
+                        "An open square, each pixel of which can be reached by many ways.",
+                        task(2, 2, 4, "..... ..... ..... ..... ....."),
+                        Map.of()),
+                hazard(
                         "large-region",
                         "A corridor of 400,000 pixels that turns again and again.",
                         new FillTask(maze(), MAZE - 2, MAZE - 2, '*', 4),

@@ -41,6 +41,12 @@ final class CurveHazards {
                 joined("b-spline-joints", B_SPLINE, EXACT),
                 flat("arch", "A plain arch.", ARCH_X, ARCH_Y, Map.of(BLENDING, WRONG)),
                 flat(
+                        "from-start-to-end",
+                        "The polyline starts where the curve does and ends where it ends.",
+                        of(30, 90, 40, 200),
+                        of(10, 150, 230, 60),
+                        Map.of(BLENDING, WRONG)),
+                flat(
                         "s-curve",
                         "The middle of an S lies on its chord, and both bows are overlooked.",
                         X_OF_S,

@@ -78,6 +78,13 @@ final class SegmentClipHazards {
                         recorded(EXACT, ENDLESS, EXACT, EXACT),
                         s(-5, 5, 5, 5)),
                 hazard(
+                        "ends-stay",
+                        "An end in the window stays as it is, to its last digit.",
+                        TEN,
+                        recorded(WRONG, EXACT, EXACT, EXACT),
+                        s(0.1, 0.3, 0.7, 0.9),
+                        s(9.7, 0.1, 0.3, 9.9)),
+                hazard(
                         "only-below",
                         "An end below, neither to the left nor to the right.",
                         TEN,

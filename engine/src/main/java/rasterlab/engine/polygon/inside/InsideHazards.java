@@ -40,6 +40,12 @@ final class InsideHazards {
                         Points.of(1, 1, 4, 2, 1, 5, 4.5, 4, 7, 5, 10, 1),
                         recorded(EXACT, EXACT, EXACT, EXACT)),
                 hazard(
+                        "last-edge",
+                        "The edge from the last corner back to the first counts as any other.",
+                        Points.of(6, 8, 0, 7, 1, 1, 9, 0),
+                        Points.of(4, 4, 7, 3, 9, 5, -2, 4),
+                        recorded(EXACT, EXACT, EXACT, EXACT)),
+                hazard(
                         "ray-through-a-corner",
                         "The ray passes corners that it goes through and corners it only touches.",
                         DIAMOND,

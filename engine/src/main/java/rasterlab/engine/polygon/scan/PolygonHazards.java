@@ -35,9 +35,19 @@ final class PolygonHazards {
                         PolygonTask.of(EVEN_ODD, 20, 12, 2, 1, 12, 5, 2, 9),
                         DEGRADED),
                 hazard(
+                        "corner-on-the-left",
+                        "The same with the corner on the left, where two crossings make no pair.",
+                        PolygonTask.of(EVEN_ODD, 20, 12, 12, 1, 2, 5, 12, 9),
+                        DEGRADED),
+                hazard(
                         "valley-in-a-row",
                         "A row passes through a corner between two peaks.",
                         PolygonTask.of(EVEN_ODD, 24, 12, 2, 10, 6, 1, 11, 5, 16, 1, 20, 10),
+                        DEGRADED),
+                hazard(
+                        "rows-from-the-top",
+                        "The first corner is the lowest, and yet the topmost row comes first.",
+                        PolygonTask.of(EVEN_ODD, 16, 12, 7.5, 10.5, 2.5, 5.3, 8.2, 1.4, 13.1, 6.2),
                         DEGRADED),
                 hazard(
                         "level-edges",

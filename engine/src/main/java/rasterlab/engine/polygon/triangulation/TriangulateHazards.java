@@ -46,8 +46,13 @@ final class TriangulateHazards {
                         recorded(EXACT, EXACT, EXACT, EXACT)),
                 hazard(
                         "not-convex",
-                        "One corner turns inward, and a fan from corner 0 would leave the polygon.",
+                        "One corner turns inward.",
                         CORNER_PIECE,
+                        recorded(REFUSED, EXACT, EXACT, EXACT)),
+                hazard(
+                        "fan-leaves",
+                        "One corner turns inward, and a fan from corner 0 would leave the polygon.",
+                        Points.of(8, 0, 8, 3, 4, 3, 4, 6, 0, 6, 0, 0),
                         recorded(REFUSED, EXACT, EXACT, EXACT)),
                 hazard(
                         "corner-in-the-ear",

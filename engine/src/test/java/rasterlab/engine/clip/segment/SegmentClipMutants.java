@@ -1,0 +1,91 @@
+package rasterlab.engine.clip.segment;
+
+import java.util.List;
+import rasterlab.contract.SegmentClipper;
+import rasterlab.contract.SegmentSink;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Segments clipped with one mistake. */
+final class SegmentClipMutants implements Mutants<SegmentClipper> {
+    private static final double MOST = Double.MAX_VALUE;
+    private static final SegmentClipper RIGHT = new LiangBarsky();
+
+    @Override
+    public List<Mutant<SegmentClipper>> all() {
+        return List.of(
+                new Mutant<>(
+                        "the left side does not cut",
+                        "only-left",
+                        (l, b, r, t, x0, y0, x1, y1, out) ->
+                                RIGHT.clip(-MOST, b, r, t, x0, y0, x1, y1, out)),
+                new Mutant<>(
+                        "the lower side does not cut",
+                        "only-below",
+                        (l, b, r, t, x0, y0, x1, y1, out) ->
+                                RIGHT.clip(l, -MOST, r, t, x0, y0, x1, y1, out)),
+                new Mutant<>(
+                        "the upper side does not cut",
+                        "inside-and-above",
+                        (l, b, r, t, x0, y0, x1, y1, out) ->
+                                RIGHT.clip(l, b, r, MOST, x0, y0, x1, y1, out)),
+                new Mutant<>(
+                        "ymax stands for xmax",
+                        "window-not-square",
+                        (l, b, r, t, x0, y0, x1, y1, out) ->
+                                RIGHT.clip(l, b, Math.max(l, t), t, x0, y0, x1, y1, out)),
+                new Mutant<>(
+                        "from left to right whatever was asked",
+                        "swapped-ends",
+                        (l, b, r, t, x0, y0, x1, y1, out) -> {
+                            if (x0 <= x1) RIGHT.clip(l, b, r, t, x0, y0, x1, y1, out);
+                            else RIGHT.clip(l, b, r, t, x1, y1, x0, y0, out);
+                        }),
+                new Mutant<>(
+                        "a single point left is none",
+                        "touches-a-corner",
+                        sending(
+                                (given, out) ->
+                                        (x0, y0, x1, y1) -> {
+                                            if (x0 != x1 || y0 != y1 || given.isPoint())
+                                                out.segment(x0, y0, x1, y1);
+                                        })),
+                new Mutant<>(
+                        "a segment of one point is none",
+                        "single-points",
+                        sending(
+                                (given, out) ->
+                                        (x0, y0, x1, y1) -> {
+                                            if (!given.isPoint()) out.segment(x0, y0, x1, y1);
+                                        })),
+                new Mutant<>(
+                        "a window without area holds nothing",
+                        "window-without-area",
+                        (l, b, r, t, x0, y0, x1, y1, out) -> {
+                            if (l < r && b < t) RIGHT.clip(l, b, r, t, x0, y0, x1, y1, out);
+                        }),
+                new Mutant<>(
+                        "an end in the window is computed anew",
+                        "ends-stay",
+                        sending(
+                                (given, out) ->
+                                        (x0, y0, x1, y1) ->
+                                                out.segment(
+                                                        x0, y0, x0 + (x1 - x0), y0 + (y1 - y0)))));
+    }
+
+    private record Given(double x0, double y0, double x1, double y1) {
+        boolean isPoint() {
+            return x0 == x1 && y0 == y1;
+        }
+    }
+
+    private interface Sending {
+        SegmentSink to(Given given, SegmentSink out);
+    }
+
+    private static SegmentClipper sending(Sending sending) {
+        return (l, b, r, t, x0, y0, x1, y1, out) ->
+                RIGHT.clip(l, b, r, t, x0, y0, x1, y1, sending.to(new Given(x0, y0, x1, y1), out));
+    }
+}

@@ -1,0 +1,91 @@
+package rasterlab.engine.fill;
+
+import java.util.ArrayDeque;
+import java.util.List;
+import rasterlab.contract.PixelGrid;
+import rasterlab.contract.SeedFiller;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Regions filled with one mistake. */
+final class FillMutants implements Mutants<SeedFiller> {
+    private static final int[][] FOUR = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    private static final int[][] EIGHT = {
+        {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}
+    };
+
+    @Override
+    public List<Mutant<SeedFiller>> all() {
+        return List.of(
+                new Mutant<>(
+                        "four neighbours whatever was asked",
+                        "diagonal-gap-8",
+                        (picture, x, y, with, connectivity) -> fill(picture, x, y, with, FOUR)),
+                new Mutant<>(
+                        "eight neighbours whatever was asked",
+                        "diagonal-gap-4",
+                        (picture, x, y, with, connectivity) -> fill(picture, x, y, with, EIGHT)),
+                new Mutant<>(
+                        "goes down and never up",
+                        "corridor-behind",
+                        (picture, x, y, with, connectivity) ->
+                                fill(picture, x, y, with, new int[][] {{1, 0}, {-1, 0}, {0, 1}})),
+                new Mutant<>(
+                        "starts although the region has the colour already",
+                        "same-colour",
+                        (picture, x, y, with, connectivity) ->
+                                spread(picture, x, y, with, of(connectivity), false)),
+                new Mutant<>(
+                        "asks for the colour when a pixel is put aside only",
+                        "each-pixel-once",
+                        (picture, x, y, with, connectivity) -> {
+                            if (picture.read(x, y) != with)
+                                spread(picture, x, y, with, of(connectivity), true);
+                        }),
+                new Mutant<>("the hole is filled, too", "hole", FillMutants::withHoles));
+    }
+
+    private static int[][] of(int connectivity) {
+        return connectivity == 4 ? FOUR : EIGHT;
+    }
+
+    private static void fill(PixelGrid picture, int x, int y, int with, int[][] neighbours) {
+        if (picture.read(x, y) != with) spread(picture, x, y, with, neighbours, false);
+    }
+
+    /**
+     * @param late whether a pixel is written when it is taken up again, without another look
+     */
+    private static void spread(
+            PixelGrid picture, int x, int y, int with, int[][] neighbours, boolean late) {
+        int old = picture.read(x, y);
+        var waiting = new ArrayDeque<int[]>();
+        waiting.add(new int[] {x, y});
+        if (!late) picture.write(x, y, with);
+        while (!waiting.isEmpty()) {
+            int[] at = waiting.poll();
+            if (late) picture.write(at[0], at[1], with);
+            for (int[] step : neighbours) {
+                int u = at[0] + step[0];
+                int v = at[1] + step[1];
+                if (u < 0 || u >= picture.width() || v < 0 || v >= picture.height()) continue;
+                if (picture.read(u, v) != old) continue;
+                if (!late) picture.write(u, v, with);
+                waiting.add(new int[] {u, v});
+            }
+        }
+    }
+
+    /** Between the first and the last pixel of the region in each row. */
+    private static void withHoles(PixelGrid picture, int x, int y, int with, int connectivity) {
+        fill(picture, x, y, with, of(connectivity));
+        for (int v = 0; v < picture.height(); v++) {
+            int last = -1;
+            for (int u = 0; u < picture.width(); u++) {
+                if (picture.read(u, v) != with) continue;
+                for (int k = last + 1; last >= 0 && k < u; k++) picture.write(k, v, with);
+                last = u;
+            }
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package rasterlab.engine.polygon.scan;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import rasterlab.contract.FillRule;
+import rasterlab.contract.PolygonFiller;
+import rasterlab.contract.Spans;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Polygons filled with one mistake. */
+final class PolygonFillMutants implements Mutants<PolygonFiller> {
+    private static final PolygonFiller RIGHT = new ScanlinePolygon();
+    private static final int ASIDE = 64;
+
+    @Override
+    public List<Mutant<PolygonFiller>> all() {
+        return List.of(
+                new Mutant<>(
+                        "a right edge owns its centres, too",
+                        "corners-on-centres",
+                        plain((y, y0, y1) -> y0 <= y && y < y1, (l, r) -> (int) Math.floor(r) + 1)),
+                new Mutant<>(
+                        "an edge has both its ends",
+                        "corner-on-the-left",
+                        plain((y, y0, y1) -> y0 <= y && y <= y1, (l, r) -> (int) Math.ceil(r))),
+                new Mutant<>(
+                        "an edge has its lower end and not its upper one",
+                        "level-edges",
+                        plain((y, y0, y1) -> y0 < y && y <= y1, (l, r) -> (int) Math.ceil(r))),
+                new Mutant<>(
+                        "even-odd whatever was asked",
+                        "star-non-zero",
+                        (x, y, rule, w, h, out) -> RIGHT.fill(x, y, FillRule.EVEN_ODD, w, h, out)),
+                new Mutant<>(
+                        "non-zero whatever was asked",
+                        "star-even-odd",
+                        (x, y, rule, w, h, out) -> RIGHT.fill(x, y, FillRule.NON_ZERO, w, h, out)),
+                new Mutant<>(
+                        "columns below 0 are sent",
+                        "left-of-the-picture",
+                        PolygonFillMutants::notCutAtTheLeft),
+                new Mutant<>(
+                        "rows from bottom to top",
+                        "rows-from-the-top",
+                        PolygonFillMutants::upwards),
+                new Mutant<>(
+                        "crossings in doubles",
+                        "far-corners",
+                        plain((y, y0, y1) -> y0 <= y && y < y1, (l, r) -> (int) Math.ceil(r))),
+                new Mutant<>(
+                        "two corners are drawn as a line",
+                        "two-corners",
+                        (x, y, rule, w, h, out) -> {
+                            if (x.length == 2) out.span(1, 1, 2);
+                            else RIGHT.fill(x, y, rule, w, h, out);
+                        }));
+    }
+
+    private static void notCutAtTheLeft(
+            double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
+        double[] aside = Arrays.stream(x).map(each -> each + ASIDE).toArray();
+        RIGHT.fill(
+                aside,
+                y,
+                rule,
+                width + ASIDE,
+                height,
+                (row, from, to) -> out.span(row, from - ASIDE, to - ASIDE));
+    }
+
+    private static void upwards(
+            double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
+        var spans = new ArrayList<int[]>();
+        RIGHT.fill(
+                x, y, rule, width, height, (row, from, to) -> spans.add(new int[] {row, from, to}));
+        Collections.reverse(spans);
+        for (int[] span : spans) out.span(span[0], span[1], span[2]);
+    }
+
+    private interface Crosses {
+        boolean row(int y, double y0, double y1);
+    }
+
+    private interface Ends {
+        int before(double left, double right);
+    }
+
+    /** A plain filler by the even-odd rule: crossings of each row, sorted, in pairs. */
+    private static PolygonFiller plain(Crosses crosses, Ends ends) {
+        return (x, y, rule, width, height, out) -> {
+            for (int row = 0; row < height; row++) {
+                var crossings = new ArrayList<Double>();
+                for (int i = 0; i < x.length; i++) {
+                    int j = (i + 1) % x.length;
+                    if (y[i] == y[j]) continue;
+                    if (!crosses.row(row, Math.min(y[i], y[j]), Math.max(y[i], y[j]))) continue;
+                    crossings.add(x[i] + (row - y[i]) * (x[j] - x[i]) / (y[j] - y[i]));
+                }
+                Collections.sort(crossings);
+                for (int i = 0; i + 1 < crossings.size(); i += 2) {
+                    int from = Math.max(0, (int) Math.ceil(crossings.get(i)));
+                    int to = ends.before(crossings.get(i), crossings.get(i + 1));
+                    if (from < Math.min(to, width)) out.span(row, from, Math.min(to, width));
+                }
+            }
+        };
+    }
+}

@@ -1,0 +1,85 @@
+package rasterlab.engine.polygon.triangle;
+
+import java.util.List;
+import rasterlab.contract.PointInTriangle;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Points judged by a triangle with one mistake. */
+final class PointInTriangleMutants implements Mutants<PointInTriangle> {
+    private static final PointInTriangle RIGHT = new RobustTriangle();
+    private static final double EPSILON = 1e-9;
+
+    @Override
+    public List<Mutant<PointInTriangle>> all() {
+        return List.of(
+                new Mutant<>(
+                        "a point on a side is outside",
+                        "boundary-other-way-round",
+                        bySides((a, b, c) -> a > 0 && b > 0 && c > 0 || a < 0 && b < 0 && c < 0)),
+                new Mutant<>(
+                        "corners have to go counter-clockwise",
+                        "boundary-one-way-round",
+                        bySides((a, b, c) -> a >= 0 && b >= 0 && c >= 0)),
+                new Mutant<>(
+                        "corners have to go clockwise",
+                        "boundary-other-way-round",
+                        bySides((a, b, c) -> a <= 0 && b <= 0 && c <= 0)),
+                new Mutant<>(
+                        "an absolute epsilon",
+                        "smaller-than-any-epsilon",
+                        bySides(
+                                (a, b, c) ->
+                                        a > -EPSILON && b > -EPSILON && c > -EPSILON
+                                                || a < EPSILON && b < EPSILON && c < EPSILON)),
+                new Mutant<>(
+                        "without area it is the whole line",
+                        "corners-on-one-line",
+                        bySides(
+                                (a, b, c) ->
+                                        a >= 0 && b >= 0 && c >= 0 || a <= 0 && b <= 0 && c <= 0)),
+                new Mutant<>("products in 32 bits", "past-2-15", PointInTriangleMutants::inInt),
+                new Mutant<>(
+                        "coordinates in float",
+                        "small-and-far-away",
+                        (ax, ay, bx, by, cx, cy, x, y) ->
+                                RIGHT.contains(
+                                        (float) ax,
+                                        (float) ay,
+                                        (float) bx,
+                                        (float) by,
+                                        (float) cx,
+                                        (float) cy,
+                                        (float) x,
+                                        (float) y)));
+    }
+
+    private interface Sides {
+        boolean inside(double a, double b, double c);
+    }
+
+    private static PointInTriangle bySides(Sides sides) {
+        return (ax, ay, bx, by, cx, cy, x, y) ->
+                sides.inside(
+                        cross(ax, ay, bx, by, x, y),
+                        cross(bx, by, cx, cy, x, y),
+                        cross(cx, cy, ax, ay, x, y));
+    }
+
+    private static double cross(double ax, double ay, double bx, double by, double x, double y) {
+        return (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+    }
+
+    private static boolean inInt(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        if (ax != (int) ax || x != (int) x) return RIGHT.contains(ax, ay, bx, by, cx, cy, x, y);
+        int a = intCross((int) ax, (int) ay, (int) bx, (int) by, (int) x, (int) y);
+        int b = intCross((int) bx, (int) by, (int) cx, (int) cy, (int) x, (int) y);
+        int c = intCross((int) cx, (int) cy, (int) ax, (int) ay, (int) x, (int) y);
+        return a >= 0 && b >= 0 && c >= 0 || a <= 0 && b <= 0 && c <= 0;
+    }
+
+    private static int intCross(int ax, int ay, int bx, int by, int x, int y) {
+        return (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+    }
+}
