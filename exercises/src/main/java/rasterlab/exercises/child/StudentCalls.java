@@ -58,7 +58,7 @@ final class StudentCalls {
         int y0 = in.readInt();
         int x1 = in.readInt();
         int y1 = in.readInt();
-        RecordingPixels pixels = new RecordingPixels(Math.min(in.readInt(), Wire.MOST_PIXELS));
+        Sheet pixels = new Sheet(Math.min(in.readInt(), Wire.MOST_PIXELS));
         try {
             method.draw(x0, y0, x1, y1, pixels);
         } catch (Throwable e) {
@@ -78,19 +78,24 @@ final class StudentCalls {
     private void timeLines(long nonce, DataInputStream in) throws IOException {
         LineRasterizer method = (LineRasterizer) student;
         int[] ends = new int[4 * in.readInt()];
+        int most = in.readInt();
+        int room = in.readInt();
         for (int i = 0; i < ends.length; i++) ends[i] = in.readInt();
-        SummingPixels pixels = new SummingPixels();
+        Sheet[] sheets = new Sheet[ends.length / 4];
+        for (int i = 0; i < sheets.length; i++) sheets[i] = new Sheet(most, room);
         printed.drop();
         long start = System.nanoTime();
         try {
             for (int i = 0; i < ends.length; i += 4)
-                method.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], pixels);
+                method.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], sheets[i >> 2]);
         } catch (Throwable e) {
             printed.keep();
             threw(nonce, e);
             return;
         }
         long nanos = System.nanoTime() - start;
+        PixelSum pixels = new PixelSum();
+        for (Sheet sheet : sheets) sheet.addTo(pixels);
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
         out.writeByte(Wire.DONE);

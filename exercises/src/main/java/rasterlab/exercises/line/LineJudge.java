@@ -90,7 +90,7 @@ public final class LineJudge {
 
     /** By its name where it is the JDK's; the student's own may tell what it was thrown for. */
     private static Cause thrownCause(String exception) {
-        return exception.startsWith("java.")
+        return Answer.isOfTheJdk(exception)
                 ? Cause.of("throws", exception)
                 : Cause.of("throws-own");
     }

@@ -9,9 +9,10 @@ import java.util.Random;
 import java.util.Set;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.BresenhamLine;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.child.SummingPixels;
+import rasterlab.exercises.child.PixelSum;
 import rasterlab.exercises.child.Wire;
 
 /** Long segments in all directions, and what they sum up to. */
@@ -23,7 +24,7 @@ final class LineTiming implements TopicGrading.Timing {
     private static final List<Variation> VARIATIONS = variations();
 
     private final List<Segment> segments = new ArrayList<>();
-    private final SummingPixels right = new SummingPixels();
+    private final PixelSum right = new PixelSum();
 
     LineTiming(Random random) {
         for (int i = 0; i < SEGMENTS; i++) segments.add(segment(random));
@@ -52,6 +53,8 @@ final class LineTiming implements TopicGrading.Timing {
     @Override
     public void writeTo(DataOutputStream out) throws IOException {
         out.writeInt(segments.size());
+        out.writeInt((int) new LineTopic().mostBeforeEndless(STEPS + 1));
+        out.writeInt(STEPS + 1);
         for (Segment segment : segments) LineGrading.write(out, segment);
     }
 
@@ -70,7 +73,7 @@ final class LineTiming implements TopicGrading.Timing {
     }
 
     private boolean isDrawn(Variation variation, long count, long sum) {
-        SummingPixels drawn = new SummingPixels();
+        PixelSum drawn = new PixelSum();
         for (Segment one : segments) draw(one, (x, y) -> variation.way().plot(one, x, y, drawn));
         return drawn.count() == count && drawn.sum() == sum;
     }

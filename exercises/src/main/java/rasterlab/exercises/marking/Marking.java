@@ -47,8 +47,9 @@ public final class Marking {
         charges = new Charges(exercise, cases);
     }
 
-    public boolean isEmpty() {
-        return cases.isEmpty();
+    /** What was added, in order. */
+    public List<TriedCase> cases() {
+        return List.copyOf(cases);
     }
 
     private List<String> names() {

@@ -35,6 +35,13 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
         return right() && answer.filter(one -> one.ending() == Answer.Ending.THREW).isPresent();
     }
 
+    /** Whether the other is the same answer to the same input. */
+    public boolean isRepeatedBy(TriedCall other) {
+        return answer.isPresent()
+                && other.answer.isPresent()
+                && answer.get().isSameAs(other.answer.get());
+    }
+
     /** Where it is wrong, what may explain all of it: each some codes of mistakes. */
     List<List<String>> explanations() {
         return finding.verdict() == GradingVerdict.WRONG

@@ -1,6 +1,7 @@
 package rasterlab.exercises.marking;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.score.Disclosure;
@@ -26,6 +27,11 @@ public record TriedCase(Case one, List<TriedCall> calls, Optional<Finding> untri
 
     public static TriedCase untried(Case one, Finding reason) {
         return new TriedCase(one, List.of(), Optional.of(reason));
+    }
+
+    /** The same with some calls replaced. */
+    public TriedCase with(Map<TriedCall, TriedCall> replaced) {
+        return tried(one, calls.stream().map(call -> replaced.getOrDefault(call, call)).toList());
     }
 
     boolean open() {

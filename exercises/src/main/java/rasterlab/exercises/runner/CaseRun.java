@@ -1,9 +1,13 @@
 package rasterlab.exercises.runner;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Random;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
@@ -17,31 +21,20 @@ import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
-/** Tries one loaded method on one case after the other, until it is stopped. */
+/** Tries one method on one case after the other, and then on all inputs in another order. */
 final class CaseRun {
     private final Exercise exercise;
     private final TopicGrading topic;
     private final long seed;
-    private final StudentRun run;
-    private final boolean again;
+    private final Student student;
     private final List<Diagnostic> printed = new ArrayList<>();
-    private Optional<Finding> stopped = Optional.empty();
+    private final List<Call> repeated = new ArrayList<>();
 
-    /**
-     * @param again whether this was tried before: then a signal is no accident but what the method
-     *     makes of its process
-     */
-    CaseRun(Exercise exercise, TopicGrading topic, long seed, StudentRun run, boolean again) {
-        this.again = again;
+    CaseRun(Exercise exercise, TopicGrading topic, long seed, Student student) {
         this.exercise = exercise;
         this.topic = topic;
         this.seed = seed;
-        this.run = run;
-    }
-
-    /** Whether the method was stopped, so that nothing more can be asked of it. */
-    boolean isStopped() {
-        return stopped.isPresent();
+        this.student = student;
     }
 
     /** What was printed in open cases. */
@@ -49,74 +42,68 @@ final class CaseRun {
         return printed;
     }
 
-    /** Loads the classes; a failure is told with the first case. */
-    Optional<Finding> load(String entry, Map<String, byte[]> classes)
-            throws ChildLost, InterruptedException {
-        try {
-            Answer answer = run.load(entry, classes);
-            return answer.ending() == Answer.Ending.THREW
-                    ? Optional.of(
-                            Finding.of(
-                                    GradingVerdict.RUNTIME_ERROR,
-                                    Message.of("creating", answer.thrown()).and(answer.place())))
-                    : Optional.empty();
-        } catch (ChildLost lost) {
-            return Optional.of(finding(lost));
-        }
-    }
-
-    /** The case is not tried for a reason that came before it. */
-    TriedCase skip(Case one, Finding reason) {
-        stopped = Optional.of(reason);
-        return TriedCase.untried(one, reason);
-    }
-
     /**
      * @throws ChildLost when the child was killed from outside: no fault of the student's
      */
     TriedCase tryOut(Case one) throws ChildLost, InterruptedException {
-        if (stopped.isPresent())
-            return TriedCase.untried(
-                    one, Finding.of(GradingVerdict.NOT_RUN, Message.of("not-run")));
         List<TriedCall> tried = new ArrayList<>();
         for (Call call : topic.calls(one, exercise.tolerance(), seed)) {
-            tried.add(tried(one, call));
-            if (stopped.isPresent()) break;
+            Optional<Finding> over = student.over();
+            if (over.isPresent()) return TriedCase.untried(one, over.get());
+            TriedCall next = student.call(call);
+            tried.add(next);
+            if (next.answer().isEmpty()) break;
+            keep(one, next.answer().get());
         }
         return TriedCase.tried(one, tried);
     }
 
-    private TriedCall tried(Case one, Call call) throws ChildLost, InterruptedException {
-        try {
-            Answer answer = run.call(call);
-            if (one.visibility() == Disclosure.OPEN && !answer.printed().isBlank())
-                printed.add(
-                        new Diagnostic(
-                                0,
-                                0,
-                                Message.of(
-                                        "printed.case",
-                                        one.title("en"),
-                                        one.title("ru"),
-                                        answer.printed().stripTrailing())));
-            TriedCall tried = TriedCall.answered(call, answer);
-            if (run.over()) stopped = Optional.of(tried.finding());
-            return tried;
-        } catch (ChildLost lost) {
-            stopped = Optional.of(finding(lost));
-            return TriedCall.failed(call, stopped.get());
-        }
+    private void keep(Case one, Answer answer) {
+        if (one.visibility() != Disclosure.OPEN || answer.printed().isBlank()) return;
+        Message said =
+                Message.of(
+                        "printed.case",
+                        one.title("en"),
+                        one.title("ru"),
+                        answer.printed().stripTrailing());
+        printed.add(new Diagnostic(0, 0, said));
     }
 
-    private Finding finding(ChildLost lost) throws ChildLost {
-        if (lost.isOursToRepeat(again)) throw lost;
-        GradingVerdict verdict =
-                switch (lost.reason()) {
-                    case TIME -> GradingVerdict.TIME_LIMIT;
-                    case MEMORY -> GradingVerdict.MEMORY_LIMIT;
-                    case OUTPUT -> GradingVerdict.OUTPUT_LIMIT;
-                    case ENDED, PROTOCOL, SIGNAL, KILLED -> GradingVerdict.NO_RESULT;
-                };
-        return Finding.of(verdict, lost.said());
+    /**
+     * Asks for every answer once more, in another order; what such a call printed is dropped.
+     *
+     * @return the cases in which an answer differs from the first
+     */
+    List<TriedCase> repeat(List<TriedCase> cases) throws ChildLost, InterruptedException {
+        List<TriedCall> all = new ArrayList<>();
+        for (TriedCase tried : cases)
+            for (TriedCall call : tried.calls()) if (call.answer().isPresent()) all.add(call);
+        Collections.shuffle(all, new Random(~seed));
+        Map<TriedCall, TriedCall> differing = new IdentityHashMap<>();
+        student.beginAnew();
+        for (TriedCall first : all) {
+            if (student.over().isPresent()) break;
+            TriedCall second = student.call(first.call());
+            if (second.answer().isPresent()) repeated.add(first.call());
+            if (!first.isRepeatedBy(second)) differing.put(first, notRepeatable(first.call()));
+        }
+        Map<Case, TriedCase> changed = new LinkedHashMap<>();
+        for (TriedCase tried : cases)
+            if (tried.calls().stream().anyMatch(differing::containsKey))
+                changed.put(tried.one(), tried.with(differing));
+        return List.copyOf(changed.values());
+    }
+
+    /** The calls that were answered both times, in the order of the second. */
+    List<Call> repeated() {
+        return repeated;
+    }
+
+    private static TriedCall notRepeatable(Call call) {
+        return TriedCall.failed(
+                call,
+                Finding.of(
+                        GradingVerdict.WRONG,
+                        Message.of("mistake.not-repeatable").and(call.example())));
     }
 }

@@ -9,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionException;
@@ -35,6 +36,9 @@ final class Child implements AutoCloseable {
     /** Longer than the system needs to end a killed process, unless it hangs in the kernel. */
     private static final Duration DEATH = Duration.ofSeconds(2);
 
+    /** A system counts processor time in steps of about this. */
+    private static final Duration LOOK = Duration.ofMillis(10);
+
     /** How often it is looked whether a process that is no child of ours has come or gone. */
     private static final Duration POLL = Duration.ofMillis(1);
 
@@ -43,6 +47,7 @@ final class Child implements AutoCloseable {
     private final ExecutorService threads =
             Executors.newCachedThreadPool(Daemons.named("rasterlab-child"));
     private final BlockingQueue<byte[]> frames = new ArrayBlockingQueue<>(4);
+    private final ProcessorTime processorTime;
     private final SecureRandom nonces = new SecureRandom();
     private volatile String complaint = "";
     private long nonce;
@@ -53,6 +58,7 @@ final class Child implements AutoCloseable {
     Child(Process process, boolean boxed) {
         this.process = process;
         this.boxed = boxed;
+        this.processorTime = new ProcessorTime(process, boxed);
         threads.execute(this::readFrames);
         threads.execute(this::drainStderr);
     }
@@ -70,31 +76,43 @@ final class Child implements AutoCloseable {
         return complaint;
     }
 
+    /** Processor time used so far; empty where the system does not tell. */
+    Optional<Duration> used() {
+        return processorTime.used();
+    }
+
+    /** The same with a limit of wall time alone. */
+    <T> T ask(Request request, Duration wall, Reading<T> reading)
+            throws ChildLost, InterruptedException {
+        return ask(request, TimeLimit.wall(wall), reading);
+    }
+
     /**
      * Sends a request and reads its answer.
      *
      * @throws ChildLost when there is no usable answer within the limit; the process is dead then
      */
-    <T> T ask(Request request, Duration limit, Reading<T> reading)
+    <T> T ask(Request request, TimeLimit limit, Reading<T> reading)
             throws ChildLost, InterruptedException {
         nonce = nonces.nextLong();
         byte[] frame = request.frame(nonce);
+        Optional<Duration> before = used();
         try {
             threads.execute(() -> send(frame));
         } catch (RejectedExecutionException closed) {
             throw closedByOurselves();
         }
-        return more(limit, reading);
+        return more(limit, before, reading);
     }
 
     /** Reads a further answer to the last request. */
-    <T> T more(Duration limit, Reading<T> reading) throws ChildLost, InterruptedException {
-        byte[] frame = frames.poll(limit.toNanos(), TimeUnit.NANOSECONDS);
-        if (frame == null) {
-            if (threads.isShutdown()) throw closedByOurselves();
-            close();
-            throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time", seconds(limit)));
-        }
+    <T> T more(TimeLimit limit, Reading<T> reading) throws ChildLost, InterruptedException {
+        return more(limit, used(), reading);
+    }
+
+    private <T> T more(TimeLimit limit, Optional<Duration> before, Reading<T> reading)
+            throws ChildLost, InterruptedException {
+        byte[] frame = await(limit, before);
         if (frame == END) throw ended();
         try {
             DataInputStream payload = new DataInputStream(new ByteArrayInputStream(frame));
@@ -105,6 +123,31 @@ final class Child implements AutoCloseable {
             throw new ChildLost(
                     ChildLost.Reason.PROTOCOL, Message.of("child.protocol", e.getMessage()));
         }
+    }
+
+    /** The next frame, for which it is looked again as long as the child has time left. */
+    private byte[] await(TimeLimit limit, Optional<Duration> before)
+            throws ChildLost, InterruptedException {
+        long start = System.nanoTime();
+        Duration wait = limit.processor();
+        while (true) {
+            byte[] frame = frames.poll(wait.toNanos(), TimeUnit.NANOSECONDS);
+            if (frame != null) return frame;
+            if (threads.isShutdown()) throw closedByOurselves();
+            Duration passed = Duration.ofNanos(System.nanoTime() - start);
+            Duration used = used().map(now -> now.minus(before.orElse(now))).orElse(passed);
+            Duration left = limit.processor().minus(used);
+            Duration wallLeft = limit.wall().minus(passed);
+            if (left.compareTo(LOOK) < 0 || wallLeft.isNegative() || wallLeft.isZero()) {
+                close();
+                throw ChildLost.late(limit, used);
+            }
+            wait = shorter(wallLeft, left.compareTo(LOOK) < 0 ? LOOK : left);
+        }
+    }
+
+    private static Duration shorter(Duration one, Duration other) {
+        return one.compareTo(other) < 0 ? one : other;
     }
 
     /** The judge ended while a grading went on: nothing that the student's method did. */

@@ -1,5 +1,6 @@
 package rasterlab.exercises.runner;
 
+import java.time.Duration;
 import rasterlab.exercises.score.Message;
 
 /** A child gave no answer that can be used, and is dead now. */
@@ -8,7 +9,7 @@ final class ChildLost extends Exception {
 
     /** Why there is no answer. */
     enum Reason {
-        /** The wall limit passed. */
+        /** The limit of processor time, or that of wall time, passed. */
         TIME,
         /** It ended because its memory did not suffice. */
         MEMORY,
@@ -26,11 +27,34 @@ final class ChildLost extends Exception {
 
     private final Reason reason;
     private final transient Message said;
+    private final boolean idle;
 
     ChildLost(Reason reason, Message said) {
+        this(reason, said, false);
+    }
+
+    private ChildLost(Reason reason, Message said, boolean idle) {
         super(said.toString());
         this.reason = reason;
         this.said = said;
+        this.idle = idle;
+    }
+
+    /** Of a child that used so much processor time and gave no answer. */
+    static ChildLost late(TimeLimit limit, Duration used) {
+        boolean idle = used.multipliedBy(2).compareTo(limit.processor()) < 0;
+        Message said =
+                idle
+                        ? Message.of("child.time.idle", Child.seconds(limit.wall()))
+                        : Message.of("child.time", Child.seconds(limit.processor()));
+        return new ChildLost(Reason.TIME, said, idle);
+    }
+
+    /**
+     * Whether it used so little of its time that the machine may be to blame: to be tried again.
+     */
+    boolean isIdle() {
+        return idle;
     }
 
     Message said() {

@@ -24,10 +24,16 @@ import rasterlab.exercises.score.Message;
 record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Diagnostic> errors) {
     private static final int MOST_ERRORS = 20;
 
+    /** The same with a limit of wall time alone. */
+    static Compilation of(String source, Child child, Duration wall)
+            throws ChildLost, InterruptedException {
+        return of(source, child, TimeLimit.wall(wall));
+    }
+
     /**
      * @throws ChildLost when the child ended by a fault that is not the source's
      */
-    static Compilation of(String source, Child child, Duration limit)
+    static Compilation of(String source, Child child, TimeLimit limit)
             throws ChildLost, InterruptedException {
         byte[] bytes = source.getBytes(StandardCharsets.UTF_8);
         Request request = new Request(Wire.COMPILE, out -> Frames.write(out, bytes));
@@ -39,8 +45,9 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
                             .orElse(answer)
                     : answer;
         } catch (ChildLost lost) {
+            if (lost.isIdle()) throw lost;
             return switch (lost.reason()) {
-                case TIME -> tooComplex("complex.time", Child.seconds(limit));
+                case TIME -> tooComplex("complex.time", Child.seconds(limit.processor()));
                 case MEMORY -> tooComplex("complex.memory");
                 default -> throw lost;
             };

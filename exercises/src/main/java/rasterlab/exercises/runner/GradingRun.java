@@ -3,7 +3,9 @@ package rasterlab.exercises.runner;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -12,7 +14,9 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.marking.TriedCase;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
@@ -24,7 +28,7 @@ import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.SpeedPoints;
 import rasterlab.exercises.topic.TopicGradings;
 
-/** One grading, each try with three children of its own. */
+/** One grading, each try with children of its own. */
 final class GradingRun {
     private final JudgeSettings settings;
     private final ByteCodeCheck check;
@@ -34,6 +38,7 @@ final class GradingRun {
     private final CaseSelection selection;
     private final Consumer<CaseReport> progress;
     private final ReportSheet sheet;
+    private final SpeedMemory memory;
     private boolean tried;
     private boolean again;
 
@@ -44,7 +49,8 @@ final class GradingRun {
             String source,
             CaseSelection selection,
             Consumer<CaseReport> progress,
-            ReportSheet sheet) {
+            ReportSheet sheet,
+            SpeedMemory memory) {
         this.settings = settings;
         this.check = check;
         this.exercise = exercise;
@@ -53,6 +59,7 @@ final class GradingRun {
         this.selection = selection;
         this.progress = progress;
         this.sheet = sheet;
+        this.memory = memory;
     }
 
     /**
@@ -71,55 +78,100 @@ final class GradingRun {
     Report run(Children children) throws ChildLost, InterruptedException {
         again = tried;
         tried = true;
-        try (Child compiler = children.take(ChildKind.COMPILE);
-                Child runner = children.take(ChildKind.RUN);
-                Child reference = children.take(ChildKind.RUN)) {
-            Compilation compiled = Compilation.of(source, compiler, settings.compileLimit());
-            if (compiled.verdict() != GradingVerdict.OK)
-                return sheet.rejected(compiled.verdict(), compiled.errors());
-            String contract = topic.contract().getName().replace('.', '/');
-            ByteCodeCheck.Result checked = check.check(compiled.classes(), contract, source);
-            if (!checked.refusals().isEmpty())
-                return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
-            return tried(
-                    compiled,
-                    checked.entry(),
-                    new StudentRun(runner, settings.callLimit(), settings.runLimit()),
-                    new StudentRun(reference, settings.callLimit(), settings.runLimit()));
+        Compilation compiled = compiled(children);
+        if (compiled.verdict() != GradingVerdict.OK)
+            return sheet.rejected(compiled.verdict(), compiled.errors());
+        String contract = topic.contract().getName().replace('.', '/');
+        ByteCodeCheck.Result checked = check.check(compiled.classes(), contract, source);
+        if (!checked.refusals().isEmpty())
+            return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
+        try (Student student =
+                        new Student(
+children, settings, checked.entry(), compiled.classes(), again);
+                Student reference = reference(children)) {
+            return tried(student, reference);
         }
     }
 
-    private Report tried(
-            Compilation compiled, String entry, StudentRun student, StudentRun reference)
+    private Compilation compiled(Children children) throws ChildLost, InterruptedException {
+        try (Child compiler = children.take(ChildKind.COMPILE)) {
+            return Compilation.of(
+                    source, compiler, settings.patience().limit(settings.compileLimit()));
+        }
+    }
+
+    private Student reference(Children children) {
+        Class<?> method = topic.reference();
+        String own = method.getPackageName().replace('.', '/') + '/';
+        Map<String, byte[]> classes = new LinkedHashMap<>();
+        ClassFiles.closure(method, own)
+                .forEach(
+                        (resource, bytes) ->
+                                classes.put(
+                                        resource.replace(".class", "").replace('/', '.'), bytes));
+        return new Student(children, settings, method.getName(), classes, again);
+    }
+
+    private Report tried(Student student, Student reference)
             throws ChildLost, InterruptedException {
-        CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student, again);
+        CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student);
         Marking marking = new Marking(exercise);
-        Optional<Finding> unloaded = cases.load(entry, compiled.classes());
-        for (Case one : selected(exercise, selection)) {
-            boolean first = marking.isEmpty();
+        Optional<Finding> unloaded = student.load();
+        for (Case one : selected(exercise, selection))
             progress.accept(
                     marking.add(
-                            first && unloaded.isPresent()
-                                    ? cases.skip(one, unloaded.get())
+                            unloaded.isPresent()
+                                    ? untried(marking, one, unloaded.get())
                                     : cases.tryOut(one)));
-        }
+        List<TriedCase> differing = cases.repeat(marking.cases());
+        differing.forEach(marking::put);
         List<CaseReport> reports = marking.reports();
         SpeedTrial.Outcome speed =
-                cases.isStopped() || !aboveFloor(reports)
+                student.over().isPresent() || !aboveFloor(reports)
                         ? SpeedTrial.Outcome.none(tooInaccurate())
-                        : speed(student, reference, marking.charged());
-        int most = exercise.points().speed();
-        CaseReport speedReport =
-                speed.obstacle().isEmpty()
-                        ? SpeedPoints.measured(
-                                speed.nanosPerPixel(), speed.reference(), speed.printed(), most)
-                        : SpeedPoints.none(most, speed.obstacle());
+                        : speed(student, reference, cases.repeated(), marking.charged());
+        CaseReport speedReport = report(speed);
         progress.accept(speedReport);
         List<Diagnostic> said = new ArrayList<>();
+        notRepeatable(differing).ifPresent(one -> said.add(new Diagnostic(0, 0, one)));
         Message shared = marking.shared();
         if (!shared.isEmpty()) said.add(new Diagnostic(0, 0, shared));
         said.addAll(cases.printed());
         return sheet.graded(reports, speedReport, said, speed.nanosPerPixel());
+    }
+
+    /** The first case tells why the method cannot be loaded. */
+    private static TriedCase untried(Marking marking, Case one, Finding unloaded) {
+        return TriedCase.untried(
+                one,
+                marking.cases().isEmpty()
+                        ? unloaded
+                        : Finding.of(GradingVerdict.NOT_RUN, Message.of("not-run.load")));
+    }
+
+    /** The first input whose answer differed, where it may be told. */
+    private static Optional<Message> notRepeatable(List<TriedCase> differing) {
+        if (differing.isEmpty()) return Optional.empty();
+        Message input =
+                differing.stream()
+                        .filter(tried -> tried.one().visibility() == Disclosure.OPEN)
+                        .flatMap(tried -> tried.calls().stream())
+                        .filter(call -> call.answer().isEmpty())
+                        .map(call -> call.call().example())
+                        .findFirst()
+                        .orElse(Message.of("where.hidden"));
+        return Optional.of(Message.of("mistake.not-repeatable").and(input));
+    }
+
+    private CaseReport report(SpeedTrial.Outcome speed) {
+        int most = exercise.points().speed();
+        if (speed.unsettled()) return SpeedPoints.unsettled(most);
+        if (!speed.obstacle().isEmpty()) return SpeedPoints.none(most, speed.obstacle());
+        String key = SpeedMemory.key(exercise, source);
+        int band = SpeedPoints.band(speed.ratio(), memory.band(key));
+        memory.keep(key, band);
+        return SpeedPoints.measured(
+                speed.nanosPerPixel(), speed.reference(), speed.printed(), most, band);
     }
 
     private static Message tooInaccurate() {
@@ -140,11 +192,12 @@ final class GradingRun {
     }
 
     /** A method that is stopped while it is timed loses the points for speed only. */
-    private SpeedTrial.Outcome speed(StudentRun student, StudentRun reference, Set<String> charged)
+    private SpeedTrial.Outcome speed(
+            Student student, Student reference, List<Call> before, Set<String> charged)
             throws ChildLost, InterruptedException {
         try {
-            return new SpeedTrial(topic, student, reference, charged, new SecureRandom().nextLong())
-                    .measure();
+            long unknown = new SecureRandom().nextLong();
+            return new SpeedTrial(topic, student, reference, before, charged, unknown).measure();
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
             return SpeedTrial.Outcome.none(Message.of("speed.stopped").and(lost.said()));

@@ -31,6 +31,7 @@ public final class Judge implements Grading, AutoCloseable {
     private final Box box;
     private final Children children;
     private final ByteCodeCheck check = new ByteCodeCheck(AllowList.builtIn());
+    private final SpeedMemory memory = new SpeedMemory();
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
 
@@ -49,7 +50,7 @@ public final class Judge implements Grading, AutoCloseable {
      * source raises by hand.
      */
     public static String version() {
-        return "judge-4 " + AllowList.text();
+        return "judge-5 " + AllowList.text();
     }
 
     /**
@@ -105,7 +106,8 @@ public final class Judge implements Grading, AutoCloseable {
                         report -> {
                             if (told.add(report.name())) progress.accept(report);
                         },
-                        sheet);
+                        sheet,
+                        memory);
         try {
             return withRetry(run, sheet);
         } finally {

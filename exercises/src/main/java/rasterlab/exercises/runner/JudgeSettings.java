@@ -5,9 +5,10 @@ import java.time.Duration;
 /**
  * How a {@link Judge} runs children.
  *
- * @param compileLimit wall time for compiling one source
- * @param callLimit wall time for one call of the student's method
- * @param runLimit wall time for all calls of one submission together
+ * @param compileLimit processor time for compiling one source
+ * @param callLimit processor time for one call of the student's method
+ * @param runLimit processor time for all calls of one submission together that were answered, each
+ *     asked once
  * @param spares whether started children wait in reserve, which hides their start-up; off for a
  *     program that grades once and ends
  * @param box which protection to look for
@@ -20,6 +21,11 @@ public record JudgeSettings(
         STRONGEST,
         /** Process limits only, even where bubblewrap works. */
         PROCESS_LIMITS_ONLY
+    }
+
+    /** What wall time goes with processor time on this machine. */
+    Patience patience() {
+        return Patience.ofThisMachine();
     }
 
     public JudgeSettings {

@@ -46,7 +46,8 @@ final class Pace {
         return isRepeated() && reference.isRepeated() && isCredibleBeside(reference);
     }
 
-    private boolean isRepeated() {
+    /** Whether another round was about as quick as the quickest. */
+    boolean isRepeated() {
         return nextOwn <= ALIKE * own;
     }
 

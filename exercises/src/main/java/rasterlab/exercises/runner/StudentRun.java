@@ -9,7 +9,6 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
-import rasterlab.exercises.score.Message;
 
 /** A loaded class in its running child, called from here one input at a time. */
 final class StudentRun {
@@ -17,17 +16,21 @@ final class StudentRun {
 
     private final Child child;
     private final Duration callLimit;
-    private final long deadline;
+    private final Patience patience;
     private boolean over;
 
     /**
-     * @param callLimit wall time for one call
-     * @param runLimit wall time for all calls together, from now on
+     * @param callLimit processor time for one call
      */
-    StudentRun(Child child, Duration callLimit, Duration runLimit) {
+    StudentRun(Child child, Duration callLimit, Patience patience) {
         this.child = child;
         this.callLimit = callLimit;
-        this.deadline = System.nanoTime() + runLimit.toNanos();
+        this.patience = patience;
+    }
+
+    /** Processor time that the child used since it was started; none where nobody tells. */
+    Duration used() {
+        return child.used().orElse(Duration.ZERO);
     }
 
     /** Whether the child has ended although it answered the last call. */
@@ -76,7 +79,7 @@ final class StudentRun {
         long start = System.nanoTime();
         return child.ask(
                 request,
-                remaining(),
+                patience.limit(callLimit),
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
                     return status == Wire.DONE
@@ -96,7 +99,7 @@ final class StudentRun {
         Answer answer =
                 child.ask(
                         request,
-                        remaining(),
+                        patience.limit(callLimit),
                         (status, in) ->
                                 status == Wire.THREW
                                         ? threw(in.readUTF(), "", "", 0)
@@ -108,7 +111,7 @@ final class StudentRun {
     private Answer withMessage(Answer threw) throws InterruptedException {
         try {
             return child.more(
-                    MESSAGE_LIMIT,
+                    patience.limit(MESSAGE_LIMIT),
                     (status, in) ->
                             threw(
                                     threw.exception(),
@@ -119,13 +122,6 @@ final class StudentRun {
             over = true;
             return threw;
         }
-    }
-
-    private Duration remaining() throws ChildLost {
-        Duration left = Duration.ofNanos(deadline - System.nanoTime());
-        if (left.isNegative() || left.isZero())
-            throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time-in-all"));
-        return left.compareTo(callLimit) < 0 ? left : callLimit;
     }
 
     private static Answer drawn(int status, DataInputStream in, int most) throws IOException {

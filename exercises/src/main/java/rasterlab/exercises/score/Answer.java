@@ -1,5 +1,6 @@
 package rasterlab.exercises.score;
 
+import java.util.stream.Stream;
 import rasterlab.engine.raster.PixelRecording;
 
 /**
@@ -26,9 +27,28 @@ public record Answer(
         THREW
     }
 
+    /** Whether both ended alike and plotted the same pixels in the same order. */
+    public boolean isSameAs(Answer other) {
+        if (ending != other.ending
+                || !exception.equals(other.exception)
+                || pixels.size() != other.pixels.size()) return false;
+        for (int i = 0; i < pixels.size(); i++)
+            if (pixels.x(i) != other.pixels.x(i) || pixels.y(i) != other.pixels.y(i)) return false;
+        return true;
+    }
+
     /** The exception's class and message as one text. */
     public String thrown() {
         return message.isEmpty() ? exception : exception + ": " + message;
+    }
+
+    /**
+     * Whether the JDK has all classes of that name, so that it tells nothing but the kind of fault.
+     *
+     * @param exception class name; of a fault in an initialiser several, with colons between
+     */
+    public static boolean isOfTheJdk(String exception) {
+        return Stream.of(exception.split(": ")).allMatch(one -> one.startsWith("java."));
     }
 
     /** In which line that was; nothing where none is known. */

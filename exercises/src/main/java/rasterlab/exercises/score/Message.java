@@ -33,7 +33,7 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time|complex\\.time|formula\\.large|speed\\..*");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*");
 
     private static final JsonMapper MAPPER = new JsonMapper();
 

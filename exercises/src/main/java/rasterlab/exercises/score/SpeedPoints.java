@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /** Points for speed, in bands, because a measured time is never the same twice. */
 public final class SpeedPoints {
@@ -21,7 +22,41 @@ public final class SpeedPoints {
     private static final List<Band> BANDS =
             List.of(new Band(1.5, 1), new Band(3, 0.7), new Band(8, 0.4));
 
+    /** A time within so much of a band's end is taken for one of the band. */
+    private static final double TOLERANCE = 1.1;
+
+    /** A method that was in a band stays there up to so much beyond its end. */
+    private static final double STAYS = 1.3;
+
     private SpeedPoints() {}
+
+    /**
+     * Number of the band, 0 being the best, for that many times the reference's time.
+     *
+     * @param before the band of the same source when it was last measured
+     */
+    public static int band(double ratio, OptionalInt before) {
+        int band = 0;
+        while (band < BANDS.size() && ratio > end(band, before)) band++;
+        return band;
+    }
+
+    private static double end(int band, OptionalInt before) {
+        boolean wasThere = before.isPresent() && before.getAsInt() <= band;
+        return BANDS.get(band).upTo() * (wasThere ? STAYS : TOLERANCE);
+    }
+
+    /** Whether a further measurement might lead to another band. */
+    public static boolean isNearAnEnd(double ratio) {
+        return BANDS.stream()
+                .anyMatch(band -> ratio > band.upTo() / TOLERANCE && ratio < band.upTo() * STAYS);
+    }
+
+    /** The line of the report on speed for a source that was not measured before. */
+    public static CaseReport measured(double nanos, double reference, boolean printed, int of) {
+        return measured(
+                nanos, reference, printed, of, band(nanos / reference, OptionalInt.empty()));
+    }
 
     /**
      * The line of the report on speed.
@@ -29,22 +64,18 @@ public final class SpeedPoints {
      * @param nanos the student's time per pixel, above 0
      * @param reference that of the reference
      * @param printed whether the method printed while it was measured
+     * @param band as {@link #band} has it
      */
-    public static CaseReport measured(double nanos, double reference, boolean printed, int of) {
-        double ratio = nanos / reference;
-        int points =
-                BANDS.stream()
-                        .filter(band -> ratio <= band.upTo())
-                        .findFirst()
-                        .map(band -> (int) Math.round(band.share() * of))
-                        .orElse(0);
+    public static CaseReport measured(
+            double nanos, double reference, boolean printed, int of, int band) {
+        int points = band < BANDS.size() ? (int) Math.round(BANDS.get(band).share() * of) : 0;
         boolean worthless = points == 0 && of > 0;
         Message said =
                 Message.of(
                         worthless ? "speed.worthless" : "speed.measured",
                         twoPlaces(nanos),
                         twoPlaces(reference),
-                        twoPlaces(ratio),
+                        twoPlaces(nanos / reference),
                         limit(BANDS.get(0)),
                         limit(BANDS.get(BANDS.size() - 1)));
         boolean printingCost = printed && points < of;
@@ -61,6 +92,11 @@ public final class SpeedPoints {
 
     private static String twoPlaces(double number) {
         return String.format(Locale.ROOT, "%.2f", number);
+    }
+
+    /** Where the machine let nothing be measured, which costs nothing. */
+    public static CaseReport unsettled(int of) {
+        return report(GradingVerdict.NOT_MEASURED, of, of, Message.of("speed.unsettled"));
     }
 
     /** Where speed was not measured, or is worth nothing yet. */

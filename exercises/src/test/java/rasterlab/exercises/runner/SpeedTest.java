@@ -37,6 +37,34 @@ class SpeedTest {
         assertEquals("it threw java.lang.IllegalStateException on the long lines", speed.message());
     }
 
+    /** Its name could tell on which line it was thrown. */
+    @Test
+    void anExceptionOfTheStudentsOwnIsNotNamedOnTheLongLines() throws Exception {
+        String own = "static class Line1001 extends RuntimeException { }\npublic void";
+        String source = drawing("if (n == 1001) throw new Line1001();").replace("public void", own);
+        CaseReport speed = speed(report(source));
+        assertEquals("it threw an exception of its own on the long lines", speed.message());
+    }
+
+    /** It loses the points of the cases on the last pixel and keeps those for speed. */
+    @Test
+    void aMistakeThatWasPaidForIsTimed() throws Exception {
+        CaseReport speed = speed(report(Sources.RIGHT.replace("k <= n", "k < n")));
+        assertEquals(10, speed.points(), speed::message);
+    }
+
+    @Test
+    void nothingTellsWhetherAMethodIsTimed() throws Exception {
+        String telling =
+                "String sheet = out.getClass().getName();\n"
+                        + "if (!sheet.equals(\"rasterlab.exercises.child.Sheet\") || out == last) x++;\n"
+                        + "last = out;";
+        String source = drawing(telling).replace("public void", "static Pixels last;\npublic void");
+        Report report = report(source);
+        assertEquals(GradingVerdict.OK, report.verdict());
+        assertEquals(GradingVerdict.OK, speed(report).verdict(), speed(report)::message);
+    }
+
     @Test
     void wrongPixelsOnTheLongLinesAreNamed() throws Exception {
         CaseReport speed = speed(report(drawing("if (n == 1001) x++;")));

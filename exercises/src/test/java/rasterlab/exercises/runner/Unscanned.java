@@ -10,7 +10,6 @@ import rasterlab.exercises.score.Answer;
 final class Unscanned implements AutoCloseable {
     private static final TopicGrading.Call CALL = new LineGrading().warmUp();
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
-    private static final Duration RUN_LIMIT = Duration.ofSeconds(30);
 
     final ChildJars jars = ChildJars.assemble();
     private final Launcher launcher = new Launcher(jars);
@@ -32,9 +31,22 @@ final class Unscanned implements AutoCloseable {
             Compilation compiled = Compilation.of(source, compiler, Duration.ofSeconds(10));
             if (!compiled.errors().isEmpty())
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
-            StudentRun run = new StudentRun(runner, CALL_LIMIT, RUN_LIMIT);
+            StudentRun run = new StudentRun(runner, CALL_LIMIT, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
             return run.call(CALL);
+        }
+    }
+
+    /** The number of pixels that it drew within that limit. */
+    int draw(String source, TimeLimit limit) throws ChildLost, InterruptedException {
+        Patience patience = new Patience(() -> 0);
+        try (Child compiler = child(ChildKind.COMPILE);
+                Child runner = child(ChildKind.RUN)) {
+            Compilation compiled = Compilation.of(source, compiler, Duration.ofMinutes(2));
+            StudentRun run = new StudentRun(runner, Duration.ofMinutes(1), patience);
+            run.load("Mine", compiled.classes());
+            Request request = new Request(CALL.operation(), CALL::writeTo);
+            return runner.ask(request, limit, (status, in) -> in.readInt());
         }
     }
 

@@ -11,6 +11,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -64,9 +65,44 @@ class ReportTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1.0, 10", "1.5, 10", "1.51, 7", "3.0, 7", "7.9, 4", "8.1, 0"})
+    @CsvSource({
+        "1.0, 10",
+        "1.5, 10",
+        "1.64, 10",
+        "1.66, 7",
+        "3.0, 7",
+        "7.9, 4",
+        "8.7, 4",
+        "8.9, 0"
+    })
     void speedIsPaidInBands(double ratio, int points) {
         assertEquals(points, SpeedPoints.measured(2 * ratio, 2, false, 10).points());
+    }
+
+    @ParameterizedTest(name = "{0} times, before in band {1}: not in band {2}")
+    @CsvSource({
+        "1.6, 0, 0",
+        "1.9, 0, 0",
+        "2.0, 0, 1",
+        "1.6, 1, 0",
+        "1.7, 1, 1",
+        "3.8, 1, 1",
+        "4.0, 1, 2",
+        "3.2, 2, 1",
+        "10.3, 2, 2",
+        "10.5, 2, 3",
+        "1.0, 3, 0"
+    })
+    void aSourceStaysInItsBandNearTheEnd(double ratio, int before, int band) {
+        assertEquals(band, SpeedPoints.band(ratio, OptionalInt.of(before)));
+    }
+
+    @Test
+    void aMachineThatIsTooBusyCostsNothing() {
+        CaseReport speed = SpeedPoints.unsettled(10);
+        assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
+        assertEquals(10, speed.points());
+        assertTrue(speed.message().contains("this costs nothing"), speed.message());
     }
 
     @ParameterizedTest(name = "a speed that earns nothing is called right: {0} of {1}")

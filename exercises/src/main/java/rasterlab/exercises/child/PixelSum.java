@@ -3,7 +3,7 @@ package rasterlab.exercises.child;
 import rasterlab.contract.Pixels;
 
 /** Counts pixels and sums a mix of their coordinates, so that the parent sees they were drawn. */
-public final class SummingPixels implements Pixels {
+public final class PixelSum implements Pixels {
     /**
      * 2⁶⁴ divided by the golden ratio, odd: spreads neighbours over all bits. Source: D. Knuth, The
      * Art of Computer Programming 3, section 6.4.

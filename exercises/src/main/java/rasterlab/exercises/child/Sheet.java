@@ -5,8 +5,11 @@ import java.io.IOException;
 import java.util.Arrays;
 import rasterlab.contract.Pixels;
 
-/** Keeps every pixel in order, up to a limit. */
-final class RecordingPixels implements Pixels {
+/**
+ * What a student's method draws on: keeps every pixel in order, up to a limit. It is the same, and
+ * a fresh one, for every call, so that nothing tells a method whether it is timed.
+ */
+final class Sheet implements Pixels {
     /** Ends a method that goes on beyond the limit. */
     private static final class Full extends Error {
         private static final long serialVersionUID = 1L;
@@ -17,13 +20,22 @@ final class RecordingPixels implements Pixels {
     }
 
     private final int limit;
-    private int[] xs = new int[256];
-    private int[] ys = new int[256];
+    private int[] xs;
+    private int[] ys;
     private int size;
     private boolean full;
 
-    RecordingPixels(int limit) {
+    Sheet(int limit) {
+        this(limit, 256);
+    }
+
+    /**
+     * @param room for so many pixels from the start, so that making more takes no time later
+     */
+    Sheet(int limit, int room) {
         this.limit = limit;
+        xs = new int[room];
+        ys = new int[room];
     }
 
     @Override
@@ -47,6 +59,11 @@ final class RecordingPixels implements Pixels {
 
     boolean full() {
         return full;
+    }
+
+    /** Adds all pixels to a sum. */
+    void addTo(PixelSum sum) {
+        for (int i = 0; i < size; i++) sum.plot(xs[i], ys[i]);
     }
 
     /** Writes the number of pixels, then x and y of each. */

@@ -1,0 +1,16 @@
+package rasterlab.exercises.runner;
+
+import java.time.Duration;
+
+/**
+ * How long a child may take for one answer.
+ *
+ * @param processor processor time that it may use
+ * @param wall time that may pass, so that one who waits or sleeps does not do so for ever
+ */
+record TimeLimit(Duration processor, Duration wall) {
+    /** Whatever passes first: for a child that runs nothing of a student's. */
+    static TimeLimit wall(Duration limit) {
+        return new TimeLimit(limit, limit);
+    }
+}
