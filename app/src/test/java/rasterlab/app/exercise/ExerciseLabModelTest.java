@@ -318,7 +318,9 @@ class ExerciseLabModelTest {
             trial.model.type(ENDLESS);
             trial.model.check();
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
-            assertEquals("not run: stopped before it", outcome.cases().get(1).said().english());
+            assertEquals(
+                    "not run: your method was stopped in 5 cases before",
+                    outcome.cases().get(5).said().english());
             String told = outcome.mostTelling().orElseThrow().said().english();
             assertTrue(told.startsWith("no answer within"), told);
         }

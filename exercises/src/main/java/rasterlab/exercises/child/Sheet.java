@@ -19,35 +19,37 @@ final class Sheet implements Pixels {
         }
     }
 
-    private final int limit;
-    private int[] xs;
-    private int[] ys;
+    private final int most;
+    private int[] cells;
     private int size;
     private boolean full;
 
     Sheet(int limit) {
-        this(limit, 256);
+        this(limit, Math.min(limit, 256));
     }
 
     /**
+     * @param limit the most pixels
      * @param room for so many pixels from the start, so that making more takes no time later
      */
     Sheet(int limit, int room) {
-        this.limit = limit;
-        xs = new int[room];
-        ys = new int[room];
+        most = 2 * limit;
+        cells = new int[2 * Math.min(limit, room)];
     }
 
     @Override
     public void plot(int x, int y) {
-        if (size >= limit) stop();
-        if (size == xs.length) {
-            xs = Arrays.copyOf(xs, 2 * size);
-            ys = Arrays.copyOf(ys, 2 * size);
-        }
-        xs[size] = x;
-        ys[size] = y;
-        size++;
+        int i = size;
+        if (i == cells.length) makeRoom();
+        cells[i] = x;
+        cells[i + 1] = y;
+        size = i + 2;
+    }
+
+    /** Apart from the drawing, which a student's method repeats for each pixel. */
+    private void makeRoom() {
+        if (size == most) stop();
+        cells = Arrays.copyOf(cells, Math.min(most, 2 * size));
     }
 
     /** Throws once; a method that swallows that and plots on ends the process. */
@@ -63,15 +65,12 @@ final class Sheet implements Pixels {
 
     /** Adds all pixels to a sum. */
     void addTo(PixelSum sum) {
-        for (int i = 0; i < size; i++) sum.plot(xs[i], ys[i]);
+        for (int i = 0; i < size; i += 2) sum.plot(cells[i], cells[i + 1]);
     }
 
     /** Writes the number of pixels, then x and y of each. */
     void writeTo(DataOutputStream out) throws IOException {
-        out.writeInt(size);
-        for (int i = 0; i < size; i++) {
-            out.writeInt(xs[i]);
-            out.writeInt(ys[i]);
-        }
+        out.writeInt(size / 2);
+        for (int i = 0; i < size; i++) out.writeInt(cells[i]);
     }
 }

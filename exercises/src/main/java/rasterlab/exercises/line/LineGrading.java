@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.Plotted;
@@ -47,7 +46,7 @@ public final class LineGrading implements TopicGrading {
 
     @Override
     public Class<?> reference() {
-        return BresenhamLine.class;
+        return PlainBresenham.class;
     }
 
     @Override

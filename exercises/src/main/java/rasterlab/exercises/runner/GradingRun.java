@@ -87,7 +87,7 @@ final class GradingRun {
             return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
         try (Student student =
                         new Student(
-children, settings, checked.entry(), compiled.classes(), again);
+                                children, settings, checked.entry(), compiled.classes(), again);
                 Student reference = reference(children)) {
             return tried(student, reference);
         }

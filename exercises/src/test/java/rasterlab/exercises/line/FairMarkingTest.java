@@ -168,6 +168,13 @@ class FairMarkingTest {
     }
 
     @Test
+    @DisplayName("speed is held against a method that is wrong")
+    void theReferenceForSpeedIsRight() {
+        for (long seed : SEEDS)
+            assertEquals(List.of(), marked(new PlainBresenham(), seed).failed());
+    }
+
+    @Test
     @DisplayName("a refusal is worth nothing though all other lines are right")
     void aRefusalPaysWhereTheOtherLinesOfItsKindAreRight() {
         LineRasterizer careful =
