@@ -29,7 +29,11 @@ final class HiddenSurfacesHazards {
 
     static List<Hazard<SurfaceView>> all(List<Method<Visibility>> methods) {
         var hazards = new HiddenSurfacesHazards(methods);
-        return Stream.of(hazards.ofOrder(), hazards.ofDepths(), hazards.ofPlaces())
+        return Stream.of(
+                        hazards.ofOrder(),
+                        hazards.ofOnePlane(),
+                        hazards.ofDepths(),
+                        hazards.ofPlaces())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -77,7 +81,11 @@ final class HiddenSurfacesHazards {
                         "Two slanted squares cross along a line.",
                         "none back-face painter-textbook painter",
                         "",
-                        perspective(crossedSquares())),
+                        perspective(crossedSquares())));
+    }
+
+    private List<Hazard<SurfaceView>> ofOnePlane() {
+        return List.of(
                 hazard(
                         "coplanar",
                         "Two overlapping squares in one plane: z-fighting; the earlier is right.",
