@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Component;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.stream.Stream;
@@ -19,9 +18,8 @@ class WindowFirstSightTest extends WindowHarness {
     @ParameterizedTest(name = "the keys of the player do nothing after a click on {0}")
     @ValueSource(strings = {"chip.steep", "method", "stage", "player.speed"})
     void playerKeysWorkWhereverTheKeyboardIs(String control) {
-        Component target = robot.finder().findByName(control, true);
-        if (control.equals("method")) robot.focusAndWaitForFocusGain(target);
-        else robot.click(target);
+        if (control.equals("method")) window.comboBox(control).focus();
+        else robot.click(robot.finder().findByName(control, true));
         robot.waitForIdle();
         int last = models.line().last();
         press(KeyEvent.VK_HOME);

@@ -15,10 +15,14 @@ import rasterlab.app.language.Texts;
 public final class StageGuide extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    /** View units between a stage and the sentence below it. */
+    private static final int GAP = 6;
+
     private final transient Texts texts;
     private final JComponent stage;
     private final HazardStrip strip;
     private final StageHint hint;
+    private boolean docked;
 
     /**
      * @param texts of this package
@@ -54,6 +58,12 @@ public final class StageGuide extends JPanel {
         revalidate();
     }
 
+    /** Lays the sentence below a stage that has something to read at its lower edge. */
+    public StageGuide dock() {
+        docked = true;
+        return this;
+    }
+
     /** Something was done on the stage: the sentence goes. */
     public void done() {
         hint.done();
@@ -86,8 +96,9 @@ public final class StageGuide extends JPanel {
             strip.setBounds(0, 0, getWidth(), high);
         }
         var rest = new Rectangle(0, high, getWidth(), getHeight() - high);
-        stage.setBounds(rest);
         hint.place(rest);
+        if (docked && hint.isVisible()) rest.height = Math.max(1, hint.getY() - GAP - rest.y);
+        stage.setBounds(rest);
     }
 
     @Override

@@ -20,8 +20,8 @@ final class StageHint extends SelfDrawn {
 
     private static final int PAD = 8;
 
-    /** View units on both sides, where the read-out and the buttons are. */
-    private static final int ASIDE = 118;
+    /** View units on the right, where the buttons are; on the left is the read-out. */
+    private static final int ASIDE = 104;
 
     private static final int ABOVE_EDGE = 8;
 
@@ -69,7 +69,7 @@ final class StageHint extends SelfDrawn {
         int wide = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0) + 2 * PAD;
         int high = lines.size() * metrics.getHeight() + PAD;
         setBounds(
-                stage.x + (stage.width - wide) / 2,
+                stage.x + stage.width - ASIDE - wide,
                 stage.y + stage.height - high - ABOVE_EDGE,
                 wide,
                 high);

@@ -97,7 +97,6 @@ public final class OpenGlPanel extends LabPanel {
         player.refresh();
         actions.refreshUndo();
         guide.refresh();
-        guide.hint("opengl", texts.text("first"));
         actions.enable("copyCommand", command().isPresent());
         actions.hint("copyCommand", texts.text("copy.software"));
     }

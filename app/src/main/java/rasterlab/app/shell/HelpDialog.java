@@ -22,7 +22,10 @@ final class HelpDialog extends JDialog {
         super(owner, help.title());
         setName("help");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-        var scroll = new JScrollPane(rows(help));
+        JComponent rows = rows(help);
+        // Something must have the keyboard, by which the rows scroll and the dialog goes.
+        rows.setFocusable(true);
+        var scroll = new JScrollPane(rows);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(16);
         setContentPane(scroll);
@@ -32,6 +35,7 @@ final class HelpDialog extends JDialog {
         if (getHeight() > MOST_HIGH)
             setSize(getWidth() + scroll.getVerticalScrollBar().getPreferredSize().width, MOST_HIGH);
         setLocationRelativeTo(owner);
+        rows.requestFocusInWindow();
     }
 
     private static JComponent rows(HelpText help) {

@@ -88,7 +88,7 @@ public final class StudyPanel extends LabPanel {
         stage.add(chart, StudyView.CHART.code());
         stage.add(table.scroll(), StudyView.HAZARDS.code());
         var layout = new LabLayout(bar(), stage, inspector.column(), actions, timeline());
-        guide = layout.guide();
+        guide = layout.guide().dock();
         add(layout);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
         unsubscribe = model.listen(state -> refresh());
