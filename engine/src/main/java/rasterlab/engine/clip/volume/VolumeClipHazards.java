@@ -1,5 +1,6 @@
 package rasterlab.engine.clip.volume;
 
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
 import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
@@ -38,6 +39,13 @@ final class VolumeClipHazards {
                         s(0, 0, 0.5, -2, 0.1, 0.5),
                         s(0, 0, 0.5, 0.1, 0.1, 3),
                         s(0, 0, 0.5, 0, 0, 0.01)),
+                hazard(
+                        "from-far-to-near",
+                        "The part keeps the segment's direction, here towards the eye.",
+                        NEAREST,
+                        recorded(EXACT, DEGRADED),
+                        s(0.1, 0.2, 0.9, 0.15, 0.1, 0.3),
+                        s(0.2, 0.1, 1.75, 0, 0.1, 0.5)),
                 hazard(
                         "past-an-edge",
                         "Beyond no plane with both ends, yet nothing is left.",

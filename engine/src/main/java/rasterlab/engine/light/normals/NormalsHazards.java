@@ -34,6 +34,14 @@ final class NormalsHazards {
                         EXACT,
                         EXACT),
                 hazard(
+                        "to-the-outside",
+                        "One triangle, counter-clockwise seen from below: its normal points down.",
+                        new Triangles(
+                                new double[] {0, 0, 0, 0, 2, 0, 3, 0, 1}, new int[] {0, 1, 2}),
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
                         "cube-cut-one-way",
                         "A cube's corner has three faces, and one to six triangles by their cut.",
                         new Triangles(CUBE, cube()),

@@ -24,6 +24,20 @@ final class MappingHazards {
                         EXACT,
                         DEGRADED),
                 hazard(
+                        "both-ends",
+                        "Three pixels: the first has the first coordinates, the last the last ones.",
+                        new TexturedSpan(0.25, 0.5, 4, 0.75, 1, 4, 3),
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
+                        "s-is-not-t",
+                        "s falls while t grows.",
+                        new TexturedSpan(1, 0, 2, 0, 0.5, 2, 5),
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
                         "floor",
                         "A floor that runs away from the eye.",
                         new TexturedSpan(0, 0, 2, 0.5, 1, 10, 300),

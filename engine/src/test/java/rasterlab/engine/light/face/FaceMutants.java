@@ -1,0 +1,101 @@
+package rasterlab.engine.light.face;
+
+import java.util.List;
+import rasterlab.contract.FaceShader;
+import rasterlab.contract.LitFace;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Faces shaded with one mistake. */
+final class FaceMutants implements Mutants<FaceShader> {
+    private static final FaceShader RIGHT = new PhongFace();
+    private static final double[] MIDDLE = {1 / 3.0, 1 / 3.0, 1 / 3.0};
+
+    @Override
+    public List<Mutant<FaceShader>> all() {
+        return List.of(
+                new Mutant<>(
+                        "intensities are mixed instead of normals",
+                        "highlight-inside",
+                        new GouraudFace()),
+                new Mutant<>(
+                        "one intensity for the whole face", "curved", FaceMutants::asInTheMiddle),
+                new Mutant<>(
+                        "the mixed normal is not brought to length 1",
+                        "curved",
+                        new ShortNormalFace()),
+                new Mutant<>(
+                        "corners are cut to 1 before they are mixed",
+                        "sum-above-1-at-the-corners",
+                        FaceMutants::mixed),
+                new Mutant<>(
+                        "the face's own normal for the corners'",
+                        "curved",
+                        (face, weights) -> RIGHT.shade(flat(face), weights)),
+                new Mutant<>(
+                        "the normal is taken after the perspective division",
+                        "close-and-slanted",
+                        new FlatFace(true)),
+                new Mutant<>(
+                        "a face without area is refused",
+                        "zero-area-face",
+                        (face, weights) -> {
+                            if (square(cross(face.corners())) == 0)
+                                throw new IllegalArgumentException("face must have an area");
+                            return RIGHT.shade(face, weights);
+                        }),
+                new Mutant<>(
+                        "where normals cancel it is black",
+                        "normals-cancel",
+                        (face, weights) -> {
+                            try {
+                                return RIGHT.shade(face, weights);
+                            } catch (IllegalArgumentException e) {
+                                return new double[weights.length];
+                            }
+                        }));
+    }
+
+    private static double[] asInTheMiddle(LitFace face, double[] weights) {
+        double[] one = RIGHT.shade(face, MIDDLE);
+        var all = new double[weights.length];
+        for (int i = 0; i < all.length; i++) all[i] = one[i % 3];
+        return all;
+    }
+
+    private static double[] mixed(LitFace face, double[] weights) {
+        double[] corners = RIGHT.shade(face, new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1});
+        boolean bright = false;
+        for (double share : corners) bright |= share == 1;
+        if (!bright) return RIGHT.shade(face, weights);
+        var all = new double[weights.length];
+        for (int i = 0; i < all.length; i++)
+            for (int k = 0; k < 3; k++) all[i] += weights[i / 3 * 3 + k] * corners[3 * k + i % 3];
+        return all;
+    }
+
+    private static double[] cross(double[] c) {
+        double[] u = {c[3] - c[0], c[4] - c[1], c[5] - c[2]};
+        double[] v = {c[6] - c[0], c[7] - c[1], c[8] - c[2]};
+        return new double[] {
+            u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+        };
+    }
+
+    private static double square(double[] n) {
+        return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    }
+
+    private static LitFace flat(LitFace face) {
+        double[] n = cross(face.corners());
+        if (square(n) == 0) return face;
+        return new LitFace(
+                face.corners(),
+                new double[] {n[0], n[1], n[2], n[0], n[1], n[2], n[0], n[1], n[2]},
+                face.lamp(),
+                face.eye(),
+                face.material(),
+                face.light(),
+                face.globalAmbient());
+    }
+}

@@ -1,0 +1,155 @@
+package rasterlab.engine.light.shade;
+
+import java.util.List;
+import rasterlab.contract.LightSource;
+import rasterlab.contract.LitPoint;
+import rasterlab.contract.PointShader;
+import rasterlab.contract.Reflection;
+import rasterlab.contract.SpotCone;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Points shaded with one mistake. */
+final class ShadeMutants implements Mutants<PointShader> {
+    private static final FormulaShader RIGHT = new FormulaShader(Reflection.PHONG);
+
+    @Override
+    public List<Mutant<PointShader>> all() {
+        return List.of(
+                new Mutant<>(
+                        "the cosine's sign is dropped",
+                        "light-behind",
+                        point ->
+                                RIGHT.intensity(
+                                        cosine(point) < 0
+                                                ? with(point, negative(point.normal()))
+                                                : point)),
+                new Mutant<>(
+                        "a light behind the face gives no ambient light either",
+                        "light-behind-beside-ambient",
+                        point ->
+                                cosine(point) < 0
+                                        ? point.material().emission().clone()
+                                        : RIGHT.intensity(point)),
+                new Mutant<>(
+                        "distance weakens the light from everywhere",
+                        "global-ambient-and-distance",
+                        point ->
+                                RIGHT.intensity(
+                                        with(
+                                                point,
+                                                point.light(),
+                                                times(
+                                                        point.globalAmbient(),
+                                                        Math.min(1, factor(point)))))),
+                new Mutant<>(
+                        "distance does not weaken the light's ambient part",
+                        "own-ambient-and-distance",
+                        ShadeMutants::ambientAnyway),
+                new Mutant<>(
+                        "the normal is taken to have length 1",
+                        "interpolated-normal",
+                        ShadeMutants::normalAsGiven),
+                new Mutant<>(
+                        "the cone is not looked at",
+                        "outside-the-cone",
+                        point ->
+                                RIGHT.intensity(
+                                        with(
+                                                point,
+                                                point.light().through(SpotCone.none()),
+                                                point.globalAmbient()))),
+                new Mutant<>(
+                        "the sum is not cut at 1",
+                        "sum-above-1",
+                        point -> RIGHT.terms(point).sum()),
+                new Mutant<>(
+                        "the square of the normal overflows",
+                        "huge-normal",
+                        point ->
+                                Double.isInfinite(square(point.normal()))
+                                        ? new double[3]
+                                        : RIGHT.intensity(point)),
+                new Mutant<>(
+                        "the square of the normal vanishes",
+                        "tiny-normal",
+                        point ->
+                                square(point.normal()) == 0 && point.normal()[0] != 0
+                                        ? new double[3]
+                                        : RIGHT.intensity(point)));
+    }
+
+    private static double cosine(LitPoint point) {
+        double[] n = point.normal();
+        double[] l = point.toLight();
+        return n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
+    }
+
+    private static double square(double[] n) {
+        return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    }
+
+    private static double factor(LitPoint point) {
+        return point.light().attenuation().factor(point.distance());
+    }
+
+    private static double[] negative(double[] vector) {
+        return times(vector, -1);
+    }
+
+    private static double[] times(double[] vector, double factor) {
+        return new double[] {vector[0] * factor, vector[1] * factor, vector[2] * factor};
+    }
+
+    private static double[] ambientAnyway(LitPoint point) {
+        LightSource light = point.light();
+        var without =
+                new LightSource(
+                        new double[3],
+                        light.diffuse(),
+                        light.specular(),
+                        light.attenuation(),
+                        light.cone());
+        double[] everywhere = new double[3];
+        for (int c = 0; c < 3; c++) everywhere[c] = point.globalAmbient()[c] + light.ambient()[c];
+        return RIGHT.intensity(with(point, without, everywhere));
+    }
+
+    /** A normal that is too short or long makes the diffuse light so, which is what shows. */
+    private static double[] normalAsGiven(LitPoint point) {
+        double length = Math.sqrt(square(point.normal()));
+        if (!(length > 0.1 && length < 10) || Math.abs(length - 1) < 1e-9)
+            return RIGHT.intensity(point);
+        LightSource light = point.light();
+        var scaled =
+                new LightSource(
+                        light.ambient(),
+                        times(light.diffuse(), length),
+                        light.specular(),
+                        light.attenuation(),
+                        light.cone());
+        return RIGHT.intensity(with(point, scaled, point.globalAmbient()));
+    }
+
+    private static LitPoint with(LitPoint point, double[] normal) {
+        return new LitPoint(
+                normal,
+                point.toLight(),
+                point.toEye(),
+                point.distance(),
+                point.material(),
+                point.light(),
+                point.globalAmbient());
+    }
+
+    private static LitPoint with(LitPoint point, LightSource light, double[] globalAmbient) {
+        return new LitPoint(
+                point.normal(),
+                point.toLight(),
+                point.toEye(),
+                point.distance(),
+                point.material(),
+                light,
+                globalAmbient);
+    }
+}

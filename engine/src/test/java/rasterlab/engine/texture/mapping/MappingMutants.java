@@ -1,0 +1,80 @@
+package rasterlab.engine.texture.mapping;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.contract.TextureMapper;
+import rasterlab.contract.TexturedSpan;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Texture coordinates along a row with one mistake. */
+final class MappingMutants implements Mutants<TextureMapper> {
+    private static final TextureMapper RIGHT = new PerspectiveMapper();
+
+    @Override
+    public List<Mutant<TextureMapper>> all() {
+        return List.of(
+                new Mutant<>(
+                        "s and t are linear on the screen",
+                        "floor",
+                        new AffineMapper(TexturedSpan.MOST_PIXELS)),
+                new Mutant<>(
+                        "depth is linear on the screen",
+                        "at-the-near-plane",
+                        MappingMutants::linearDepth),
+                new Mutant<>("pixel i of n is i/n of the way", "both-ends", MappingMutants::byN),
+                new Mutant<>(
+                        "s and t are exchanged",
+                        "s-is-not-t",
+                        span -> {
+                            double[] st = RIGHT.coordinates(span);
+                            for (int i = 0; i < st.length; i += 2) {
+                                double s = st[i];
+                                st[i] = st[i + 1];
+                                st[i + 1] = s;
+                            }
+                            return st;
+                        }),
+                new Mutant<>(
+                        "a row of one pixel is divided by its length of 0",
+                        "single-pixel",
+                        span ->
+                                span.pixels() == 1
+                                        ? new double[] {Double.NaN, Double.NaN}
+                                        : RIGHT.coordinates(span)),
+                new Mutant<>("sums in float", "long-row", new SteppedMapper()));
+    }
+
+    private static double share(TexturedSpan span, int pixel) {
+        return span.pixels() == 1 ? 0 : pixel / (span.pixels() - 1.0);
+    }
+
+    private static double[] linearDepth(TexturedSpan span) {
+        var st = new double[2 * span.pixels()];
+        for (int i = 0; i < span.pixels(); i++) {
+            double f = share(span, i);
+            double depth = (1 - f) * span.fromDepth() + f * span.toDepth();
+            double from = (1 - f) / span.fromDepth() * depth;
+            double to = f / span.toDepth() * depth;
+            st[2 * i] = from * span.fromS() + to * span.toS();
+            st[2 * i + 1] = from * span.fromT() + to * span.toT();
+        }
+        return st;
+    }
+
+    private static double[] byN(TexturedSpan span) {
+        if (span.pixels() == 1 || span.pixels() == TexturedSpan.MOST_PIXELS)
+            return RIGHT.coordinates(span);
+        double[] longer =
+                RIGHT.coordinates(
+                        new TexturedSpan(
+                                span.fromS(),
+                                span.fromT(),
+                                span.fromDepth(),
+                                span.toS(),
+                                span.toT(),
+                                span.toDepth(),
+                                span.pixels() + 1));
+        return Arrays.copyOf(longer, 2 * span.pixels());
+    }
+}
