@@ -21,6 +21,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 class BundlesTest {
     private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
 
+    /** What is written on keys, the same in both languages. */
+    private static final String KEYS = "\\b(Delete|Enter|Home|Space)\\b";
+
     /** {@code {0}} of a MessageFormat and {@code %d} of a Formatter, whose order counts. */
     private static final Pattern PLACEHOLDER =
             Pattern.compile("\\{(\\d+)|%[-#+0,(]*\\d*(?:\\.\\d+)?([a-zA-Z])");
@@ -130,7 +133,7 @@ class BundlesTest {
         read(english)
                 .forEach(
                         (key, text) -> {
-                            String words = ((String) text).replaceAll("\\{[^}]*}", "");
+                            String words = ((String) text).replaceAll("\\{[^}]*}|" + KEYS, "");
                             boolean any = Pattern.compile("[a-z]{4}").matcher(words).find();
                             if (any && text.equals(translated.getProperty((String) key)))
                                 same.add((String) key);

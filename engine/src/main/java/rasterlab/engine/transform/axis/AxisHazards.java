@@ -5,6 +5,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -16,6 +17,10 @@ final class AxisHazards {
     private AxisHazards() {}
 
     static List<Hazard<AxisTurn>> all() {
+        return Stream.of(turns(), axesAlongZ(), sizes()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<AxisTurn>> turns() {
         return List.of(
                 hazard(
                         "no-turn",
@@ -37,7 +42,11 @@ final class AxisHazards {
                         "axis-along-x",
                         "The axis is the x axis: θ = 0, and only the turn onto z is left.",
                         AxisTurn.about(1, 0, 0, 30, 3, 4, 5),
-                        WRONG),
+                        WRONG));
+    }
+
+    private static List<Hazard<AxisTurn>> axesAlongZ() {
+        return List.of(
                 hazard(
                         "axis-along-z",
                         "d = 0: the axis is already where it should be, θ has no value.",
@@ -57,7 +66,11 @@ final class AxisHazards {
                         "axis-beside-z",
                         "l and m are smallest doubles: d cannot be √2 of them.",
                         AxisTurn.about(TINY, TINY, 1, 45, 1, 0, 0),
-                        WRONG),
+                        WRONG));
+    }
+
+    private static List<Hazard<AxisTurn>> sizes() {
+        return List.of(
                 hazard(
                         "axis-through-far-point",
                         "The line passes far from the origin: the shift rounds the point.",
