@@ -22,7 +22,7 @@ class BundlesTest {
     private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
 
     /** What is written on keys, the same in both languages. */
-    private static final String KEYS = "\\b(Delete|Enter|Home|Space)\\b";
+    private static final String KEYS = "\\b(Delete|Enter|Home|Shift|Space)\\b";
 
     /** {@code {0}} of a MessageFormat and {@code %d} of a Formatter, whose order counts. */
     private static final Pattern PLACEHOLDER =
