@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.stream.Stream;
+import org.assertj.swing.data.TableCell;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -55,6 +56,18 @@ class WindowFirstSightTest extends WindowHarness {
         window.label("hazard.verdict").requireText("naive-textbook: wrong");
         window.button("hazard.method.bresenham").click();
         assertEquals("bresenham", models.line().state().choice().method());
+    }
+
+    @Test
+    @DisplayName("a hazard that the table of verdicts opens is shown without its verdicts")
+    void openedHazardIsToldInItsTab() {
+        show("study");
+        window.table("hazards").selectCell(TableCell.row(0).column(0));
+        robot.waitForIdle();
+        window.button("open").click();
+        await("the strip", () -> isSeen("hazard.strip"));
+        assertEquals("line", frame.shownTab());
+        window.label("hazard.verdict").requireText("naive-textbook: exact");
     }
 
     @Test

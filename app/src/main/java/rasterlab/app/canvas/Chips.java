@@ -1,7 +1,10 @@
 package rasterlab.app.canvas;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -23,6 +26,7 @@ public final class Chips extends JPanel {
     private static final int WIDEST = 88;
 
     private final transient Texts texts;
+    private final transient List<HazardCase> cases = new ArrayList<>();
     private final JButton more = chip("chips.more", "", this::openMenu);
 
     /**
@@ -57,10 +61,30 @@ public final class Chips extends JPanel {
         chip.setToolTipText(hazard.special());
         chip.getAccessibleContext().setAccessibleDescription(hazard.special());
         add(chip, getComponentCount() - 1);
+        cases.add(hazard);
     }
 
     private void choose(HazardCase hazard) {
         hazard.show().run();
+        tell(hazard);
+    }
+
+    /**
+     * Says all about a hazard that was shown by other means than its chip.
+     *
+     * @param place whose visible chips have it, if any have
+     */
+    public static void tell(String name, Container place) {
+        for (Component child : place.getComponents())
+            if (child.isVisible() && child instanceof Chips chips) chips.tell(name);
+            else if (child.isVisible() && child instanceof Container inner) tell(name, inner);
+    }
+
+    private void tell(String name) {
+        cases.stream().filter(each -> each.name().equals(name)).forEach(this::tell);
+    }
+
+    private void tell(HazardCase hazard) {
         if (SwingUtilities.getAncestorOfClass(LabLayout.class, this) instanceof LabLayout lab)
             lab.guide().clicked(hazard, this);
     }

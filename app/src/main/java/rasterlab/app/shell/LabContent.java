@@ -5,12 +5,14 @@ import java.awt.EventQueue;
 import java.awt.Window;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -24,6 +26,9 @@ public final class LabContent extends JPanel {
     private final TabbedLabs pane;
     private final transient WindowKeys keys = new WindowKeys(this);
     private final transient PlayerKeys player = new PlayerKeys(() -> StepPlayer.seenIn(this));
+
+    /** A hazard that a tab is about to show. */
+    private transient Optional<String> opened = Optional.empty();
 
     /**
      * @param shown name of the tab to show; an unknown one is the first
@@ -40,6 +45,7 @@ public final class LabContent extends JPanel {
         Texts texts = Texts.of("shell", labs.language());
         pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
         labs.opening().showTabsBy(this::show);
+        labs.opening().tellHazardsTo(hazard -> opened = Optional.of(hazard));
         show(shown);
         pane.fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
@@ -57,6 +63,7 @@ public final class LabContent extends JPanel {
                 e -> {
                     pane.fill();
                     focusPicture();
+                    tellHazard();
                 });
         pane.addMouseListener(new ChoiceOfTheShownTab());
     }
@@ -97,6 +104,16 @@ public final class LabContent extends JPanel {
     /** Shows the tab of that name; an unknown name leaves the one that is shown. */
     public void show(String tab) {
         pane.show(tab);
+        tellHazard();
+    }
+
+    /**
+     * Says over the stage what is special about a hazard that another tab brought, once it is seen.
+     */
+    private void tellHazard() {
+        if (opened.isEmpty() || pane.seen() != pane.chosen()) return;
+        Chips.tell(opened.get(), pane.seen().panel());
+        opened = Optional.empty();
     }
 
     /** Says what can be done in the tab that is shown. */

@@ -43,6 +43,7 @@ final class LabOpening implements OpenInLab {
     private final LabModels models;
     private Optional<TopicWays> ways = Optional.empty();
     private Consumer<String> showTab = tab -> {};
+    private Consumer<String> tellHazard = hazard -> {};
 
     /** Counts what was asked for, so that only the newest is shown. */
     private int asked;
@@ -71,6 +72,13 @@ final class LabOpening implements OpenInLab {
      */
     void showTabsBy(Consumer<String> next) {
         showTab = next;
+    }
+
+    /**
+     * @param told which hazard the next tab that is shown has
+     */
+    void tellHazardsTo(Consumer<String> told) {
+        tellHazard = told;
     }
 
     @Override
@@ -169,6 +177,7 @@ final class LabOpening implements OpenInLab {
 
     private void show(TopicWay way, TopicInput input, String method) {
         way.show().accept(input, method);
+        tellHazard.accept(input.hazard());
         showTab.accept(way.tab());
     }
 }
