@@ -102,6 +102,7 @@ for %%A in (%arguments%) do (
     set "named="
     if "%%~A"=="--heap" set "named=yes"
 )
+if not defined heap set "heap=256"
 for /f "delims=0123456789" %%D in ("%heap%") do set "heap=256"
 if %heap% LSS 64 set "heap=256"
 if %heap% GTR 65536 set "heap=256"

@@ -20,6 +20,7 @@ import java.util.Locale
 import java.util.Properties
 import kotlin.io.path.createDirectories
 import kotlin.io.path.createFile
+import kotlin.io.path.createLinkPointingTo
 import kotlin.io.path.writeText
 
 /** What the server prints with `--lang ru`. */
@@ -77,6 +78,7 @@ class RussianCommandTest {
             "serve --port 0 --db sqlite:?x --lang ru",
             "serve --port 0 --db sqlite:FOLDER --lang ru",
             "serve --port 0 --db sqlite:FOLDER/none/a --lang ru",
+            "serve --port 0 --db sqlite:TWICE --lang ru",
             "serve --port 0 --data FILE --lang ru",
             "serve --port 0 --data FILE/below --lang ru",
             "serve --port 0 --data USED --lang ru",
@@ -102,6 +104,7 @@ class RussianCommandTest {
             .resolve("exercise.json")
             .writeText("{} []")
         val used = folder.resolve("used")
+        val twice = folder.resolve("c").createLinkPointingTo(folder.resolve("b").createFile())
         val unwritten = folder.resolve("unwritten/server.lock").createDirectories().parent
         DataFolder.take(used, url = null).use {
             ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
@@ -112,6 +115,7 @@ class RussianCommandTest {
                         .replace("BROKEN", "$folder/broken")
                         .replace("UNWRITTEN", "$unwritten")
                         .replace("USED", "$used")
+                        .replace("TWICE", "$twice")
                         .replace("TAKEN", "${taken.localPort}")
                 assertEquals(2, run(*words.split(" ").toTypedArray()), printed.toString())
             }

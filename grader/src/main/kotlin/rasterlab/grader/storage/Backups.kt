@@ -24,6 +24,10 @@ import kotlin.io.path.name
 object Backups {
     private const val PATIENCE_MILLIS = 30_000
 
+    /** How many there are of two that every server's database has. */
+    private const val TABLES =
+        "SELECT count(*) FROM sqlite_schema WHERE name IN ('submissions', 'flyway_schema_history')"
+
     /** Copies the database to a new file that only its owner reads. */
     fun take(
         database: Path,
@@ -89,19 +93,14 @@ object Backups {
         file: Path,
         said: Path = file,
     ) {
-        val fault =
+        val (fault, tables) =
             try {
-                open(file).use { it.text("PRAGMA quick_check").takeIf { answer -> answer != "ok" } ?: it.strangeness() }
+                open(file).use { it.text("PRAGMA quick_check") to it.text(TABLES) }
             } catch (failure: SQLException) {
-                failure.message.orEmpty()
+                throw CannotStart(Reason.BACKUP_BROKEN, said, "${failure.javaClass.simpleName}: ${failure.message}")
             }
-        if (fault != null) throw CannotStart(Reason.BACKUP_BROKEN, said, fault)
-    }
-
-    /** Why this is no database of a grading server; null if it is one. */
-    private fun Connection.strangeness(): String? {
-        val tables = "SELECT count(*) FROM sqlite_schema WHERE name IN ('submissions', 'flyway_schema_history')"
-        return if (text(tables) == "2") null else "no table of submissions"
+        if (fault != "ok") throw CannotStart(Reason.BACKUP_BROKEN, said, fault)
+        if (tables != "2") throw CannotStart(Reason.BACKUP_FOREIGN, said)
     }
 
     private fun Connection.text(sql: String): String =

@@ -32,6 +32,7 @@ class CannotStart(
         DB_NAME("db.name"),
         DB_FOLDER("db.folder"),
         DB_NONE("db.none"),
+        DB_LINKED("db.linked"),
         DATA_FILE("data.file"),
         DATA_MADE("data.made"),
         USED("used"),
@@ -43,6 +44,7 @@ class CannotStart(
         BACKUP_FOLDER("backup.folder"),
         BACKUP_NONE("backup.none"),
         BACKUP_BROKEN("backup.broken"),
+        BACKUP_FOREIGN("backup.foreign"),
         BACKUP_FAILED("backup.failed"),
     }
 

@@ -15,6 +15,8 @@ import kotlin.io.path.absolute
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
+import kotlin.io.path.isSymbolicLink
+import kotlin.io.path.readSymbolicLink
 import kotlin.io.path.setPosixFilePermissions
 
 /** A folder, and the database in it or elsewhere, that one server has to itself until it closes them. */
@@ -75,10 +77,32 @@ class DataFolder private constructor(
         ): Path {
             val file = if (url == null) data.resolve("rasterlab.db") else fileOf(url)
             return when {
-                file.exists() -> file.toRealPath()
-                file.parent.exists() -> file.parent.toRealPath().resolve(file.fileName)
-                else -> file
+                file.exists() -> {
+                    file.toRealPath().also(::refuseOtherNames)
+                }
+
+                file.isSymbolicLink() -> {
+                    file.parent
+                        .toRealPath()
+                        .resolve(file.readSymbolicLink())
+                        .normalize()
+                }
+
+                file.parent.exists() -> {
+                    file.parent.toRealPath().resolve(file.fileName)
+                }
+
+                else -> {
+                    file
+                }
             }
+        }
+
+        /** Under its second name, the journal of a file would be another file. */
+        private fun refuseOtherNames(file: Path) {
+            if ("unix" !in file.fileSystem.supportedFileAttributeViews()) return
+            val names = Files.getAttribute(file, "unix:nlink") as Int
+            if (names > 1) throw CannotStart(Reason.DB_LINKED, file, names)
         }
 
         private fun fileOf(url: String): Path {

@@ -70,9 +70,9 @@ class BackupsTest {
         val half = folder.resolve("half.db").apply { writeBytes(copy.readBytes().copyOf(9000)) }
         val notes = folder.resolve("notes.db").apply { writeText("no database ".repeat(999)) }
         val empty = folder.resolve("empty.db").apply { writeText("") }
-        for (file in listOf(half, notes, empty)) {
+        for ((file, words) in mapOf(half to "whole database", notes to "whole database", empty to "database of a")) {
             val said = run("restore", "$file", "--data", "$data", exit = 2)
-            assertTrue("$file: is no whole database of a grading server" in said, said)
+            assertTrue("$file: is no $words" in said, said)
         }
         assertTrue("there is no such file" in run("restore", "$folder/none.db", "--data", "$data", exit = 2))
         assertTrue(before.contentEquals(data.resolve("rasterlab.db").readBytes()), "the database was touched")

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
 import java.nio.file.attribute.PosixFilePermissions
 import kotlin.io.path.createDirectory
+import kotlin.io.path.createLinkPointingTo
 import kotlin.io.path.createSymbolicLinkPointingTo
 import kotlin.io.path.getPosixFilePermissions
 import kotlin.io.path.listDirectoryEntries
@@ -51,6 +52,12 @@ class DataFolderTest {
             for (name in listOf(file, link.resolve("shared.db"), folder.resolve("one/../real/./shared.db"))) {
                 refuses("another server is using it") { DataFolder.take(folder.resolve("two"), "sqlite:$name") }
             }
+        }
+        val second = folder.resolve("second.db").createLinkPointingTo(real.resolve("shared.db"))
+        refuses("2 names (hard links)") { DataFolder.take(folder.resolve("two"), "sqlite:$second") }
+        folder.resolve("early.db").createSymbolicLinkPointingTo(real.resolve("late.db"))
+        DataFolder.take(folder.resolve("one"), "sqlite:$folder/early.db").use {
+            refuses("another server is using it") { DataFolder.take(folder.resolve("two"), "sqlite:$real/late.db") }
         }
         DataFolder.take(real, url = null).use {
             refuses("another server is using it") { DataFolder.take(link, url = null) }
