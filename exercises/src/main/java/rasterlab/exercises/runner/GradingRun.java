@@ -200,7 +200,10 @@ final class GradingRun {
             return new SpeedTrial(topic, student, reference, before, charged, unknown).measure();
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
-            return SpeedTrial.Outcome.none(Message.of("speed.stopped").and(lost.said()));
+            return SpeedTrial.Outcome.none(
+                    lost.isIdle()
+                            ? SpeedTrial.UNSETTLED
+                            : Message.of("speed.stopped").and(lost.said()));
         }
     }
 }

@@ -46,9 +46,14 @@ final class Pace {
         return isRepeated() && reference.isRepeated() && isCredibleBeside(reference);
     }
 
+    /** Whether there was a round at all. */
+    boolean isMeasured() {
+        return wall < Double.MAX_VALUE;
+    }
+
     /** Whether another round was about as quick as the quickest. */
     boolean isRepeated() {
-        return nextOwn <= ALIKE * own;
+        return isMeasured() && nextOwn <= ALIKE * own;
     }
 
     /**

@@ -27,6 +27,13 @@ class PaceTest {
     }
 
     @Test
+    @DisplayName("a reference that was never timed has settled")
+    void noRoundSettlesNothing() {
+        assertFalse(new Pace().isRepeated());
+        assertFalse(rounds(200, 200).isSettledBeside(new Pace()));
+    }
+
+    @Test
     @DisplayName("a child that tells a shorter time than it took is believed")
     void aChildIsHeldToTheWallClock() {
         Pace reference = told(250, 200);
