@@ -44,7 +44,10 @@ internal fun logTo(file: Path) {
                 maxFileSize = FileSize(FILE_BYTES)
             }.also { it.start() }
     appender.start()
-    logs.getLogger(Logger.ROOT_LOGGER_NAME).addAppender(appender)
+    val root = logs.getLogger(Logger.ROOT_LOGGER_NAME)
+    root.addAppender(appender)
+    // Loads what writes a failure while there are files to load it from.
+    appender.encoder.encode(LoggingEvent(Logger::class.java.name, root, Level.DEBUG, "", Exception(), null))
 }
 
 /** Each new file of the log is for its owner only. */

@@ -1,10 +1,5 @@
 package rasterlab.grader
 
-import io.ktor.server.cio.CIO
-import io.ktor.server.engine.EmbeddedServer
-import io.ktor.server.engine.connector
-import io.ktor.server.engine.embeddedServer
-import kotlinx.coroutines.runBlocking
 import org.slf4j.LoggerFactory
 import picocli.CommandLine.Command
 import picocli.CommandLine.Model.CommandSpec
@@ -15,6 +10,7 @@ import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
+import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
 import rasterlab.grader.storage.CannotStart
@@ -202,28 +198,19 @@ internal class ServeCommand(
         address: InetSocketAddress,
         stop: StopSignal,
     ) {
-        val engine =
-            embeddedServer(CIO, configure = {
-                connector {
-                    host = address.address.hostAddress
-                    port = address.port
-                }
-                connectionIdleTimeoutSeconds = IDLE_SECONDS
-            }) { server.install(this) }
-        engine.start()
-        server.startGrading()
-        announce(server, engine)
-        spec.commandLine().out.println(oneLine(words.say("isolation", isolation.describe(words.language.language))))
-        stop.await()
-        engine.stop(STOP_MILLIS / 4, STOP_MILLIS)
+        Listening(address) { server.install(this, it) }.use { listening ->
+            server.startGrading()
+            announce(server, listening.port)
+            spec.commandLine().out.println(oneLine(words.say("isolation", isolation.describe(words.language.language))))
+            stop.await()
+        }
     }
 
     /** In every language the same: programs wait for these lines. */
     private fun announce(
         server: Server,
-        engine: EmbeddedServer<*, *>,
+        port: Int,
     ) {
-        val port = runBlocking { engine.engine.resolvedConnectors() }.first().port
         println("listening on http://${if (':' in host) "[$host]" else host}:$port")
         server.accounts.newInstructorToken()?.let { token ->
             println("instructor token: $token")
@@ -238,8 +225,6 @@ internal class ServeCommand(
         const val LEAST_HEAP = 64
         const val MOST_HEAP = 65_536
         const val MIB_BITS = 20
-        const val IDLE_SECONDS = 45
-        const val STOP_MILLIS = 2_000L
     }
 }
 

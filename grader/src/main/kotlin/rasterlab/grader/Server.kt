@@ -2,6 +2,7 @@
 package rasterlab.grader
 
 import io.ktor.server.application.Application
+import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.install
 import io.ktor.server.auth.Authentication
@@ -94,35 +95,38 @@ class Server(
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
 
-    fun install(application: Application) =
-        with(application) {
-            // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
-            intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
-            waitForBodies(settings.bodyPatience)
-            install(IgnoreTrailingSlash)
-            install(StatusPages) { showProblems(ErrorPage) }
-            install(Authentication) { byToken(accounts) }
-            install(RateLimit) {
-                register(ENTRY) {
-                    rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
-                    requestKey { it.request.origin.remoteAddress }
+    /** @param address of whoever calls, which is not the connection's where a door stands in front */
+    fun install(
+        application: Application,
+        address: (ApplicationCall) -> String = { it.request.origin.remoteAddress },
+    ) = with(application) {
+        // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
+        intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
+        waitForBodies(settings.bodyPatience)
+        install(IgnoreTrailingSlash)
+        install(StatusPages) { showProblems(ErrorPage) }
+        install(Authentication) { byToken(accounts) }
+        install(RateLimit) {
+            register(ENTRY) {
+                rateLimiter(settings.entriesPerMinute, 1.minutes, clock = { steady.instant().toEpochMilli() })
+                requestKey { address(it) }
+            }
+        }
+        protect()
+        routing {
+            monitoring(database, isolation)
+            pages(pageParts, ENTRY)
+            route("/api/v1") {
+                rateLimit(ENTRY) { joining(courses) }
+                authenticate {
+                    courses(courses, accounts)
+                    exercises(exercises)
+                    submissions(exercises, intake, queue)
+                    results(results, live)
                 }
             }
-            protect()
-            routing {
-                monitoring(database, isolation)
-                pages(pageParts, ENTRY)
-                route("/api/v1") {
-                    rateLimit(ENTRY) { joining(courses) }
-                    authenticate {
-                        courses(courses, accounts)
-                        exercises(exercises)
-                        submissions(exercises, intake, queue)
-                        results(results, live)
-                    }
-                }
-            }.refuseOtherMethods()
-        }
+        }.refuseOtherMethods()
+    }
 
     /** Lets running attempts end or puts them back. */
     override fun close() = queue.close()

@@ -9,11 +9,8 @@ import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
-import io.ktor.server.cio.CIO
-import io.ktor.server.engine.embeddedServer
 import io.ktor.server.testing.ApplicationTestBuilder
 import io.ktor.server.testing.testApplication
-import kotlinx.coroutines.runBlocking
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -36,8 +33,12 @@ import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
+import rasterlab.grader.edge.DoorLimits
+import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
+import java.net.InetAddress
+import java.net.InetSocketAddress
 import java.nio.file.Path
 import java.util.Optional
 
@@ -72,16 +73,13 @@ class Classroom(
     }
 
     /** Behind a real socket, for what is only seen on the wire; nothing is graded. */
-    fun listen(test: Wire.() -> Unit) =
-        serve { server, database, token ->
-            val engine = embeddedServer(CIO, port = 0, host = "127.0.0.1") { server.install(this) }.start()
-            try {
-                val port = runBlocking { engine.engine.resolvedConnectors() }.first().port
-                Wire(port, database, token).test()
-            } finally {
-                engine.stop(0, 0)
-            }
-        }
+    fun listen(
+        limits: DoorLimits = DoorLimits(),
+        test: Wire.() -> Unit,
+    ) = serve { server, database, token ->
+        val address = InetSocketAddress(InetAddress.getLoopbackAddress(), 0)
+        Listening(address, limits) { server.install(this, it) }.use { Wire(it.port, database, token).test() }
+    }
 
     private fun serve(use: (Server, Database, String) -> Unit) =
         Database.open(file).use { database ->

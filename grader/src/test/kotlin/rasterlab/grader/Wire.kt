@@ -8,6 +8,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.jsonObject
 import org.slf4j.LoggerFactory
 import rasterlab.grader.storage.Database
+import java.net.InetAddress
 import java.net.Socket
 import java.net.URI
 import java.net.http.HttpClient
@@ -52,14 +53,18 @@ class Wire(
         method: String,
         target: String,
         vararg headers: String,
+        from: String = "127.0.0.1",
     ): String =
-        connect().use { socket ->
+        connect(from).use { socket ->
             val lines = listOf("$method $target HTTP/1.1", "Host: localhost", "Connection: close", *headers, "", "")
             socket.getOutputStream().write(lines.joinToString("\r\n").toByteArray())
             socket.getInputStream().bufferedReader().readLine()
         }
 
-    fun connect() = Socket("127.0.0.1", port).apply { soTimeout = PATIENCE_MILLIS }
+    fun connect(from: String = "127.0.0.1") =
+        Socket(InetAddress.getByName("127.0.0.1"), port, InetAddress.getByName(from), 0).apply {
+            soTimeout = PATIENCE_MILLIS
+        }
 
     private fun json(answer: HttpResponse<String>) = Json.parseToJsonElement(answer.body()).jsonObject
 

@@ -1,0 +1,173 @@
+/*
+ * The front door of the HTTP server: the one socket that the network sees.
+ * It counts connections, lets whole and unambiguous requests through to the engine and sees that every
+ * answer arrives. Read Listening, Door, Passage, RequestFraming, in this order.
+ */
+package rasterlab.grader.edge
+
+import org.slf4j.LoggerFactory
+import java.io.IOException
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.net.StandardSocketOptions
+import java.nio.channels.SelectionKey
+import java.nio.channels.Selector
+import java.nio.channels.ServerSocketChannel
+import java.nio.channels.SocketChannel
+import java.util.concurrent.ConcurrentHashMap
+import java.util.concurrent.CountDownLatch
+import kotlin.concurrent.thread
+
+/**
+ * How many connections are open at the same time, beyond which 503 is answered.
+ *
+ * @param perAddress leaves room for a class behind one router
+ */
+data class DoorLimits(
+    val all: Int = 1024,
+    val perAddress: Int = 256,
+)
+
+/**
+ * Takes connections in and passes them on to the engine, which listens where only this machine can reach it.
+ * One thread does all of it and never waits for a single connection.
+ */
+class Door(
+    address: InetSocketAddress,
+    private val limits: DoorLimits = DoorLimits(),
+) : AutoCloseable {
+    private val log = LoggerFactory.getLogger(javaClass)
+    private val selector = Selector.open()
+    private val server = ServerSocketChannel.open()
+    private val passages = mutableSetOf<Passage>()
+    private val clients = ConcurrentHashMap<Int, InetAddress>()
+    private val ended = CountDownLatch(1)
+    private var spare: ServerSocketChannel? = ServerSocketChannel.open()
+    private var acceptAgainAt = 0L
+    private var inner = InetSocketAddress(0)
+
+    @Volatile
+    private var closing = false
+
+    init {
+        try {
+            server.setOption(StandardSocketOptions.SO_REUSEADDR, true)
+            server.bind(address)
+        } catch (failure: IOException) {
+            server.close()
+            selector.close()
+            throw failure
+        }
+        server.configureBlocking(false)
+    }
+
+    /** Where clients connect to. */
+    val port = (server.localAddress as InetSocketAddress).port
+
+    /** Begins to let clients through to the engine at [inner]. */
+    fun open(inner: InetSocketAddress) {
+        this.inner = inner
+        val accepting = server.register(selector, SelectionKey.OP_ACCEPT)
+        thread(isDaemon = true, name = "rasterlab-door") {
+            try {
+                while (!closing) turn(accepting)
+            } finally {
+                passages.toList().forEach(Passage::close)
+                listOfNotNull(server, spare, selector).forEach { it.close() }
+                ended.countDown()
+            }
+        }
+    }
+
+    /** Who is at the other end of the engine's connection from [port] of this machine; null for nobody let in here. */
+    fun clientOf(port: Int): InetAddress? = clients[port]
+
+    override fun close() {
+        closing = true
+        selector.wakeup()
+        ended.await()
+    }
+
+    private fun turn(accepting: SelectionKey) {
+        selector.select(TICK_MILLIS)
+        val ready = selector.selectedKeys().toList()
+        selector.selectedKeys().clear()
+        for (key in ready) {
+            if (key == accepting) acceptAll(accepting) else goOn(key.attachment() as Passage)
+        }
+        val now = System.nanoTime()
+        passages.filter { it.isOverdue(now) }.forEach(Passage::close)
+        if (!closing) accepting.interestOps(if (now < acceptAgainAt) 0 else SelectionKey.OP_ACCEPT)
+    }
+
+    /** One connection's failure must not be the end of all. */
+    private fun goOn(passage: Passage) {
+        try {
+            passage.goOn()
+        } catch (failure: RuntimeException) {
+            log.error("a connection from {} failed", passage.address, failure)
+            passage.close()
+        } catch (failure: OutOfMemoryError) {
+            passage.close()
+            log.error("no memory for a connection from {}", passage.address, failure)
+        }
+    }
+
+    private fun acceptAll(accepting: SelectionKey) {
+        try {
+            while (true) enter(server.accept() ?: return)
+        } catch (failure: IOException) {
+            log.warn("no connection can be taken in: {}", failure.message)
+            shed()
+            acceptAgainAt = System.nanoTime() + PAUSE_NANOS
+            accepting.interestOps(0)
+        }
+    }
+
+    /** Without a file left, the client that waits first is turned away by means of the one that is kept for this. */
+    private fun shed() {
+        try {
+            spare?.close()
+            spare = null
+            server.accept()?.close()
+            spare = ServerSocketChannel.open()
+        } catch (failure: IOException) {
+            log.debug("no file is left", failure)
+        }
+    }
+
+    private fun enter(client: SocketChannel) {
+        try {
+            if (passages.size >= limits.all + REFUSED_MOST) return client.close()
+            val address = (client.remoteAddress as InetSocketAddress).address
+            val refused = passages.size >= limits.all || passages.count { it.address == address } >= limits.perAddress
+            val passage = Passage(client, address, selector, passages::remove, ::connect, clients::remove)
+            passages += passage
+            if (refused) passage.refuse(TOO_MANY) else goOn(passage)
+        } catch (gone: IOException) {
+            client.close()
+        }
+    }
+
+    private fun connect(client: Passage): SocketChannel {
+        val channel = SocketChannel.open()
+        try {
+            channel.configureBlocking(false)
+            channel.bind(InetSocketAddress(inner.address, 0))
+            channel.connect(inner)
+            clients[(channel.localAddress as InetSocketAddress).port] = client.address
+            return channel
+        } catch (failure: IOException) {
+            channel.close()
+            throw failure
+        }
+    }
+
+    private companion object {
+        const val TICK_MILLIS = 500L
+        const val PAUSE_NANOS = 200_000_000L
+
+        /** Connections beyond the limits that are told so; of more, nothing is read. */
+        const val REFUSED_MOST = 64
+    }
+}

@@ -1,0 +1,251 @@
+package rasterlab.grader.edge
+
+import java.io.IOException
+import java.net.InetAddress
+import java.nio.ByteBuffer
+import java.nio.channels.SelectionKey
+import java.nio.channels.Selector
+import java.nio.channels.SocketChannel
+
+/**
+ * One client's connection and, from its first whole request on, the one to the engine behind it.
+ *
+ * Ends when the engine has: then what the client still sends is read and dropped for a while, because
+ * closing a connection with unread bytes takes the answer away from a client that is still sending.
+ */
+internal class Passage(
+    private val client: SocketChannel,
+    val address: InetAddress,
+    private val selector: Selector,
+    private val onClose: (Passage) -> Unit,
+    private val connect: (Passage) -> SocketChannel,
+    private val forget: (Int) -> Unit,
+) {
+    private val framing = RequestFraming()
+    private val fromClient: SelectionKey
+    private var engine: SocketChannel? = null
+    private var enginePort = 0
+    private var fromEngine: SelectionKey? = null
+    private val toEngine = Pending(TO_ENGINE_BYTES)
+    private val toClient = Pending(TO_CLIENT_BYTES)
+
+    /** Nothing more goes to the engine: the client has ended, or is refused. */
+    private var requestsEnded = false
+    private var engineToldEnd = false
+    private var answersEnded = false
+    private var refusal: Refusal? = null
+    private var lingering = false
+    private var dropped = 0L
+    private var closed = false
+
+    /** By System.nanoTime; null where the engine watches over the time. */
+    private var deadline: Long? = System.nanoTime() + IDLE_NANOS
+
+    init {
+        client.configureBlocking(false)
+        fromClient = client.register(selector, 0, this)
+    }
+
+    /** Answers that instead of what the engine would, after what it has been asked already. */
+    fun refuse(refusal: Refusal) {
+        this.refusal = refusal
+        requestsEnded = true
+        goOn()
+    }
+
+    /** Does what can be done without waiting. */
+    fun goOn() {
+        if (closed) return
+        try {
+            do {
+                val moved = readClient() or writeEngine() or readEngine() or writeClient()
+            } while (moved && !closed)
+            if (!closed) await()
+        } catch (gone: IOException) {
+            // the client has broken off: what the engine answers is for nobody
+            close()
+        }
+    }
+
+    fun isOverdue(now: Long) = deadline.let { it != null && now - it > 0 }
+
+    fun close() {
+        if (closed) return
+        closed = true
+        if (enginePort != 0) forget(enginePort)
+        listOfNotNull(client, engine).forEach { it.close() }
+        onClose(this)
+    }
+
+    private fun readClient(): Boolean {
+        if (lingering) return drop()
+        if (requestsEnded || toEngine.space < RequestFraming.MOST_HEAD + SCRATCH_BYTES) return false
+        val arrived = ByteBuffer.allocate(SCRATCH_BYTES)
+        val count = client.read(arrived)
+        if (count < 0) requestsEnded = true
+        if (count <= 0) return count < 0
+        val wrong = toEngine.fill { framing.feed(arrived.flip(), it) } ?: return true
+        // A request of which the engine has seen some is answered there: its end comes too early.
+        if (!framing.isWithinRequest) refusal = wrong
+        requestsEnded = true
+        return true
+    }
+
+    private fun drop(): Boolean {
+        val count = client.read(ByteBuffer.allocate(SCRATCH_BYTES))
+        dropped += maxOf(count, 0)
+        if (count < 0 || dropped > DROPPED_MOST) close()
+        return count > 0
+    }
+
+    private fun writeEngine(): Boolean {
+        if (engine == null && toEngine.isEmpty) return endWithoutEngine()
+        val channel = engine ?: connected() ?: return true
+        if (engineToldEnd || !(channel.isConnected || finishConnect(channel))) return false
+        try {
+            val moved = toEngine.drain(channel::write)
+            if (requestsEnded && toEngine.isEmpty) {
+                channel.shutdownOutput()
+                engineToldEnd = true
+            }
+            return moved
+        } catch (hungUp: IOException) {
+            // it has answered without reading on, and what it said is still to be read
+            engineToldEnd = true
+            return true
+        }
+    }
+
+    private fun endWithoutEngine(): Boolean {
+        if (!requestsEnded || answersEnded) return false
+        answersEnded = true
+        return true
+    }
+
+    private fun connected(): SocketChannel? =
+        try {
+            val channel = connect(this)
+            engine = channel
+            enginePort = channel.socket().localPort
+            fromEngine = channel.register(selector, 0, this)
+            deadline = null
+            channel
+        } catch (noFileOrNobody: IOException) {
+            failed()
+            null
+        }
+
+    private fun finishConnect(channel: SocketChannel): Boolean =
+        try {
+            channel.finishConnect()
+        } catch (nobody: IOException) {
+            failed()
+            false
+        }
+
+    private fun failed() {
+        refusal = NO_ENGINE
+        requestsEnded = true
+        engineToldEnd = true
+        answersEnded = true
+        toEngine.clear()
+    }
+
+    private fun readEngine(): Boolean {
+        val channel = engine ?: return false
+        if (answersEnded || !channel.isConnected || toClient.space == 0) return false
+        try {
+            val count = toClient.fill(channel::read)
+            if (count < 0) answersEnded = true
+            return count != 0
+        } catch (hungUp: IOException) {
+            answersEnded = true
+            return true
+        }
+    }
+
+    private fun writeClient(): Boolean {
+        if (lingering) return false
+        val moved = toClient.drain(client::write)
+        if (!toClient.isEmpty) {
+            if (moved || deadline == null) deadline = System.nanoTime() + WRITE_NANOS
+            return moved
+        }
+        if (!answersEnded) {
+            if (engine != null) deadline = null
+            return moved
+        }
+        val last = refusal
+        if (last != null) {
+            refusal = null
+            toClient.fill { it.put(last.answer) }
+            return true
+        }
+        client.shutdownOutput()
+        requestsEnded = true
+        lingering = true
+        deadline = System.nanoTime() + LINGER_NANOS
+        return true
+    }
+
+    private fun await() {
+        val reads = lingering || (!requestsEnded && toEngine.space >= RequestFraming.MOST_HEAD + SCRATCH_BYTES)
+        fromClient.interestOps(ops(SelectionKey.OP_READ, reads) or ops(SelectionKey.OP_WRITE, !toClient.isEmpty))
+        val channel = engine ?: return
+        val pending = !engineToldEnd && !(toEngine.isEmpty && !requestsEnded)
+        fromEngine?.interestOps(
+            when {
+                answersEnded -> 0
+                !channel.isConnected -> SelectionKey.OP_CONNECT
+                else -> ops(SelectionKey.OP_READ, toClient.space > 0) or ops(SelectionKey.OP_WRITE, pending)
+            },
+        )
+    }
+
+    private fun ops(
+        operation: Int,
+        wanted: Boolean,
+    ) = if (wanted) operation else 0
+
+    private companion object {
+        const val SCRATCH_BYTES = 8 * 1024
+        const val TO_ENGINE_BYTES = RequestFraming.MOST_HEAD + 2 * SCRATCH_BYTES
+        const val TO_CLIENT_BYTES = 16 * 1024
+        const val DROPPED_MOST = 32L shl 20
+        const val SECOND = 1_000_000_000L
+
+        /** For the first whole head. The engine itself ends connections that are idle later. */
+        const val IDLE_NANOS = 45 * SECOND
+
+        /** For a client to take some of its answer. */
+        const val WRITE_NANOS = 60 * SECOND
+        const val LINGER_NANOS = 20 * SECOND
+    }
+}
+
+/** Bytes on their way, in memory that is taken when the first one comes. */
+private class Pending(
+    private val size: Int,
+) {
+    private var bytes: ByteBuffer? = null
+
+    val isEmpty get() = (bytes?.position() ?: 0) == 0
+
+    val space get() = bytes?.remaining() ?: size
+
+    fun <T> fill(from: (ByteBuffer) -> T): T = from(bytes ?: ByteBuffer.allocate(size).also { bytes = it })
+
+    /** Whether some went. */
+    fun drain(to: (ByteBuffer) -> Int): Boolean {
+        val waiting = bytes?.flip() ?: return false
+        try {
+            return waiting.hasRemaining() && to(waiting) > 0
+        } finally {
+            waiting.compact()
+        }
+    }
+
+    fun clear() {
+        bytes = null
+    }
+}
