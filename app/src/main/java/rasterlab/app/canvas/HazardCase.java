@@ -33,9 +33,14 @@ public record HazardCase(
         return new HazardCase(hazard.name(), label, special, methods, hazard.recorded(), show);
     }
 
-    /** A scene without verdicts. */
-    static HazardCase unjudged(String name, String label, String special, Runnable show) {
+    /** A scene whose verdicts are still to be found, or which has none. */
+    public static HazardCase unjudged(String name, String label, String special, Runnable show) {
         return new HazardCase(name, label, special, List.of(), Map.of(), show);
+    }
+
+    /** The same with verdicts. */
+    HazardCase judged(Map<String, Verdict.Kind> found) {
+        return new HazardCase(name, label, special, List.copyOf(found.keySet()), found, show);
     }
 
     /** The methods that do not answer exactly here, in teaching order. */

@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -33,6 +34,7 @@ final class HazardStrip extends JPanel {
     private transient String before = "";
     private transient Component source = this;
     private int tallest;
+    private boolean judging;
 
     HazardStrip(Texts texts) {
         super(new MigLayout("insets 6 10 6 6, gap 4 4", "[grow,fill][]", "[][]"));
@@ -91,6 +93,20 @@ final class HazardStrip extends JPanel {
         input = lab.<Object>map(one -> one.input().get()).orElse("");
         before = method();
         tallest = 0;
+        judging = false;
+        refresh();
+    }
+
+    /** Adds verdicts to the hazard of that name, if it is still told. */
+    void judge(String name, Map<String, Verdict.Kind> found) {
+        judging = false;
+        shown = shown.map(each -> each.name().equals(name) ? each.judged(found) : each);
+        refresh();
+    }
+
+    /** Says that verdicts are being found. */
+    void judging() {
+        judging = true;
         refresh();
     }
 
@@ -109,7 +125,8 @@ final class HazardStrip extends JPanel {
         special.setEnabled(!changed);
         row.removeAll();
         if (changed) addChanged(hazard);
-        else if (!hazard.failing().isEmpty() || !hazard.methods().isEmpty()) addVerdicts(hazard);
+        else if (!hazard.methods().isEmpty()) addVerdicts(hazard);
+        else if (judging) row.add(new JLabel(texts.text("hazard.judging")));
         row.setVisible(row.getComponentCount() > 0);
         row.revalidate();
         row.repaint();

@@ -3,10 +3,12 @@ package rasterlab.app.canvas;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Rectangle;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Verdict;
 
 /**
  * A stage with what is said to somebody who sees it first: over it what is special about a clicked
@@ -71,6 +73,18 @@ public final class StageGuide extends JPanel {
 
     void clicked(HazardCase hazard, Component chips) {
         strip.tell(hazard, chips);
+        revalidate();
+    }
+
+    /** Says over the stage of a clicked hazard that its verdicts are being found. */
+    public void judging() {
+        strip.judging();
+        revalidate();
+    }
+
+    /** Adds the verdicts that were found for the clicked hazard of that name. */
+    public void judge(String name, Map<String, Verdict.Kind> found) {
+        strip.judge(name, found);
         revalidate();
     }
 

@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.awt.CardLayout;
+import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -19,10 +20,16 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.row.RowCard;
 import rasterlab.app.row.RowPanel;
+import rasterlab.engine.pipeline.RenderRequest;
 
 /** The hidden-surface lab as the window shows it, in one language. */
 public final class VisibilityPanel extends LabPanel {
     private static final long serialVersionUID = 1L;
+
+    /** Pixels of a view whose verdicts are asked for before it has been drawn. */
+    private static final int USUAL_WIDTH = 640;
+
+    private static final int USUAL_HEIGHT = 480;
 
     private final transient VisibilityLabModel model;
     private final transient Texts texts;
@@ -33,6 +40,7 @@ public final class VisibilityPanel extends LabPanel {
     private final transient VisibilityInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private final transient ViewVerdicts verdicts;
     private StageGuide guide;
     private transient Runnable unsubscribe = () -> {};
 
@@ -59,6 +67,7 @@ public final class VisibilityPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("hidden-surfaces", stage, stage::svg), onFailure);
+        verdicts = new ViewVerdicts(EventQueue::invokeLater, onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
         actions.addCopy("copyCommand", saving::tellCommand);
     }
@@ -72,7 +81,13 @@ public final class VisibilityPanel extends LabPanel {
 
     private void putTogether() {
         var scenes = new LabLayout(chips(), stage, inspector.column(), actions, player);
-        guide = scenes.guide().of(LabInput.unjudged(() -> model.state().choice()));
+        guide =
+                scenes.guide()
+                        .of(
+                                new LabInput(
+                                        this::input,
+                                        () -> model.state().choice().visibility(),
+                                        method -> model.choose(old -> old.withVisibility(method))));
         shown.add(scenes, VisibilityMode.SCENE);
         add(shown);
         Actions.bindUndo(scenes, model.history());
@@ -89,6 +104,25 @@ public final class VisibilityPanel extends LabPanel {
         showMode();
     }
 
+    /** What is looked at, by whichever methods. */
+    private Object input() {
+        return model.state().choice().withVisibility("").withComparison("");
+    }
+
+    /** Shows a view and finds what every method does there, in the size of the picture. */
+    private void show(HazardView view) {
+        model.choose(view::shown);
+        VisibilityChoice choice = model.state().choice();
+        RenderRequest sized =
+                model.state()
+                        .picture()
+                        .map(picture -> picture.request())
+                        .map(now -> choice.plain(now.width(), now.height()))
+                        .orElseGet(() -> choice.plain(USUAL_WIDTH, USUAL_HEIGHT));
+        verdicts.ask(sized, found -> guide.judge(view.code(), found));
+        EventQueue.invokeLater(guide::judging);
+    }
+
     /** Gives the keyboard to the picture, whose arrow keys turn the scene. */
     @Override
     public void focusPicture() {
@@ -101,6 +135,7 @@ public final class VisibilityPanel extends LabPanel {
     public void close() {
         player.stop();
         unsubscribe.run();
+        verdicts.close();
         rows.close();
     }
 
@@ -144,7 +179,7 @@ public final class VisibilityPanel extends LabPanel {
                     view.code(),
                     texts.text("hazard." + view.code()),
                     texts.text("hazard." + view.code() + ".hint"),
-                    () -> model.choose(view::shown));
+                    () -> show(view));
         return chips;
     }
 }

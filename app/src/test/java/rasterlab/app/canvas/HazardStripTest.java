@@ -102,6 +102,19 @@ class HazardStripTest {
         assertFalse(strip.isVisible());
     }
 
+    @Test
+    @DisplayName("verdicts that are found later are not told, or beside another hazard")
+    void tellsVerdictsThatAreFoundLater() {
+        strip.tell(HazardCase.unjudged("view", "View", "Faces in a circle.", () -> {}), chips);
+        strip.judging();
+        assertEquals(List.of(), choices());
+        strip.judge("other", Map.of("wrong", Verdict.Kind.WRONG));
+        assertEquals(List.of(), choices());
+        strip.judge("view", Map.of("wrong", Verdict.Kind.WRONG, "right", Verdict.Kind.EXACT));
+        assertEquals("right: exact", verdict());
+        assertEquals(List.of("hazard.method.wrong"), choices());
+    }
+
     private String verdict() {
         return ((JLabel) named("hazard.verdict").orElseThrow()).getText();
     }
