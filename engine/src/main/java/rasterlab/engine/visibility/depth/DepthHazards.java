@@ -112,6 +112,15 @@ final class DepthHazards {
                                 "incremental-z16", DEGRADED,
                                 "incremental-float", WRONG)),
                 hazard(
+                        "slope-through-a-wall",
+                        "A slope passes through a wall: along a row 1/z is linear, z is not.",
+                        new DepthRows(
+                                new DepthRange(1, 100),
+                                new double[] {10, 15},
+                                new double[] {20, 15},
+                                101),
+                        Map.of()),
+                hazard(
                         "drift-8192",
                         "A floor runs 8192 pixels up to a wall: sums drift by the time it is there.",
                         new DepthRows(

@@ -1,0 +1,145 @@
+package rasterlab.engine.visibility.depth;
+
+import java.util.List;
+import java.util.function.UnaryOperator;
+import rasterlab.contract.DepthFormat;
+import rasterlab.contract.DepthRange;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Mutants;
+
+/** Depths stored with one mistake. */
+final class DepthBufferMutants implements Mutants<DepthFormat> {
+    private static final DepthFormat RIGHT = new ReversedDepth();
+    private static final int BITS = 24;
+
+    @Override
+    public List<Mutant<DepthFormat>> all() {
+        return List.of(
+                new Mutant<>("the larger code is nearer", "far-near-10", over(Turned::new)),
+                new Mutant<>("16 bits hold a depth", "far-near-1000", new FixedDepth(16)),
+                new Mutant<>(
+                        "most floats are spent close to the eye",
+                        "far-near-million",
+                        new FloatDepth()),
+                new Mutant<>(
+                        "the far plane is a million away at most",
+                        "no-far-plane",
+                        range -> RIGHT.over(new DepthRange(range.near(), least(range.far(), 1e6)))),
+                new Mutant<>(
+                        "steps are even in 1/z down to any near plane",
+                        "near-next-to-the-eye",
+                        new FixedDepth(32)),
+                new Mutant<>(
+                        "the far plane's code overflows into the nearest",
+                        "on-the-planes",
+                        Wrapped::new),
+                new Mutant<>(
+                        "a depth gets another code each time",
+                        "twice-the-same",
+                        over(Counted::new)),
+                new Mutant<>("steps are even in z", "close-to-the-eye", new LinearDepth(16)),
+                new Mutant<>("depths are summed in floats", "drift-8192", new IncrementalFloat()),
+                new Mutant<>(
+                        "z is linear along a row", "slope-through-a-wall", over(LinearZ::new)));
+    }
+
+    private static double least(double far, double most) {
+        return far < most ? far : most;
+    }
+
+    private static DepthFormat over(UnaryOperator<DepthFormat.Codes> mistake) {
+        return range -> mistake.apply(RIGHT.over(range));
+    }
+
+    /** Right codes, each row of which may be changed. */
+    private static class Changed implements DepthFormat.Codes {
+        final DepthFormat.Codes right;
+
+        Changed(DepthFormat.Codes right) {
+            this.right = right;
+        }
+
+        @Override
+        public int code(double nearness) {
+            return right.code(nearness);
+        }
+
+        @Override
+        public void row(double base, double perPixel, int from, int to, int[] codes) {
+            for (int i = from; i < to; i++) codes[i - from] = code(base + i * perPixel);
+        }
+
+        @Override
+        public double stored(int code) {
+            return right.stored(code);
+        }
+
+        @Override
+        public double depth(int code) {
+            return right.depth(code);
+        }
+    }
+
+    private static final class Turned extends Changed {
+        Turned(DepthFormat.Codes right) {
+            super(right);
+        }
+
+        @Override
+        public int code(double nearness) {
+            return -right.code(nearness);
+        }
+
+        @Override
+        public double stored(int code) {
+            return right.stored(-code);
+        }
+
+        @Override
+        public double depth(int code) {
+            return right.depth(-code);
+        }
+    }
+
+    private static final class Wrapped extends Changed {
+        Wrapped(DepthRange range) {
+            super(new FixedDepth(BITS).over(range));
+        }
+
+        @Override
+        public int code(double nearness) {
+            return (right.code(nearness) + 1) % (1 << BITS);
+        }
+    }
+
+    private static final class Counted extends Changed {
+        private int rows;
+
+        Counted(DepthFormat.Codes right) {
+            super(right);
+        }
+
+        @Override
+        public void row(double base, double perPixel, int from, int to, int[] codes) {
+            super.row(base, perPixel, from, to, codes);
+            for (int i = from; i < to; i++) codes[i - from] += rows;
+            rows++;
+        }
+    }
+
+    private static final class LinearZ extends Changed {
+        LinearZ(DepthFormat.Codes right) {
+            super(right);
+        }
+
+        @Override
+        public void row(double base, double perPixel, int from, int to, int[] codes) {
+            double first = 1 / (base + from * perPixel);
+            double last = 1 / (base + (to - 1) * perPixel);
+            for (int i = from; i < to; i++) {
+                double share = to - from == 1 ? 0 : (double) (i - from) / (to - 1 - from);
+                codes[i - from] = code(1 / (first + share * (last - first)));
+            }
+        }
+    }
+}
