@@ -13,6 +13,7 @@ import java.sql.Connection
 import java.sql.SQLException
 import kotlin.io.path.absolute
 import kotlin.io.path.exists
+import kotlin.io.path.fileSize
 import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
@@ -113,7 +114,8 @@ object Backups {
 
     /** Moves a database away with what was not yet written into it; it may be broken. */
     private fun putAside(database: Path): Path? {
-        if (!database.exists()) return null
+        // Empty is what was made for this restoring only.
+        if (!database.exists() || database.fileSize() == 0L) return null
         val former =
             generateSequence(1) { it + 1 }
                 .map { database.resolveSibling("${database.name}.before-restore-$it") }

@@ -42,9 +42,8 @@ class DataFolder private constructor(
             val data = folder.toRealPath()
             val file = fileIn(data, url)
             val locks = listOf(data.resolve("server.lock"), file.resolveSibling("${file.fileName}.lock")).map(::lock)
-            val log = data.resolve("server.log")
             try {
-                listOf(file, log).forEach(::makeOwnerOnly)
+                makeOwnerOnly(file)
                 listOf(
                     "-wal",
                     "-shm",
@@ -53,7 +52,7 @@ class DataFolder private constructor(
                 locks.forEach(FileChannel::close)
                 throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
             }
-            return DataFolder(file, log, locks)
+            return DataFolder(file, data.resolve("server.log"), locks)
         }
 
         /**

@@ -55,6 +55,15 @@ class BackupsTest {
     }
 
     @Test
+    @DisplayName("an empty database is kept aside where there was none")
+    fun aFolderWithoutDatabaseTakesOne() {
+        serving { run("backup", "$copy", "--data", "$data") }
+        val said = run("restore", "$copy", "--data", "$folder/new")
+        assertEquals(1, said.trim().lines().size, said)
+        assertEquals(emptyList<Path>(), folder.resolve("new").listDirectoryEntries("*before*"))
+    }
+
+    @Test
     @DisplayName("a database is put in the place of one that a server uses")
     fun aRunningServerKeepsItsDatabase() =
         serving {

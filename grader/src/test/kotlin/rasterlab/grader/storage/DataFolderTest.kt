@@ -79,7 +79,7 @@ class DataFolderTest {
                     data.listDirectoryEntries().associate {
                         it.name to PosixFilePermissions.toString(it.getPosixFilePermissions())
                     }
-                assertTrue("rasterlab.db-wal" in rights && "server.log" in rights, "$rights")
+                assertTrue("rasterlab.db-wal" in rights && "server.lock" in rights, "$rights")
                 assertEquals(setOf("rw-------"), rights.values.toSet(), "$rights")
             }
         }
