@@ -44,7 +44,8 @@ final class ColorMethods {
                                         + " √(((r − g)² + (g − b)² + (b − r)²)/3)",
                                 "saturation 0 and no hue go together",
                                 "about 40 operations, 1 square root and 1 arctangent",
-                                "none known; refuses what is out of range",
+                                "none known; refuses what is out of range, and a value of hsv, a"
+                                        + " value or a saturation of hvs between 0 and 10⁻³⁰⁰",
                                 SMITH),
                         new FormulaColors()));
     }

@@ -5,10 +5,25 @@ import rasterlab.contract.ColorModel;
 
 /** Every model by way of red, green and blue. */
 public final class FormulaColors implements ColorConverter {
+    /** Shares made of a darker value or a paler distance from grey would keep too few digits. */
+    private static final double LEAST = 1e-300;
+
     @Override
     public double[] convert(ColorModel from, double[] components, ColorModel to) {
         Components.require(from, components);
+        if (from == ColorModel.HSV) requireDigits(from, 2, components[2]);
+        if (from == ColorModel.HVS) {
+            requireDigits(from, 1, components[1]);
+            requireDigits(from, 2, components[2]);
+        }
         return fromRgb(toRgb(from, components), to);
+    }
+
+    private static void requireDigits(ColorModel model, int index, double value) {
+        if (value != 0 && value < LEAST)
+            throw new IllegalArgumentException(
+                    "%s %s must be 0 or at least %s, got %s"
+                            .formatted(model.code(), model.component(index), LEAST, value));
     }
 
     static double[] toRgb(ColorModel from, double[] components) {

@@ -24,25 +24,22 @@ public final class GlMatrices {
         requireDiffer("right", right, "left", left);
         requireDiffer("top", top, "bottom", bottom);
         requireDiffer("far", far, "near", near);
-        double wide = right - left;
-        double high = top - bottom;
-        double deep = far - near;
         return new Matrix4d(
-                2 / wide,
+                twice(1, right, left),
                 0,
                 0,
                 0,
                 0,
-                2 / high,
+                twice(1, top, bottom),
                 0,
                 0,
                 0,
                 0,
-                -2 / deep,
+                -twice(1, far, near),
                 0,
-                -(right + left) / wide,
-                -(top + bottom) / high,
-                -(far + near) / deep,
+                -middle(right, left),
+                -middle(top, bottom),
+                -middle(far, near),
                 1);
     }
 
@@ -59,13 +56,11 @@ public final class GlMatrices {
         requireDiffer("right", right, "left", left);
         requireDiffer("top", top, "bottom", bottom);
         requireDistances(near, far);
-        double wide = right - left;
-        double high = top - bottom;
         return projection(
-                2 * near / wide,
-                2 * near / high,
-                (right + left) / wide,
-                (top + bottom) / high,
+                twice(near, right, left),
+                twice(near, top, bottom),
+                middle(right, left),
+                middle(top, bottom),
                 near,
                 far);
     }
@@ -102,7 +97,7 @@ public final class GlMatrices {
                 0,
                 shearX,
                 shearY,
-                -(far + near) / deep,
+                -middle(far, near),
                 -1,
                 0,
                 0,
@@ -129,12 +124,25 @@ public final class GlMatrices {
                 0,
                 0,
                 0,
-                (f - n) / 2,
+                Double.isFinite(f - n) ? (f - n) / 2 : f / 2 - n / 2,
                 0,
                 x + width / 2,
                 y + height / 2,
-                (n + f) / 2,
+                Double.isFinite(n + f) ? (n + f) / 2 : n / 2 + f / 2,
                 1);
+    }
+
+    /** 2·factor/(high − low), halved before where a double is too small for it. */
+    private static double twice(double factor, double high, double low) {
+        double wide = high - low;
+        boolean fits = Double.isFinite(wide) && Double.isFinite(2 * factor);
+        return fits ? 2 * factor / wide : factor / (high / 2 - low / 2);
+    }
+
+    /** (high + low)/(high − low), halved before where a double is too small for it. */
+    private static double middle(double high, double low) {
+        boolean fits = Double.isFinite(high + low) && Double.isFinite(high - low);
+        return fits ? (high + low) / (high - low) : (high / 2 + low / 2) / (high / 2 - low / 2);
     }
 
     private static void requireDistances(double near, double far) {

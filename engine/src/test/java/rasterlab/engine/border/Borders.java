@@ -19,6 +19,7 @@ final class Borders {
                         TransformBorders.all(),
                         VisibilityBorders.all(),
                         List.of(CurveBorders.all()),
+                        LightBorders.all(),
                         TextureBorders.all())
                 .flatMap(List::stream);
     }

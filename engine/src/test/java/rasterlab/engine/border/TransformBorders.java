@@ -1,11 +1,18 @@
 package rasterlab.engine.border;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.axis.AxisTurn;
 import rasterlab.engine.transform.chain.Chain;
 import rasterlab.engine.transform.chain.TransformTopic;
+import rasterlab.engine.transform.matrix.MatrixCall;
+import rasterlab.engine.transform.matrix.MatrixParameter;
+import rasterlab.engine.transform.matrix.MatrixTopic;
+import rasterlab.engine.transform.matrix.NamedMatrices;
+import rasterlab.engine.transform.matrix.NamedMatrix;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.Turns;
 import rasterlab.engine.transform.view.Look;
@@ -16,10 +23,13 @@ final class TransformBorders {
     /** Coordinates beyond are refused by contract. */
     private static final double LARGEST = 0x1p1000;
 
+    private static final MatrixTopic MATRIX = new MatrixTopic();
+
     private TransformBorders() {}
 
     static List<Border<?, ?, ?>> all() {
         return List.of(
+                Border.of(MATRIX, TransformBorders::matrix, TransformBorders::noMatrix),
                 Border.of(
                         new TransformTopic(),
                         TransformBorders::chain,
@@ -27,6 +37,37 @@ final class TransformBorders {
                 Border.of(new ViewTopic(), TransformBorders::look),
                 Border.of(new RotateTopic(), TransformBorders::turns),
                 Border.of(new AxisTopic(), TransformBorders::turn));
+    }
+
+    private static MatrixCall matrix(Draws draws) {
+        List<NamedMatrix> all = NamedMatrices.all();
+        NamedMatrix matrix = all.get(draws.pick(all.size()));
+        var numbers = new ArrayList<Double>();
+        for (MatrixParameter parameter : matrix.parameters())
+            for (int i = 0; i < parameter.size(); i++) {
+                double number = inRange(draws, parameter.range());
+                parameter.require(number, i);
+                numbers.add(number);
+            }
+        return new MatrixCall(matrix.name(), numbers);
+    }
+
+    private static double inRange(Draws draws, MatrixParameter.Range range) {
+        return switch (range) {
+            case ANY, DEGREES, NOT_ZERO -> draws.number();
+            case POSITIVE -> draws.number(Double.MIN_VALUE, Double.MAX_VALUE);
+            case INSIDE_UNIT -> draws.number(Double.MIN_VALUE, Math.nextDown(1.0));
+            case UNIT -> draws.number(0, 1);
+            case HALF_TURN -> draws.number(Double.MIN_VALUE, Math.nextDown(180.0));
+        };
+    }
+
+    /** A cell too large for a double, or parameters of which there is no such matrix. */
+    private static boolean noMatrix(String method, MatrixCall call, String message) {
+        if (!message.contains("too large for a double")) return !message.contains("along the line");
+        return Arrays.stream(MATRIX.exact(call, 1))
+                .flatMapToDouble(Arrays::stream)
+                .anyMatch(cell -> Math.abs(cell) > 0x1p1000);
     }
 
     private static Chain chain(Draws draws) {

@@ -53,7 +53,9 @@ final class FaceMethods {
                         "n = (a·n₁ + b·n₂ + c·n₃)/|…|; the formula per pixel",
                         "|n| = 1 everywhere",
                         "1 formula per pixel",
-                        "none known; refuses where mixed normals cancel out",
+                        "none known where lamp and eye are at least a tenth of the largest"
+                                + " coordinate away, mixed normals are as long and the attenuation is at"
+                                + " most 10; refuses where mixed normals cancel out",
                         "B. T. Phong, Illumination for computer generated pictures,"
                                 + " Communications of the ACM 18(6), 1975",
                         new PhongFace()));

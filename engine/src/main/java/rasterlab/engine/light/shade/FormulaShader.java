@@ -1,5 +1,6 @@
 package rasterlab.engine.light.shade;
 
+import java.math.BigDecimal;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.contract.Reflection;
@@ -11,6 +12,9 @@ import rasterlab.engine.transform.Angle;
 
 /** The formula with every direction brought to length 1 first and every cosine cut at 0. */
 public final class FormulaShader implements PointShader, TermShader {
+    /** A computed n·l nearer to 0 may have the wrong sign. */
+    private static final double SURE = 1e-14;
+
     private final Reflection reflection;
 
     public FormulaShader(Reflection reflection) {
@@ -35,7 +39,7 @@ public final class FormulaShader implements PointShader, TermShader {
         double cone = cone(point.light().cone(), l);
         double strength = attenuation * cone;
         double cosine = Math.max(0, n[0] * l[0] + n[1] * l[1] + n[2] * l[2]);
-        double mirrored = cosine > 0 ? mirrored(point, n, l) : 0;
+        double mirrored = isLit(point, n, l) ? mirrored(point, n, l) : 0;
         var material = point.material();
         var light = point.light();
         return new Terms(
@@ -46,6 +50,19 @@ public final class FormulaShader implements PointShader, TermShader {
                 product(light.specular(), material.specular(), strength * mirrored),
                 attenuation,
                 cone);
+    }
+
+    /** Whether n·l is above 0, on which the whole specular term hangs: never left to rounding. */
+    private static boolean isLit(LitPoint point, double[] n, double[] l) {
+        double cosine = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
+        if (Math.abs(cosine) > SURE) return cosine > 0;
+        BigDecimal sum = BigDecimal.ZERO;
+        for (int i = 0; i < 3; i++)
+            sum =
+                    sum.add(
+                            new BigDecimal(point.normal()[i])
+                                    .multiply(new BigDecimal(point.toLight()[i])));
+        return sum.signum() > 0;
     }
 
     private double mirrored(LitPoint point, double[] n, double[] l) {

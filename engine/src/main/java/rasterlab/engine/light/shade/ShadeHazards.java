@@ -44,6 +44,13 @@ final class ShadeHazards {
                         EXACT,
                         lit(UP, BELOW, UP)),
                 hazard(
+                        "lit-by-the-smallest-double",
+                        "The light is before the surface by less than a direction of length 1 can"
+                                + " say; shininess 0 mirrors all of it.",
+                        EXACT,
+                        EXACT,
+                        lit(UP, new double[] {4, 0, Double.MIN_VALUE}, UP, material(0, 0, 0.5, 0))),
+                hazard(
                         "light-behind-beside-ambient",
                         "The light is behind the surface, and ambient light still reaches it.",
                         WRONG,

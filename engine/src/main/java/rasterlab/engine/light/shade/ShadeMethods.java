@@ -24,7 +24,8 @@ final class ShadeMethods {
                         "I = E + G·kₐ + f·(Lₐ·kₐ + L_d·k_d·max(0, n·l)), cut to [0, 1]",
                         "n and l have length 1; the eye does not matter",
                         "2 square roots, 1 cosine",
-                        "none known; has no highlights by intention",
+                        "none known up to an attenuation of 10, beyond which roundings grow with"
+                                + " it; has no highlights by intention",
                         "J. H. Lambert, Photometria, 1760; " + CHAPTER),
                 new FormulaShader(Reflection.LAMBERT));
     }
@@ -49,7 +50,8 @@ final class ShadeMethods {
                         "lambert + f·L_s·k_s·max(0, r·v)ˢ, r = 2·(n·l)·n − l, where n·l > 0",
                         "n, l and v have length 1, so r has too",
                         "3 square roots, 3 cosines, 1 power",
-                        "none known; refuses a point without a normal",
+                        "none known up to an attenuation of 10, beyond which roundings grow with"
+                                + " it; refuses a point without a normal",
                         "B. T. Phong, Illumination for computer generated pictures,"
                                 + " Communications of the ACM 18(6), 1975"),
                 new FormulaShader(Reflection.PHONG));

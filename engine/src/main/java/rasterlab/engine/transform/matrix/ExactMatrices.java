@@ -80,12 +80,13 @@ final class ExactMatrices {
         var axis =
                 new BigAxis(new double[] {p[0], p[1], p[2]}, new double[] {p[3], p[4], p[5]}, p[6]);
         BigMatrix matrix = BigMatrix.identity(4);
+        // The same turn about the origin: beside a far axis its cells would lose all digits.
+        var near = new BigAxis(new double[3], new double[] {p[3], p[4], p[5]}, p[6]);
         BigDecimal zero = BigDecimal.ZERO;
         BigDecimal[] origin = axis.image(new BigDecimal[] {zero, zero, zero});
         for (int i = 0; i < 3; i++) {
-            BigDecimal[] end = axis.image(Arrays.copyOf(matrix.rows()[i], 3));
-            for (int j = 0; j < 3; j++)
-                matrix.rows()[i][j] = end[j].subtract(origin[j]).round(DIGITS);
+            BigDecimal[] end = near.image(Arrays.copyOf(matrix.rows()[i], 3));
+            for (int j = 0; j < 3; j++) matrix.rows()[i][j] = end[j].round(DIGITS);
             matrix.rows()[3][i] = origin[i];
         }
         return matrix;

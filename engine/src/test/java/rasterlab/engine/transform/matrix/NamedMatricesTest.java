@@ -215,9 +215,9 @@ class NamedMatricesTest {
                 refusal(
                         "a cell beyond double",
                         "GL_ORTHO",
-                        "GL_ORTHO: row 4, column 1 is too large for a double, its parameters being too large or too close to each other",
-                        1e308,
-                        1.1e308,
+                        "GL_ORTHO: row 1, column 1 is too large for a double, its parameters being too large or too close to each other",
+                        0,
+                        1e-310,
                         0,
                         1,
                         0,
