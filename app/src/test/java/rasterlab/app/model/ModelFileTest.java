@@ -32,6 +32,10 @@ import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Wrap;
+import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.scene.SceneSource;
+import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Settings;
 
 /** Models as other people's programs write them. */
 class ModelFileTest {
@@ -223,6 +227,21 @@ class ModelFileTest {
                                 + "f 6 1 2\nf 7 8 9 10\n")
                         .getBytes(StandardCharsets.UTF_8));
         assertTrue(read().mesh().faceCount() >= 6, notes::toString);
+    }
+
+    @Test
+    @DisplayName("colours of vertices are passed over, or lost in a saved scene")
+    void drawsColorsOfVertices() throws IOException {
+        write("a.obj", "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 2 1\nf 1 2 3\nl 1 2\n".getBytes());
+        Scene scene = read();
+        assertEquals(1, scene.mesh().color(0, 0, 0));
+        assertEquals(0, scene.mesh().color(0, 1, 0));
+        assertEquals(1, scene.mesh().color(0, 2, 2));
+        assertEquals(0.5, scene.mesh().color(1, 0, 1));
+        String text =
+                new SceneView(new SceneSource.Inline(scene), Settings.NONE).write().toString();
+        SceneView again = (SceneView) SceneFile.read(text);
+        assertEquals(0.5, again.source().scene().mesh().color(1, 0, 1));
     }
 
     @Test

@@ -109,6 +109,32 @@ public final class PointLighting {
     }
 
     /**
+     * The colour of a point whose material's emission, ambient and diffuse shares are multiplied by
+     * a tint; highlights and alpha are not.
+     *
+     * @param rgba holds the tint's three shares, receives the colour
+     */
+    public void shadeTinted(
+            double x,
+            double y,
+            double z,
+            double nx,
+            double ny,
+            double nz,
+            boolean seenFromBehind,
+            float[] rgba,
+            int at) {
+        Material material = gather(x, y, z, nx, ny, nz, seenFromBehind);
+        SurfaceMaterial surface = material.surface();
+        for (int c = 0; c < 3; c++) {
+            double highlight = surface.specular()[c] * fallen[6 + c];
+            double rest = channel(surface, c) - highlight;
+            rgba[at + c] = (float) Levels.cut(rgba[at + c] * rest + highlight);
+        }
+        rgba[at + 3] = (float) material.alpha();
+    }
+
+    /**
      * The colour of a point whose ambient and diffuse shares and alpha are its own, such as a
      * vertex's colour; emission, specular shares and shininess are the material's.
      *

@@ -6,8 +6,8 @@ import java.util.Arrays;
  * Vertices and flat convex faces, valid by construction and unchangeable.
  *
  * <p>Coordinates are world units. A face lists its corners counter-clockwise seen from outside.
- * Corners may have normals and texture coordinates of their own, all of them or none; corners are
- * counted through all faces, those of face f from {@link #firstCorner} on.
+ * Corners may have normals, texture coordinates and colours of their own, all of them or none;
+ * corners are counted through all faces, those of face f from {@link #firstCorner} on.
  */
 public final class Mesh {
     /** How far a corner may lie off its face's plane or turn inwards, as a share of its size. */
@@ -21,6 +21,7 @@ public final class Mesh {
     private final int[] firstCorner;
     private final double[] cornerNormals;
     private final double[] cornerTexture;
+    private final double[] cornerColors;
 
     /**
      * @param xyz x, y, z of vertex 0, then of vertex 1, …; all finite
@@ -37,15 +38,17 @@ public final class Mesh {
             firstCorner[f + 1] = firstCorner[f] + faces[f].length;
         cornerNormals = NONE;
         cornerTexture = NONE;
+        cornerColors = NONE;
     }
 
-    private Mesh(Mesh of, double[] cornerNormals, double[] cornerTexture) {
+    private Mesh(Mesh of, double[] cornerNormals, double[] cornerTexture, double[] cornerColors) {
         xyz = of.xyz;
         faces = of.faces;
         normals = of.normals;
         firstCorner = of.firstCorner;
         this.cornerNormals = cornerNormals;
         this.cornerTexture = cornerTexture;
+        this.cornerColors = cornerColors;
     }
 
     /**
@@ -55,7 +58,7 @@ public final class Mesh {
      */
     public Mesh withNormals(double[] xyz) {
         MeshCheck.cornerNormals(xyz, totalCorners());
-        return new Mesh(this, xyz.clone(), cornerTexture);
+        return new Mesh(this, xyz.clone(), cornerTexture, cornerColors);
     }
 
     /**
@@ -65,7 +68,18 @@ public final class Mesh {
      */
     public Mesh withTexture(double[] st) {
         MeshCheck.cornerTexture(st, totalCorners());
-        return new Mesh(this, cornerNormals, st.clone());
+        return new Mesh(this, cornerNormals, st.clone(), cornerColors);
+    }
+
+    /**
+     * The same mesh with a colour for each corner, by which the light is multiplied that the
+     * material gives off there but for highlights.
+     *
+     * @param rgb red, green and blue of each, from 0 to 1
+     */
+    public Mesh withColors(double[] rgb) {
+        MeshCheck.cornerColors(rgb, totalCorners());
+        return new Mesh(this, cornerNormals, cornerTexture, rgb.clone());
     }
 
     /** The vertices as they were given: not a copy. */
@@ -143,6 +157,24 @@ public final class Mesh {
         return hasNormals()
                 ? cornerNormals[3 * (firstCorner[face] + corner) + axis]
                 : normals[3 * face + axis];
+    }
+
+    /** Whether corners have colours of their own. */
+    public boolean hasColors() {
+        return cornerColors.length > 0;
+    }
+
+    /** From 0 to 1, 1 where corners have no colours: channel 0 is red, 1 is green, 2 is blue. */
+    public double color(int face, int corner, int channel) {
+        return hasColors() ? cornerColors[3 * (firstCorner[face] + corner) + channel] : 1;
+    }
+
+    /** The mean of a face's corners' colours. */
+    public double color(int face, int channel) {
+        if (!hasColors()) return 1;
+        double sum = 0;
+        for (int k = 0; k < cornerCount(face); k++) sum += color(face, k, channel);
+        return sum / cornerCount(face);
     }
 
     /** Whether corners have texture coordinates. */

@@ -49,6 +49,19 @@ final class MeshCheck {
                                 .formatted(i / 2, i % 2 == 0 ? "s" : "t", st[i]));
     }
 
+    static void cornerColors(double[] rgb, int corners) {
+        requireCount("colours", 3, rgb.length, corners);
+        for (int i = 0; i < rgb.length; i++)
+            if (!(rgb[i] >= 0 && rgb[i] <= 1))
+                throw new IllegalArgumentException(
+                        "corner %d: colour (%s, %s, %s) must have shares from 0 to 1"
+                                .formatted(
+                                        i / 3,
+                                        rgb[i - i % 3],
+                                        rgb[i - i % 3 + 1],
+                                        rgb[i - i % 3 + 2]));
+    }
+
     private static void requireCount(String what, int each, int got, int corners) {
         if (got != each * corners)
             throw new IllegalArgumentException(

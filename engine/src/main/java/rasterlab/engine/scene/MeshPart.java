@@ -15,7 +15,18 @@ final class MeshPart {
         var part = new Mesh(whole.coordinates(), corners);
         if (whole.hasNormals()) part = part.withNormals(normals(whole, faces, all));
         if (whole.hasTexture()) part = part.withTexture(texture(whole, faces, all));
+        if (whole.hasColors()) part = part.withColors(colors(whole, faces, all));
         return part;
+    }
+
+    private static double[] colors(Mesh whole, int[] faces, int corners) {
+        var colors = new double[3 * corners];
+        int at = 0;
+        for (int face : faces)
+            for (int k = 0; k < whole.cornerCount(face); k++)
+                for (int channel = 0; channel < 3; channel++)
+                    colors[at++] = whole.color(face, k, channel);
+        return colors;
     }
 
     private static double[] normals(Mesh whole, int[] faces, int corners) {

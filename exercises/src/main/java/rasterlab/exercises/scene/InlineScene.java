@@ -31,7 +31,9 @@ final class InlineScene {
                 faces.stream()
                         .mapToInt(
                                 face ->
-                                        face.object("corners", "finish", "normals", "texture")
+                                        face.object(
+                                                        "corners", "finish", "normals", "texture",
+                                                        "colors")
                                                 .at("finish")
                                                 .integer(0, finishes.size() - 1))
                         .toArray();
@@ -67,9 +69,13 @@ final class InlineScene {
                         ? scene.at("faces")
                                 .made(p -> bare.withNormals(all(faces, "normals", 3, corners)))
                         : bare;
-        return has(scene, faces, "texture")
-                ? shaded.withTexture(all(faces, "texture", 2, corners))
-                : shaded;
+        Mesh textured =
+                has(scene, faces, "texture")
+                        ? shaded.withTexture(all(faces, "texture", 2, corners))
+                        : shaded;
+        return has(scene, faces, "colors")
+                ? scene.at("faces").made(p -> textured.withColors(all(faces, "colors", 3, corners)))
+                : textured;
     }
 
     private static boolean has(Place scene, List<Place> faces, String field) {
@@ -133,6 +139,13 @@ final class InlineScene {
             ArrayNode texture = face.putArray("texture");
             for (int k = 0; k < mesh.cornerCount(f); k++)
                 texture.addArray().add(mesh.textureS(f, k)).add(mesh.textureT(f, k));
+        }
+        if (mesh.hasColors()) {
+            ArrayNode colors = face.putArray("colors");
+            for (int k = 0; k < mesh.cornerCount(f); k++) {
+                ArrayNode color = colors.addArray();
+                for (int channel = 0; channel < 3; channel++) color.add(mesh.color(f, k, channel));
+            }
         }
     }
 }

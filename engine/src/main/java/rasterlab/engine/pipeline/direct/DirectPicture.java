@@ -65,7 +65,13 @@ public final class DirectPicture implements AutoCloseable {
         for (int k = 0; k < batches.size(); k++) {
             Batch batch = batches.get(k);
             Optional<LaidTexture> laid = look.laid(lights.scene().finishes().get(batch.finish()));
-            Surface surface = surface(look, laid, lighting[batch.finish()], batch.opaque());
+            Surface surface =
+                    surface(
+                            look,
+                            laid,
+                            lighting[batch.finish()],
+                            batch.opaque(),
+                            lights.mesh().hasColors());
             var triangles = new FaceTriangles(lights.mesh(), batch.faces());
             TriangleMesh mesh = lit.apply(triangles);
             if (batches.size() == 1)
@@ -105,19 +111,27 @@ public final class DirectPicture implements AutoCloseable {
                 float[] cornerRgba = lights.atCorners();
                 yield triangles -> triangles.smooth(cornerRgba);
             }
-            case PIXELS -> FaceTriangles::uncolored;
+            case PIXELS ->
+                    lights.mesh().hasColors() ? FaceTriangles::tinted : FaceTriangles::uncolored;
         };
     }
 
     private static Surface surface(
-            DirectLook look, Optional<LaidTexture> laid, PointLighting lighting, boolean opaque) {
+            DirectLook look,
+            Optional<LaidTexture> laid,
+            PointLighting lighting,
+            boolean opaque,
+            boolean tinted) {
         Surface.OfVertices vertices =
                 look.light() == DirectLook.Light.FACES
                         ? new Surface.Flat(VertexColors.own())
                         : new Surface.Smooth(VertexColors.own());
         boolean perPixel = look.light() == DirectLook.Light.PIXELS;
         if (opaque && !perPixel && laid.isEmpty()) return vertices;
-        PixelColors light = perPixel ? new LitPixels(lighting, false) : new ColoredPixels();
+        PixelColors light =
+                !perPixel
+                        ? new ColoredPixels()
+                        : tinted ? LitPixels.tinted(lighting) : new LitPixels(lighting, false);
         PixelColors colours = laid.map(l -> textured(look, l, light, opaque)).orElse(light);
         return new Surface.PerPixel(colours)
                 .over(vertices)

@@ -78,6 +78,18 @@ final class FaceTriangles {
         return uncolored().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
     }
 
+    /** With the corners' own colours, opaque. */
+    TriangleMesh tinted() {
+        float[][] rgba = new float[4][corners];
+        int at = 0;
+        for (int f : faces)
+            for (int k = 0; k < mesh.cornerCount(f); k++, at++) {
+                for (int c = 0; c < 3; c++) rgba[c][at] = (float) mesh.color(f, k, c);
+                rgba[3][at] = 1;
+            }
+        return uncolored().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
+    }
+
     private static void put(float[][] into, int at, double... values) {
         for (int i = 0; i < values.length; i++) into[i][at] = (float) values[i];
     }

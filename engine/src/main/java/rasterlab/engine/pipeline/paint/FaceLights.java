@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline.paint;
 
 import java.util.List;
 import java.util.Set;
+import rasterlab.engine.color.Levels;
 import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Material;
@@ -121,6 +122,7 @@ public final class FaceLights {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();
         var argb = new int[mesh.faceCount()];
+        if (mesh.hasColors()) return tintedMiddles(argb, own);
         for (int f = 0; f < argb.length; f++)
             argb[f] =
                     own[finishOf(f)].argb(
@@ -134,6 +136,39 @@ public final class FaceLights {
         return argb;
     }
 
+    /** The same where corners have colours: their mean is the face's. */
+    private int[] tintedMiddles(int[] argb, PointLighting[] own) {
+        Mesh mesh = mesh();
+        var rgba = new float[4];
+        for (int f = 0; f < argb.length; f++) {
+            for (int c = 0; c < 3; c++) rgba[c] = (float) mesh.color(f, c);
+            own[finishOf(f)].shadeTinted(
+                    FaceMiddle.of(mesh, f, mesh::x),
+                    FaceMiddle.of(mesh, f, mesh::y),
+                    FaceMiddle.of(mesh, f, mesh::z),
+                    mesh.normalX(f),
+                    mesh.normalY(f),
+                    mesh.normalZ(f),
+                    seenFromBehind(f),
+                    rgba,
+                    0);
+            argb[f] = Levels.argb(rgba[0], rgba[1], rgba[2], rgba[3]);
+        }
+        return argb;
+    }
+
+    /** The diffuse colour of a face, 0xRRGGBB, times that of its corners. */
+    public int rgb(int face) {
+        int rgb = scene.finish(face).rgb();
+        if (!mesh().hasColors()) return rgb;
+        return Levels.argb(
+                        (rgb >> 16 & 255) / 255.0 * mesh().color(face, 0),
+                        (rgb >> 8 & 255) / 255.0 * mesh().color(face, 1),
+                        (rgb & 255) / 255.0 * mesh().color(face, 2),
+                        1)
+                & 0xFFFFFF;
+    }
+
     /**
      * The whole formula at each face's corners, with their normals: red, green, blue and alpha, 0
      * to 1, of each corner, counted through all faces.
@@ -142,20 +177,43 @@ public final class FaceLights {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();
         var rgba = new float[4 * mesh.totalCorners()];
+        boolean tinted = mesh.hasColors();
         for (int f = 0; f < mesh.faceCount(); f++)
-            for (int k = 0; k < mesh.cornerCount(f); k++) {
-                int v = mesh.corner(f, k);
-                own[finishOf(f)].shade(
-                        mesh.x(v),
-                        mesh.y(v),
-                        mesh.z(v),
-                        mesh.cornerNormal(f, k, 0),
-                        mesh.cornerNormal(f, k, 1),
-                        mesh.cornerNormal(f, k, 2),
-                        seenFromBehind(f),
-                        rgba,
-                        4 * (mesh.firstCorner(f) + k));
-            }
+            for (int k = 0; k < mesh.cornerCount(f); k++)
+                if (tinted) tint(own[finishOf(f)], f, k, rgba);
+                else light(own[finishOf(f)], f, k, rgba);
         return rgba;
+    }
+
+    private void light(PointLighting lighting, int f, int k, float[] rgba) {
+        Mesh mesh = mesh();
+        int v = mesh.corner(f, k);
+        lighting.shade(
+                mesh.x(v),
+                mesh.y(v),
+                mesh.z(v),
+                mesh.cornerNormal(f, k, 0),
+                mesh.cornerNormal(f, k, 1),
+                mesh.cornerNormal(f, k, 2),
+                seenFromBehind(f),
+                rgba,
+                4 * (mesh.firstCorner(f) + k));
+    }
+
+    private void tint(PointLighting lighting, int f, int k, float[] rgba) {
+        Mesh mesh = mesh();
+        int v = mesh.corner(f, k);
+        int at = 4 * (mesh.firstCorner(f) + k);
+        for (int c = 0; c < 3; c++) rgba[at + c] = (float) mesh.color(f, k, c);
+        lighting.shadeTinted(
+                mesh.x(v),
+                mesh.y(v),
+                mesh.z(v),
+                mesh.cornerNormal(f, k, 0),
+                mesh.cornerNormal(f, k, 1),
+                mesh.cornerNormal(f, k, 2),
+                seenFromBehind(f),
+                rgba,
+                at);
     }
 }

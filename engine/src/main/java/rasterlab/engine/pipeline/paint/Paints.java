@@ -28,7 +28,7 @@ public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil,
         var fill = new int[view.mesh().faceCount()];
         var edges = new int[outline ? fill.length : 0];
         for (int f = 0; f < fill.length; f++) {
-            int rgb = lights.scene().finish(f).rgb();
+            int rgb = lights.rgb(f);
             double tone = ToneShading.intensity(view.eyeNormal(f, 2), view.seenFromInside(f));
             int alpha = Levels.of(lights.seenMaterial(f).alpha()) << 24;
             fill[f] = alpha | ToneShading.shade(rgb, tone) & 0xFFFFFF;

@@ -27,8 +27,15 @@ import rasterlab.engine.scene.VertexQuantity;
  */
 public final class LitPixels implements PixelColors {
     private final ThreadLocal<PointShade> shades;
-    private final boolean meshColors;
+    private final Colors colors;
     private final Set<VertexQuantity> wants;
+
+    /** What the colours of the surface under this one are for. */
+    private enum Colors {
+        NOTHING,
+        SHARES,
+        TINT
+    }
 
     /**
      * @param lighting its lights and eye in eye space; where it stands now counts
@@ -36,11 +43,23 @@ public final class LitPixels implements PixelColors {
      *     material's ambient and diffuse shares and its alpha
      */
     public LitPixels(PointLighting lighting, boolean meshColors) {
+        this(lighting, meshColors ? Colors.SHARES : Colors.NOTHING);
+    }
+
+    /**
+     * The light of a material whose emission, ambient and diffuse shares are multiplied by the
+     * colours of the surface under this one.
+     */
+    public static LitPixels tinted(PointLighting lighting) {
+        return new LitPixels(lighting, Colors.TINT);
+    }
+
+    private LitPixels(PointLighting lighting, Colors colors) {
         PointLighting now = lighting.forThread();
         shades = ThreadLocal.withInitial(() -> new PointShade(now));
-        this.meshColors = meshColors;
+        this.colors = colors;
         wants = EnumSet.range(X, NORMAL_Z);
-        if (meshColors) wants.addAll(EnumSet.range(RED, ALPHA));
+        if (colors != Colors.NOTHING) wants.addAll(EnumSet.range(RED, ALPHA));
     }
 
     @Override
@@ -59,10 +78,19 @@ public final class LitPixels implements PixelColors {
         float[] nz = batch.values(NORMAL_Z);
         for (int i = 0; i < batch.count; i++) {
             shade.place(x[i], y[i], z[i], nx[i], ny[i], nz[i]);
-            if (meshColors) colored(shade, batch, i);
+            if (colors == Colors.SHARES) colored(shade, batch, i);
+            else if (colors == Colors.TINT) tinted(shade, batch, i);
             else shade.byMaterial(batch.fromBehind[i]);
             batch.argb[i] = Levels.argb(shade.rgba[0], shade.rgba[1], shade.rgba[2], shade.rgba[3]);
         }
+    }
+
+    private static void tinted(PointShade shade, PixelBatch batch, int i) {
+        shade.tinted(
+                batch.fromBehind[i],
+                batch.values(RED)[i],
+                batch.values(GREEN)[i],
+                batch.values(BLUE)[i]);
     }
 
     private static void colored(PointShade shade, PixelBatch batch, int i) {

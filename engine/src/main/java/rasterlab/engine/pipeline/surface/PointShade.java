@@ -36,6 +36,13 @@ final class PointShade {
         lighting.shade(x, y, z, nx, ny, nz, fromBehind, rgba, 0);
     }
 
+    void tinted(boolean fromBehind, float red, float green, float blue) {
+        rgba[0] = red;
+        rgba[1] = green;
+        rgba[2] = blue;
+        lighting.shadeTinted(x, y, z, nx, ny, nz, fromBehind, rgba, 0);
+    }
+
     void colored(boolean fromBehind, float red, float green, float blue, float alpha) {
         rgba[0] = red;
         rgba[1] = green;

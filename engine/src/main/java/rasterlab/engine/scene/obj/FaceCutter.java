@@ -16,12 +16,16 @@ final class FaceCutter {
     /** Twice the area over the squared size. */
     private static final double TOLERANCE = Mesh.TOLERANCE;
 
+    /** Above this a triangle's plane is so sure that a mesh takes it without being asked. */
+    private static final double SURE = 1e-6;
+
     private final TextLines lines;
     private final Notes notes;
     private final Doubles positions;
     private final Faces faces;
     private final double[] normal = new double[3];
     private boolean cancelsOut;
+    private boolean surelyTaken;
 
     FaceCutter(TextLines lines, Notes notes, Doubles positions, Faces faces) {
         this.lines = lines;
@@ -35,7 +39,7 @@ final class FaceCutter {
         boolean area = hasArea(line, corners);
         if (!area && !cancelsOut) {
             leaveOut("face");
-        } else if (area && isTaken(line, corners)) {
+        } else if (surelyTaken || area && isTaken(line, corners)) {
             keep(line, corners, material, smoothing);
         } else {
             int[] triples = area ? triangles(line, corners) : fan(corners.length);
@@ -107,7 +111,9 @@ final class FaceCutter {
             size = Math.max(size, Math.max(square(a), square(b)));
             sum += Math.sqrt(square(cross));
         }
-        boolean area = Math.sqrt(square(normal)) > TOLERANCE * size;
+        double length = Math.sqrt(square(normal));
+        boolean area = length > TOLERANCE * size;
+        surelyTaken = corners.length == 3 && length > SURE * size && length > 1e-200;
         cancelsOut = !area && sum > 2 * TOLERANCE * size;
         return area;
     }

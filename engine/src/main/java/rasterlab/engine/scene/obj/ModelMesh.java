@@ -1,6 +1,7 @@
 package rasterlab.engine.scene.obj;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.scene.Mesh;
@@ -18,9 +19,11 @@ final class ModelMesh {
     private final Notes notes;
     private final double[] modelNormals;
     private final double[] modelPlaces;
+    private final double[] modelColors;
     private final Doubles positions = new Doubles();
     private final Doubles normals = new Doubles();
     private final Doubles places = new Doubles();
+    private final Doubles colors = new Doubles();
     private final List<int[]> faces = new ArrayList<>();
     private final Ints finishOf = new Ints();
     private boolean textured;
@@ -31,6 +34,7 @@ final class ModelMesh {
         this.notes = notes;
         modelNormals = up.toScene(model.normals());
         modelPlaces = model.texturePlaces();
+        modelColors = model.colors();
     }
 
     /**
@@ -53,15 +57,16 @@ final class ModelMesh {
         }
     }
 
+    /** The numbers of the vertices that something is drawn at, each once. */
     private int[] used() {
-        var used = new Ints();
+        var used = new BitSet();
         for (int f = 0; f < model.faceCount(); f++)
-            for (int k = 0; k < model.cornerCount(f); k++) used.add(model.position(f, k));
+            for (int k = 0; k < model.cornerCount(f); k++) used.set(model.position(f, k));
         for (int s = 0; s < model.strokeCount(); s++) {
-            used.add(model.strokeFrom(s));
-            used.add(model.strokeTo(s));
+            used.set(model.strokeFrom(s));
+            used.set(model.strokeTo(s));
         }
-        return used.all();
+        return used.stream().toArray();
     }
 
     private Made all(double[] fitted) {
@@ -84,6 +89,7 @@ final class ModelMesh {
         for (double coordinate : fitted) positions.add(coordinate);
         normals.clear();
         places.clear();
+        colors.clear();
         faces.clear();
         finishOf.clear();
     }
@@ -129,6 +135,7 @@ final class ModelMesh {
             int normal = model.normal(face, corners[k]);
             for (int axis = 0; axis < 3; axis++) normals.add(modelNormals[3 * normal + axis]);
             addPlace(model.texturePlace(face, corners[k]), map);
+            addColor(numbers[k], numbers[k]);
         }
         faces.add(numbers);
         finishOf.add(model.material(face));
@@ -146,6 +153,12 @@ final class ModelMesh {
         }
     }
 
+    /** The mean of two vertices' colours, where the model has any. */
+    private void addColor(int one, int other) {
+        for (int c = 0; c < 3 && modelColors.length > 0; c++)
+            colors.add((modelColors[3 * one + c] + modelColors[3 * other + c]) / 2);
+    }
+
     private void addStrokes(double[] fitted) {
         for (int s = 0; s < model.strokeCount(); s++) {
             var body =
@@ -161,6 +174,7 @@ final class ModelMesh {
                     for (double coordinate : normal) normals.add(coordinate);
                     places.add(0);
                     places.add(0);
+                    addColor(model.strokeFrom(s), model.strokeTo(s));
                 }
                 faces.add(numbers);
                 finishOf.add(model.materials().size() + model.strokeMaterial(s));
@@ -175,6 +189,7 @@ final class ModelMesh {
     private Made made() {
         Mesh mesh =
                 new Mesh(positions.all(), faces.toArray(int[][]::new)).withNormals(normals.all());
+        if (modelColors.length > 0) mesh = mesh.withColors(colors.all());
         return new Made(textured ? mesh.withTexture(places.all()) : mesh, finishOf.all());
     }
 }

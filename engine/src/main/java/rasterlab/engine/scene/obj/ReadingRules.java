@@ -35,7 +35,7 @@ public final class ReadingRules {
     static final Rule COLOR = cut("v", "red green blue behind x y z", 0, 1, 1);
     static final Rule WEIGHT = passedOver("v", "weight behind x y z");
     static final Rule PLACE = cut("vt", "s t", -LARGEST, LARGEST, 0);
-    static final Rule NORMAL = cut("vn", "x y z", -LARGEST, LARGEST, "the face's own normal");
+    static final Rule NORMAL = read("vn", "x y z with a direction", "the face's own normal");
     static final Rule SMOOTHING =
             cut("s", "off or a group's number; on is 1", 0, Integer.MAX_VALUE, 0);
 

@@ -53,7 +53,7 @@ final class Vertices {
         double y = words.value(2);
         double z = words.value(3);
         double length = Math.hypot(Math.hypot(x, y), z);
-        if (length > SHORTEST && length <= ReadingRules.NORMAL.most()) {
+        if (length > SHORTEST && length <= ReadingRules.LARGEST) {
             normals.add(x / length);
             normals.add(y / length);
             normals.add(z / length);
