@@ -1,6 +1,8 @@
 package rasterlab.engine.visibility.exact;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
@@ -60,23 +62,24 @@ public final class ExactVisibility implements Visibility {
             ViewedMesh view, Nearness[] nearness, BooleanSupplier cancelled) {
         var planes = new PlaneClasses(view.mesh());
         var sightings = new Sightings(view);
-        int count = nearness.length;
-        return IntStream.range(0, count)
+        List<Optional<PlaneSight>> sights =
+                IntStream.range(0, nearness.length)
+                        .parallel()
+                        .mapToObj(
+                                face ->
+                                        planes.of(face) == face
+                                                ? sightings.plane(face)
+                                                : Optional.<PlaneSight>empty())
+                        .toList();
+        return IntStream.range(0, nearness.length)
+                .parallel()
                 .peek(face -> Cancellation.check(cancelled))
-                .filter(face -> sightings.side(planes.of(face)) != 0)
+                .filter(face -> sights.get(planes.of(face)).isPresent())
                 .mapToObj(
                         face -> {
-                            int plane = planes.of(face);
-                            int side = sightings.side(plane);
-                            if (nearness[plane] == null)
-                                nearness[plane] =
-                                        new Nearness(
-                                                sightings.plane(plane, side),
-                                                view.fit().width(),
-                                                view.fit().height(),
-                                                () -> sightings.exactPlane(plane));
-                            nearness[face] = nearness[plane];
-                            return new SeenFace(sightings, face, sightings.limits(plane, side));
+                            PlaneSight plane = sights.get(planes.of(face)).orElseThrow();
+                            nearness[face] = plane.nearness();
+                            return new SeenFace(sightings, face, plane.limits());
                         })
                 .toArray(SeenFace[]::new);
     }

@@ -9,6 +9,11 @@ package rasterlab.engine.visibility.exact;
  * @param <S> the kind of its numbers
  */
 record SeenPlane<S extends Scalar<S>>(Form<S> u, S v) {
+    /** Both numbers times a factor. */
+    SeenPlane<S> times(S factor) {
+        return new SeenPlane<>(u.times(factor), v.times(factor));
+    }
+
     /** Above 0 at the pixels at which this plane is nearer than another: U₁·V₂ − U₂·V₁. */
     Form<S> before(SeenPlane<S> other) {
         return u.times(other.v).minus(other.u.times(v));

@@ -2,8 +2,10 @@ package rasterlab.engine.visibility.exact;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.ViewedMesh;
 
@@ -14,11 +16,19 @@ final class Sightings {
     private final SightForms<Dyadic> exact;
     private final int turn;
 
+    /** All vertices, within bounds, as each is asked for by several edges of several faces. */
+    private final List<Triple<Bounded>> seen;
+
     Sightings(ViewedMesh view) {
         this.view = view;
         near = new SightForms<>(view, Bounded::of);
         exact = new SightForms<>(view, Dyadic::of);
         turn = exact.determinant().signum();
+        seen =
+                IntStream.range(0, view.mesh().vertexCount())
+                        .parallel()
+                        .mapToObj(near::seen)
+                        .toList();
     }
 
     ViewedMesh view() {
@@ -28,13 +38,13 @@ final class Sightings {
     /** On which side of the edge from vertex a to vertex b pixels are: see {@link SightForms}. */
     PixelSign edge(int a, int b) {
         return sign(
-                near.edge(near.seen(a), near.seen(b)),
+                near.edge(seen.get(a), seen.get(b)),
                 () -> exact.edge(exact.seen(a), exact.seen(b)));
     }
 
     /** Whether rows are below a vertex. */
     PixelSign level(int vertex) {
-        return sign(near.level(near.seen(vertex)), () -> exact.level(exact.seen(vertex)));
+        return sign(near.level(seen.get(vertex)), () -> exact.level(exact.seen(vertex)));
     }
 
     private PixelSign sign(Form<Bounded> form, Supplier<Form<Dyadic>> withoutError) {
@@ -45,45 +55,45 @@ final class Sightings {
      * The row in which a vertex is seen; without a bound where it may be beside or behind the eye.
      */
     Bounded row(int vertex) {
-        Triple<Bounded> seen = near.seen(vertex);
-        if (seen.z().certainSign() <= 0) return new Bounded(0, Double.POSITIVE_INFINITY);
-        return Bounded.of(0).minus(near.level(seen).base()).over(seen.z());
+        Triple<Bounded> at = seen.get(vertex);
+        if (at.z().certainSign() <= 0) return new Bounded(0, Double.POSITIVE_INFINITY);
+        return Bounded.of(0).minus(near.level(at).base()).over(at.z());
     }
 
-    /** A face's plane in doubles, V above 0 or without a sign. */
-    SeenPlane<Bounded> plane(int face, int side) {
+    /** How a face's plane is seen; empty where edge-on, for then it covers nothing. */
+    Optional<PlaneSight> plane(int face) {
         SeenPlane<Bounded> plane = near.plane(face);
-        Bounded turned = Bounded.of(side);
-        return new SeenPlane<>(plane.u().times(turned), plane.v().times(turned));
+        int certain = plane.v().certainSign();
+        int side = certain != 0 ? certain : exact.plane(face).v().signum();
+        if (side == 0) return Optional.empty();
+        var turned = plane.times(Bounded.of(side));
+        var nearness =
+                new Nearness(
+                        turned,
+                        view.fit().width(),
+                        view.fit().height(),
+                        () -> exactPlane(face, side));
+        return Optional.of(new PlaneSight(nearness, limits(face, side, turned)));
     }
 
-    /** A face's plane, V above 0. */
-    SeenPlane<Dyadic> exactPlane(int face) {
-        SeenPlane<Dyadic> plane = exact.plane(face);
-        Dyadic turned = Dyadic.of(plane.v().signum());
-        return new SeenPlane<>(plane.u().times(turned), plane.v().times(turned));
+    private SeenPlane<Dyadic> exactPlane(int face, int side) {
+        return exact.plane(face).times(Dyadic.of(side));
     }
 
-    /** The sign of V of a face's plane: 0 for a face that is seen edge-on. */
-    int side(int face) {
-        int certain = near.plane(face).v().certainSign();
-        return certain != 0 ? certain : exact.plane(face).v().signum();
-    }
-
-    /** What must be at least 0 where a face's plane is drawn: near, far and clip planes. */
-    List<PixelSign> limits(int face, int side) {
-        SeenPlane<Bounded> plane = plane(face, side);
+    private List<PixelSign> limits(int face, int side, SeenPlane<Bounded> plane) {
+        Supplier<SeenPlane<Dyadic>> exactly = () -> exactPlane(face, side);
         var limits = new ArrayList<PixelSign>();
         if (view.transform().central())
-            add(limits, face, plane, SightForms::ahead, SightForms::ahead);
+            add(limits, plane, exactly, SightForms::ahead, SightForms::ahead);
         if (Double.isFinite(view.near()))
-            add(limits, face, plane, SightForms::near, SightForms::near);
-        if (Double.isFinite(view.far())) add(limits, face, plane, SightForms::far, SightForms::far);
+            add(limits, plane, exactly, SightForms::near, SightForms::near);
+        if (Double.isFinite(view.far()))
+            add(limits, plane, exactly, SightForms::far, SightForms::far);
         for (ClipPlane by : view.clipPlanes())
             add(
                     limits,
-                    face,
                     plane,
+                    exactly,
                     (forms, of) -> forms.clip(by, of, turn),
                     (forms, of) -> forms.clip(by, of, turn));
         return limits;
@@ -91,11 +101,11 @@ final class Sightings {
 
     private void add(
             List<PixelSign> limits,
-            int face,
             SeenPlane<Bounded> plane,
+            Supplier<SeenPlane<Dyadic>> exactPlane,
             BiFunction<SightForms<Bounded>, SeenPlane<Bounded>, Form<Bounded>> inDoubles,
             BiFunction<SightForms<Dyadic>, SeenPlane<Dyadic>, Form<Dyadic>> exactly) {
         limits.add(
-                sign(inDoubles.apply(near, plane), () -> exactly.apply(exact, exactPlane(face))));
+                sign(inDoubles.apply(near, plane), () -> exactly.apply(exact, exactPlane.get())));
     }
 }
