@@ -106,23 +106,6 @@ final class FilterHazards {
                         EXACT,
                         EXACT),
                 hazard(
-                        "see-through",
-                        "Texels that are not opaque: alpha is a channel as any other.",
-                        row(
-                                new FilteredPixels(
-                                        2,
-                                        2,
-                                        new int[] {0x40C08040, 0x80402010, 0x00000000, 0xFFFFFFFF},
-                                        new double[0]),
-                                1,
-                                1,
-                                0),
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT),
-                hazard(
                         "magnified",
                         "An edge made eight times larger: a linear filter makes it soft.",
                         row(stripes(4), 0.125, 0.125, 0),

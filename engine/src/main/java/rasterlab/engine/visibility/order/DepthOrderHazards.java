@@ -55,10 +55,10 @@ final class DepthOrderHazards {
         return List.of(
                 new Hazard<>(
                         "eye-on-the-other-side",
-                        "Squares seen from behind: the one farther from the origin is nearer.",
+                        "Squares between the eye and the origin: the farther one from it is nearer.",
                         new Sight(
-                                new double[][] {square(0, 0, 20, 4), square(1, 0, 10, 4)},
-                                new double[] {0, 0, 40}),
+                                new double[][] {square(0, 0, -20, 4), square(1, 0, -10, 4)},
+                                new double[] {0, 0, -40}),
                         recorded(EXACT, EXACT, EXACT, EXACT)),
                 new Hazard<>(
                         "eye-aside",

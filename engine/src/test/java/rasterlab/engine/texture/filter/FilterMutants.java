@@ -66,13 +66,6 @@ final class FilterMutants implements Mutants<TextureFilter> {
                                     Footprint.isPoint(a, b, c, d, width, height)
                                             ? look.color(s, t, 1.0 / width, 0, 0, 1.0 / height)
                                             : look.color(s, t, a, b, c, d);
-                        }),
-                new Mutant<>(
-                        "every colour is opaque",
-                        "see-through",
-                        (width, height, argb) -> {
-                            TextureFilter.Lookup look = RIGHT.prepare(width, height, argb);
-                            return (s, t, a, b, c, d) -> 0xFF000000 | look.color(s, t, a, b, c, d);
                         }));
     }
 
