@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
@@ -137,7 +138,8 @@ final class GradingRun {
         Message shared = marking.shared();
         if (!shared.isEmpty()) said.add(new Diagnostic(0, 0, shared));
         said.addAll(cases.printed());
-        return sheet.graded(reports, speedReport, said, speed.nanosPerPixel());
+        double nanos = speed.unsettled() ? 0 : speed.nanosPerPixel();
+        return sheet.graded(reports, speedReport, said, nanos);
     }
 
     /** The first case tells why the method cannot be loaded. */
@@ -165,10 +167,15 @@ final class GradingRun {
 
     private CaseReport report(SpeedTrial.Outcome speed) {
         int most = exercise.points().speed();
-        if (speed.unsettled()) return SpeedPoints.unsettled(most);
-        if (!speed.obstacle().isEmpty()) return SpeedPoints.none(most, speed.obstacle());
         String key = SpeedMemory.key(exercise, source);
-        int band = SpeedPoints.band(speed.ratio(), memory.band(key));
+        OptionalInt before = memory.band(key);
+        if (speed.unsettled()) {
+            int known = before.orElse(0);
+            return SpeedPoints.unsettled(
+                    most, speed.isKnown() ? SpeedPoints.band(speed.ratio(), before) : known);
+        }
+        if (!speed.obstacle().isEmpty()) return SpeedPoints.none(most, speed.obstacle());
+        int band = SpeedPoints.band(speed.ratio(), before);
         memory.keep(key, band);
         return SpeedPoints.measured(
                 speed.nanosPerPixel(), speed.reference(), speed.printed(), most, band);
@@ -197,7 +204,15 @@ final class GradingRun {
             throws ChildLost, InterruptedException {
         try {
             long unknown = new SecureRandom().nextLong();
-            return new SpeedTrial(topic, student, reference, before, charged, unknown).measure();
+            return new SpeedTrial(
+                            topic,
+                            student,
+                            reference,
+                            before,
+                            charged,
+                            settings.patience(),
+                            unknown)
+                    .measure();
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
             return SpeedTrial.Outcome.none(

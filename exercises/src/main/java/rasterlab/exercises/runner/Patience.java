@@ -30,6 +30,11 @@ final class Patience {
         return new Patience(() -> system.getSystemLoadAverage() / system.getAvailableProcessors());
     }
 
+    /** Whether more processes want to run than can, so that wall time tells little. */
+    boolean isBusy() {
+        return load.getAsDouble() > 1;
+    }
+
     TimeLimit limit(Duration processor) {
         double times = MARGIN * (1 + Math.max(0, load.getAsDouble()));
         long nanos = (long) (processor.toNanos() * Math.min(MOST, times));

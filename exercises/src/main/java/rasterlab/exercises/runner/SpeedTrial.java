@@ -2,7 +2,6 @@ package rasterlab.exercises.runner;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
 import rasterlab.exercises.TopicGrading;
@@ -33,6 +32,7 @@ final class SpeedTrial {
     private final Student reference;
     private final List<Call> before;
     private final Set<String> charged;
+    private final Patience patience;
     private final Random random;
     private final Pace theirs = new Pace();
     private final Pace ours = new Pace();
@@ -41,6 +41,7 @@ final class SpeedTrial {
     /**
      * @param before what both draw before they are timed
      * @param charged codes of mistakes that cost points already, and cost none here
+     * @param patience tells whether the machine is busy
      * @param seed not known to the student, so that nothing can be computed beforehand
      */
     SpeedTrial(
@@ -49,19 +50,21 @@ final class SpeedTrial {
             Student reference,
             List<Call> before,
             Set<String> charged,
+            Patience patience,
             long seed) {
         this.topic = topic;
         this.student = student;
         this.reference = reference;
         this.before = List.copyOf(before.subList(0, Math.min(MOST_BEFORE, before.size())));
         this.charged = charged;
+        this.patience = patience;
         this.random = new Random(seed);
     }
 
     /**
      * The outcome.
      *
-     * @param nanosPerPixel of the student's method; 0 where it was not measured
+     * @param nanosPerPixel of the student's method; 0 where nothing is known
      * @param reference the same of the reference
      * @param printed whether the method printed, which takes time
      * @param obstacle why it was not measured; nothing where it was
@@ -69,6 +72,10 @@ final class SpeedTrial {
     record Outcome(double nanosPerPixel, double reference, boolean printed, Message obstacle) {
         static Outcome none(Message obstacle) {
             return new Outcome(0, 0, false, obstacle);
+        }
+
+        boolean isKnown() {
+            return nanosPerPixel > 0;
         }
 
         double ratio() {
@@ -84,15 +91,29 @@ final class SpeedTrial {
     /** The machine did not let it be measured. */
     static final Message UNSETTLED = Message.of("speed.unsettled");
 
+    /**
+     * Measures until the reference repeats itself and the child's clock can be believed. A busy
+     * machine may allow neither: then what the child tells is the least that it can have been.
+     */
     Outcome measure() throws ChildLost, InterruptedException {
         for (int left = MOST_TRIES; left > 0; left--) {
             Optional<Message> obstacle = tried();
             if (obstacle.isPresent()) return Outcome.none(obstacle.get());
-            if (ours.isRepeated() && !SpeedPoints.isNearAnEnd(outcome().ratio())) break;
+            if (isSettled() && !SpeedPoints.isNearAnEnd(told(Message.NONE).ratio())) break;
         }
         if (!ours.isMeasured()) return Outcome.none(UNSETTLED);
-        boolean best = SpeedPoints.band(outcome().ratio(), OptionalInt.empty()) == 0;
-        return ours.isRepeated() || best ? outcome() : Outcome.none(UNSETTLED);
+        if (isSettled()) return told(Message.NONE);
+        return patience.isBusy() || theirs.isCredibleBeside(ours)
+                ? told(UNSETTLED)
+                : new Outcome(theirs.wall(), ours.wall(), printed, Message.NONE);
+    }
+
+    private boolean isSettled() {
+        return ours.isRepeated() && theirs.isCredibleBeside(ours);
+    }
+
+    private Outcome told(Message obstacle) {
+        return new Outcome(theirs.own(), ours.own(), printed, obstacle);
     }
 
     /** Why nothing can be measured; empty where something was. */
@@ -138,11 +159,5 @@ final class SpeedTrial {
                         .filter(charged::containsAll)
                         .isPresent();
         return right ? Optional.empty() : Optional.of(Message.of("speed.wrong"));
-    }
-
-    private Outcome outcome() {
-        return theirs.isCredibleBeside(ours)
-                ? new Outcome(theirs.own(), ours.own(), printed, Message.NONE)
-                : new Outcome(theirs.wall(), ours.wall(), printed, Message.NONE);
     }
 }

@@ -68,7 +68,7 @@ public final class SpeedPoints {
      */
     public static CaseReport measured(
             double nanos, double reference, boolean printed, int of, int band) {
-        int points = band < BANDS.size() ? (int) Math.round(BANDS.get(band).share() * of) : 0;
+        int points = points(band, of);
         boolean worthless = points == 0 && of > 0;
         Message said =
                 Message.of(
@@ -94,9 +94,18 @@ public final class SpeedPoints {
         return String.format(Locale.ROOT, "%.2f", number);
     }
 
-    /** Where the machine let nothing be measured, which costs nothing. */
-    public static CaseReport unsettled(int of) {
-        return report(GradingVerdict.NOT_MEASURED, of, of, Message.of("speed.unsettled"));
+    /**
+     * Where the machine let nothing be measured, which costs nothing.
+     *
+     * @param band the best that is possible by what is known
+     */
+    public static CaseReport unsettled(int of, int band) {
+        return report(
+                GradingVerdict.NOT_MEASURED, points(band, of), of, Message.of("speed.unsettled"));
+    }
+
+    private static int points(int band, int of) {
+        return band < BANDS.size() ? (int) Math.round(BANDS.get(band).share() * of) : 0;
     }
 
     /** Where speed was not measured, or is worth nothing yet. */

@@ -168,6 +168,27 @@ class FairMarkingTest {
     }
 
     @Test
+    @DisplayName("a public line to the right is lost with the hidden ones to the left")
+    void aMistakeOnLinesToTheLeftCostsNoLineToTheRight() {
+        LineRasterizer leftThrows =
+                (x0, y0, x1, y1, out) -> {
+                    if (x1 < x0) throw new ArithmeticException("left");
+                    RIGHT.draw(x0, y0, x1, y1, out);
+                };
+        for (long seed : SEEDS) {
+            MarkedMethod marked = marked(leftThrows, seed);
+            List<String> failed = marked.failed();
+            for (Case one : EXERCISE.cases())
+                if (one.visibility() == Disclosure.OPEN
+                        && LineCaseReader.read(one, 0).segments().stream()
+                                .allMatch(segment -> segment.x1() >= segment.x0()))
+                    assertTrue(!failed.contains(one.name()), () -> one.name() + " in " + failed);
+            String shared = "it throws java.lang.ArithmeticException; only on lines to the left";
+            assertTrue(marked.shared().contains(shared), marked::shared);
+        }
+    }
+
+    @Test
     @DisplayName("speed is held against a method that is wrong")
     void theReferenceForSpeedIsRight() {
         for (long seed : SEEDS)

@@ -99,10 +99,11 @@ class ReportTest {
 
     @Test
     void aMachineThatIsTooBusyCostsNothing() {
-        CaseReport speed = SpeedPoints.unsettled(10);
+        CaseReport speed = SpeedPoints.unsettled(10, 0);
         assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
         assertEquals(10, speed.points());
         assertTrue(speed.message().contains("this costs nothing"), speed.message());
+        assertEquals(7, SpeedPoints.unsettled(10, 1).points(), "slow for certain");
     }
 
     @ParameterizedTest(name = "a speed that earns nothing is called right: {0} of {1}")
