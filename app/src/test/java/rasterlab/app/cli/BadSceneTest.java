@@ -84,6 +84,8 @@ class BadSceneTest {
                         "m.obj",
                         good,
                         "got near 5.0, far 5.0",
+                        "--up",
+                        "y",
                         "--near",
                         "5",
                         "--far",
@@ -93,11 +95,13 @@ class BadSceneTest {
                         "m.obj",
                         good,
                         "near 6.0",
+                        "--up",
+                        "y",
                         "--near",
                         "6",
                         "--far",
                         "5"),
-                refusal("near is NaN", "m.obj", good, "NaN", "--near", "NaN"),
+                refusal("near is NaN", "m.obj", good, "NaN", "--up", "y", "--near", "NaN"),
                 refusal("picture has no pixel", "m.obj", good, "got 0×1", "--size", "0x1"),
                 refusal("picture is too large", "m.obj", good, "got 8193×1", "--size", "8193x1"));
     }

@@ -10,8 +10,13 @@ import rasterlab.engine.scene.Mesh;
  * cannot be cut so, since it crosses itself or has too many corners, becomes a fan.
  */
 final class FaceCutter {
-    /** Cutting takes time of up to the square of the corners. */
+    /**
+     * Cutting takes time of up to the square of the corners, so of faces with more of them only so
+     * many are cut that the squares stay below {@link #MOST_SQUARES}.
+     */
     static final int MOST_CORNERS = 1000;
+
+    static final long MOST_SQUARES = 400_000_000;
 
     /** Twice the area over the squared size. */
     private static final double TOLERANCE = Mesh.TOLERANCE;
@@ -26,6 +31,7 @@ final class FaceCutter {
     private final double[] normal = new double[3];
     private boolean cancelsOut;
     private boolean surelyTaken;
+    private long squares;
 
     FaceCutter(TextLines lines, Notes notes, Doubles positions, Faces faces) {
         this.lines = lines;
@@ -143,7 +149,8 @@ final class FaceCutter {
     }
 
     private int[] triangles(FaceLine line, int[] corners) {
-        if (corners.length > MOST_CORNERS) return fan(corners.length);
+        if (corners.length > MOST_CORNERS) squares += (long) corners.length * corners.length;
+        if (squares > MOST_SQUARES && corners.length > MOST_CORNERS) return fan(corners.length);
         int away = 0;
         for (int axis = 1; axis < 3; axis++)
             if (Math.abs(normal[axis]) > Math.abs(normal[away])) away = axis;

@@ -64,7 +64,7 @@ final class Vertices {
                         + " own",
                 lines);
         withoutDirection.set(normals.size() / 3);
-        for (int axis = 0; axis < 3; axis++) normals.add(axis == 2 ? 1 : 0);
+        for (int axis = 0; axis < 3; axis++) normals.add(axis == 0 ? 1 : 0);
     }
 
     /** Whether a normal's line had a direction. */

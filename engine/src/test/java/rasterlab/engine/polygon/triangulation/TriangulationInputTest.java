@@ -82,7 +82,18 @@ class TriangulationInputTest {
                         "edge that goes back along its neighbour",
                         of(0, 8, 4, 4),
                         of(0, 0, 0, 4),
-                        MEET + " from corners 0 and 1 meet elsewhere"));
+                        MEET + " from corners 0 and 1 meet elsewhere"),
+                argumentSet(
+                        "hole on a bridge is gone round as the outside is",
+                        of(0, 6, 6, 0, 0, 2, 4, 4, 2, 2),
+                        of(0, 0, 6, 6, 0, 2, 2, 4, 4, 2),
+                        "holes must lie inside and be gone round the other way than the outside, but"
+                                + " those round corner 5 are not"),
+                argumentSet(
+                        "bridges alone are a polygon",
+                        of(0, 4, 4, 4),
+                        of(0, 0, 3, 0),
+                        "all edges are gone along both ways: no area"));
     }
 
     @Test

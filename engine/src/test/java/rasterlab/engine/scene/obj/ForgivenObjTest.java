@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a model can do without never stops it: the faces that are left, and the one note. */
@@ -108,6 +109,21 @@ class ForgivenObjTest {
                         "v 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5",
                         "4 0 1 | 3 0 4 | 3 4 5 | 3 5 6 | 7 4 1 | 7 1 2 | 2 3 6 | 2 6 7",
                         "a.obj:9: a face that is not flat or not convex was cut into triangles"));
+    }
+
+    /** A comb; the largest that is cut, and one of which no more than a fan is made. */
+    @ParameterizedTest(name = "a comb of {0} corners stops a model, or is a fan without need")
+    @CsvSource({"4002, false", "20002, true"})
+    void cutsFacesOfManyCorners(int corners, boolean fan) throws Exception {
+        var text = new StringBuilder();
+        var face = new StringBuilder("f 1");
+        text.append("v 0 -1 0\nv %d -1 0\n".formatted(corners));
+        for (int i = corners - 3; i >= 0; i--) text.append("v %d %d 0\n".formatted(i, i % 2 * 5));
+        for (int i = 2; i <= corners; i++) face.append(' ').append(i);
+        ObjModel model = Texts.read(text.append(face).toString());
+        String note = fan ? FAN : "a face that is not flat or not convex was cut into triangles";
+        assertEquals("a.obj:" + (corners + 1) + ": " + note, model.notes().get(0));
+        if (!fan) assertEquals(corners - 2, model.faceCount());
     }
 
     private static Stream<Arguments> ofNumbers() {
