@@ -36,7 +36,7 @@ class ExactMethodsTest {
     private static final long SEED = 1972;
     private static final SphericalView CAMERA = new SphericalView(0.13, 1.47, 500);
     private static final List<String> ORDERS = List.of("newell", "bsp");
-    private static final List<String> PIXELS = List.of("scanline", "warnock");
+    private static final List<String> PIXELS = List.of("scanline", "warnock", "raycast");
     private static final List<String> BUFFERS =
             List.of("z16", "z24", "z32", "zfloat", "reversed-z");
 
