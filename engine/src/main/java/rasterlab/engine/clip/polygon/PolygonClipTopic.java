@@ -114,7 +114,7 @@ public final class PolygonClipTopic
 
     @Override
     public Deviation compare(PolygonInWindow input, List<double[]> exact, List<double[]> actual) {
-        return PolygonComparison.compare(input.window(), exact, actual);
+        return PolygonComparison.compare(input, exact, actual);
     }
 
     @Override

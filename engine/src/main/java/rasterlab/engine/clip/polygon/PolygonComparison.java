@@ -9,12 +9,14 @@ import rasterlab.engine.study.Deviation;
  * share of the window's, and how many pieces are missing or too many.
  *
  * <p>Pieces are counted, not paired: where two are joined by a bridge, one is missing. A piece that
- * goes clockwise is extra.
+ * goes clockwise is extra, and so is a place that stands for a corner which has to stay.
  */
 final class PolygonComparison {
     private PolygonComparison() {}
 
-    static Deviation compare(double[] window, List<double[]> exact, List<double[]> actual) {
+    static Deviation compare(PolygonInWindow input, List<double[]> exact, List<double[]> actual) {
+        double[] window = input.window();
+        double[] subject = input.subject();
         long missing = Math.max(0, exact.size() - actual.size());
         long extra = Math.max(0, actual.size() - exact.size());
         for (double[] piece : actual)
@@ -27,6 +29,11 @@ final class PolygonComparison {
         if (first.isEmpty() && !clockwise.isEmpty())
             first = text(clockwise.get(0)) + " goes clockwise";
         extra += clockwise.size();
+        var moved = KeptCorners.firstMoved(subject, exact, actual);
+        if (moved.isPresent()) {
+            extra++;
+            if (first.isEmpty()) first = text(moved.get()) + " is a corner that has to stay";
+        }
         return new Deviation(share, missing, extra, exact.size(), first);
     }
 

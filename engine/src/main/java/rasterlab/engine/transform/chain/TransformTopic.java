@@ -88,6 +88,11 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
         double worst = images.worst();
         String first = images.first();
         for (int i = 0; i < exact.h().length; i++) {
+            if (exact.images().has(i) || isNowhere(actual.images(), i)) continue;
+            worst = Double.POSITIVE_INFINITY;
+            if (first.isEmpty()) first = "points[%d] has no image and is not NaN".formatted(i);
+        }
+        for (int i = 0; i < exact.h().length; i++) {
             double right = exact.h()[i];
             double scale = Math.max(Double.MIN_NORMAL, Math.abs(right));
             double error = Math.abs(actual.h()[i] - right) / scale;
@@ -96,6 +101,13 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
             worst = Math.max(worst, Double.isNaN(error) ? Double.POSITIVE_INFINITY : error);
         }
         return new Deviation(worst, images.missing(), images.extra(), images.of(), first);
+    }
+
+    private static boolean isNowhere(Images images, int point) {
+        boolean nowhere = true;
+        for (int i = 0; i < images.dimension(); i++)
+            nowhere &= Double.isNaN(images.coordinates()[point * images.dimension() + i]);
+        return nowhere;
     }
 
     private static Deviation compareImages(Chain chain, Output exact, Output actual) {
