@@ -20,6 +20,7 @@ final class Borders {
                         VisibilityBorders.all(),
                         List.of(CurveBorders.all()),
                         LightBorders.all(),
+                        List.of(NormalsBorders.all()),
                         TextureBorders.all())
                 .flatMap(List::stream);
     }

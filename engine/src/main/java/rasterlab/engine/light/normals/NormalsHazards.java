@@ -98,7 +98,16 @@ final class NormalsHazards {
                                 new int[] {0, 1, 2}),
                         WRONG,
                         EXACT,
-                        EXACT));
+                        EXACT),
+                hazard(
+                        "smallest-face",
+                        "Edges of 10⁻²⁰⁰, whose cross product is 0.",
+                        new Triangles(
+                                new double[] {0, 0, 0, 1e-200, 0, 0, 0, 1e-200, 0},
+                                new int[] {0, 1, 2}),
+                        WRONG,
+                        WRONG,
+                        WRONG));
     }
 
     /** Every face cut from its corner with the lowest number. */

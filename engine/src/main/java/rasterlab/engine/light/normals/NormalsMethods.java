@@ -43,7 +43,9 @@ final class NormalsMethods {
                         "n = Σ αᵢ·nᵢ, αᵢ the face's angle at the vertex, brought to length 1",
                         "length 1, or no normal at all; cutting flat faces changes nothing",
                         "3 arctangents and 7 square roots per face, 1 per vertex",
-                        "none known",
+                        "none known where no face is narrower than a thousandth of its sides, no"
+                                + " side shorter than that of its coordinates, and a vertex's faces"
+                                + " do not cancel to less",
                         "G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal"
                                 + " facets, Journal of Graphics Tools 3(1), 1998",
                         new WeightedNormals(Weight.ANGLE)));

@@ -28,6 +28,21 @@ public final class TriangleNormal {
     }
 
     /**
+     * The same direction, from edges brought to length 1 first: no product vanishes, however small
+     * the triangle is.
+     */
+    static void direction(double[] vertices, int[] triangles, int face, double[] out) {
+        int a = 3 * triangles[face];
+        double[] p = edge(vertices, a, 3 * triangles[face + 1]);
+        double[] q = edge(vertices, a, 3 * triangles[face + 2]);
+        UnitVector.normalise(p);
+        UnitVector.normalise(q);
+        out[0] = p[1] * q[2] - p[2] * q[1];
+        out[1] = p[2] * q[0] - p[0] * q[2];
+        out[2] = p[0] * q[1] - p[1] * q[0];
+    }
+
+    /**
      * The angle at a corner in radians, 0 to π: atan2(|p × q|, p·q) of the two edges from it, which
      * unlike an arc cosine keeps its digits close to 0 and π.
      */

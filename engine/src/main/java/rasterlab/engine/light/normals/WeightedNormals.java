@@ -17,6 +17,9 @@ public final class WeightedNormals implements SteppedNormals {
     /** A sum below this share of its weights has no direction. */
     private static final double CANCELLED = 1e-9;
 
+    /** A cross product as small as that has lost digits, or all of them. */
+    private static final double VANISHING = 0x1p-900;
+
     private final Weight weight;
 
     WeightedNormals(Weight weight) {
@@ -55,6 +58,8 @@ public final class WeightedNormals implements SteppedNormals {
 
         @Override
         boolean begins() {
+            if (weight == Weight.ANGLE && UnitVector.length(normal) < VANISHING)
+                TriangleNormal.direction(vertices, triangles, 3 * face(), normal);
             area = UnitVector.length(normal);
             return UnitVector.normalise(normal);
         }
