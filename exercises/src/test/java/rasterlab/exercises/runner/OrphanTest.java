@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.DisplayName;
@@ -26,16 +27,18 @@ class OrphanTest {
                                 folder.resolve("begun").toString())
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
+        Optional<ProcessHandle> child = Optional.empty();
         try {
             long pid = Long.parseLong(parent.inputReader().readLine());
-            ProcessHandle child = ProcessHandle.of(pid).orElseThrow();
-            CompletableFuture<ProcessHandle> ended = child.onExit();
+            child = ProcessHandle.of(pid);
+            CompletableFuture<ProcessHandle> ended = child.orElseThrow().onExit();
             parent.destroyForcibly();
             assertTrue(parent.waitFor(30, TimeUnit.SECONDS), "the parent is not killed");
             assertDoesNotThrow(() -> ended.get(60, TimeUnit.SECONDS), "the child lives on");
         } finally {
             parent.descendants().forEach(ProcessHandle::destroyForcibly);
             parent.destroyForcibly();
+            child.ifPresent(ProcessHandle::destroyForcibly);
         }
     }
 }

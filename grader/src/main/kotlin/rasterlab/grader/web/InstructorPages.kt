@@ -160,7 +160,10 @@ private fun FlowContent.studentList(
         li {
             +"${student.name} "
             form("/instructor/students/${student.id}/token", method = FormMethod.post) {
-                button(classes = "plain") { +texts.say("instructor.token") }
+                button(classes = "plain") {
+                    attributes["aria-label"] = "${texts.say("instructor.token")}: ${student.name}"
+                    +texts.say("instructor.token")
+                }
             }
         }
     }
