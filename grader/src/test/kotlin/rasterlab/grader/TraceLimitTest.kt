@@ -5,7 +5,9 @@ import ch.qos.logback.classic.LoggerContext
 import ch.qos.logback.classic.spi.ILoggingEvent
 import ch.qos.logback.core.read.ListAppender
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.slf4j.LoggerFactory
 import kotlin.time.Duration.Companion.seconds
 import kotlin.time.TestTimeSource
 
@@ -33,6 +35,12 @@ class TraceLimitTest {
             2,
         ) { log.log(null, "test", Level.toLocationAwareLoggerInteger(Level.WARN), "of the engine", null, Exception()) }
         assertEquals(22, logged().size)
+    }
+
+    @Test
+    fun holdsForAllLogs() {
+        val filters = (LoggerFactory.getILoggerFactory() as LoggerContext).turboFilterList
+        assertTrue(filters.any { it is TraceLimit }, "$filters")
     }
 
     private fun logged() = events.list.map { it.formattedMessage }

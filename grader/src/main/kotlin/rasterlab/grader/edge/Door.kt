@@ -5,8 +5,10 @@
  */
 package rasterlab.grader.edge
 
+import com.sun.management.UnixOperatingSystemMXBean
 import org.slf4j.LoggerFactory
 import java.io.IOException
+import java.lang.management.ManagementFactory
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.StandardSocketOptions
@@ -24,9 +26,26 @@ import kotlin.concurrent.thread
  * @param perAddress leaves room for a class behind one router
  */
 data class DoorLimits(
-    val all: Int = 1024,
-    val perAddress: Int = 256,
-)
+    val all: Int = mostHere(),
+    val perAddress: Int = maxOf(all / 4, minOf(all, LEAST)),
+) {
+    private companion object {
+        const val MOST = 1024
+        const val LEAST = 16
+
+        /** Of the engine, its storage, the log and the children that grade. */
+        const val OTHER_FILES = 160
+
+        /** Of one connection: the client's, and both ends of the engine's. */
+        const val OWN_FILES = 3
+
+        fun mostHere(): Int {
+            val system = ManagementFactory.getOperatingSystemMXBean() as? UnixOperatingSystemMXBean ?: return MOST
+            val files = (system.maxFileDescriptorCount - OTHER_FILES) / OWN_FILES
+            return files.coerceIn(LEAST.toLong(), MOST.toLong()).toInt()
+        }
+    }
+}
 
 /**
  * Takes connections in and passes them on to the engine, which listens where only this machine can reach it.
@@ -43,7 +62,8 @@ class Door(
     private val clients = ConcurrentHashMap<Int, InetAddress>()
     private val ended = CountDownLatch(1)
     private var spare: ServerSocketChannel? = ServerSocketChannel.open()
-    private var acceptAgainAt = 0L
+    private var acceptAgainAt = System.nanoTime()
+    private var tellAgainAt = System.nanoTime()
     private var inner = InetSocketAddress(0)
 
     @Volatile
@@ -117,7 +137,9 @@ class Door(
         try {
             while (true) enter(server.accept() ?: return)
         } catch (failure: IOException) {
-            log.warn("no connection can be taken in: {}", failure.message)
+            val now = System.nanoTime()
+            if (now > tellAgainAt) log.warn("no connection can be taken in: {}", failure.message)
+            tellAgainAt = now + QUIET_NANOS
             shed()
             acceptAgainAt = System.nanoTime() + PAUSE_NANOS
             accepting.interestOps(0)
@@ -166,6 +188,7 @@ class Door(
     private companion object {
         const val TICK_MILLIS = 500L
         const val PAUSE_NANOS = 200_000_000L
+        const val QUIET_NANOS = 60_000_000_000L
 
         /** Connections beyond the limits that are told so; of more, nothing is read. */
         const val REFUSED_MOST = 64

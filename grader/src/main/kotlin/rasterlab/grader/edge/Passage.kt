@@ -2,6 +2,7 @@ package rasterlab.grader.edge
 
 import java.io.IOException
 import java.net.InetAddress
+import java.net.StandardSocketOptions
 import java.nio.ByteBuffer
 import java.nio.channels.SelectionKey
 import java.nio.channels.Selector
@@ -82,13 +83,23 @@ internal class Passage(
         if (requestsEnded || toEngine.space < RequestFraming.MOST_HEAD + SCRATCH_BYTES) return false
         val arrived = ByteBuffer.allocate(SCRATCH_BYTES)
         val count = client.read(arrived)
-        if (count < 0) requestsEnded = true
-        if (count <= 0) return count < 0
-        val wrong = toEngine.fill { framing.feed(arrived.flip(), it) } ?: return true
-        // A request of which the engine has seen some is answered there: its end comes too early.
-        if (!framing.isWithinRequest) refusal = wrong
-        requestsEnded = true
+        if (count == 0) return false
+        val wrong = if (count < 0) framing.atEnd() else toEngine.fill { framing.feed(arrived.flip(), it) }
+        requestsEnded = count < 0 || wrong != null
+        if (wrong != null) {
+            refusal = wrong
+            if (framing.isWithinRequest) breakOff()
+        }
         return true
+    }
+
+    /** The engine takes a body that ends too early for a whole one, unless its connection is reset. */
+    private fun breakOff() {
+        engine?.setOption(StandardSocketOptions.SO_LINGER, 0)?.close()
+        engine = null
+        fromEngine = null
+        answersEnded = true
+        toEngine.clear()
     }
 
     private fun drop(): Boolean {

@@ -14,6 +14,7 @@ internal class RequestFraming {
     private val held by lazy { ByteArray(MOST_HEAD) }
     private var length = 0
 
+    /** Whether some of a request went through, and not yet all of it. */
     val isWithinRequest get() = state != State.HEAD
 
     /** Bytes of the body or chunk that are still to come. */
@@ -36,6 +37,9 @@ internal class RequestFraming {
         }
         return null
     }
+
+    /** What is wrong where the client sends no more. */
+    fun atEnd(): Refusal? = if (state == State.HEAD || state == State.REST) null else CUT_OFF
 
     private fun pass(
         input: ByteBuffer,
@@ -181,6 +185,7 @@ internal class RequestFraming {
             malformed("a header is folded, has no colon, or a space or control character in its name")
         private val BAD_CHUNK =
             malformed("a chunk of the body does not begin with its length, or does not end after it")
+        private val CUT_OFF = malformed("the body ends before its length")
         private val TWO_LENGTHS = malformed("Content-Length stands together with Transfer-Encoding")
         private val BAD_ENCODING = malformed("Transfer-Encoding may only be 'chunked', once, in HTTP/1.1")
         private val BAD_LENGTH = malformed("Content-Length must be one whole number of bytes")

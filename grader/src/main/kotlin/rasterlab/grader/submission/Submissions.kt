@@ -72,7 +72,9 @@ class Submissions(
     ) = database.read { handle ->
         handle
             .createQuery(
-                """SELECT s.*, students.name AS student_name, r.verdict, r.revision AS graded_against, r.accuracy + r.stability + r.speed AS total, r.points_of
+                """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
+                          s.state, s.tries, students.name AS student_name, r.verdict,
+                          r.revision AS graded_against, r.accuracy + r.stability + r.speed AS total, r.points_of
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
                    LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =

@@ -43,7 +43,7 @@ fun DIV.result(
         if (!view.current) p("earlier") { +texts.say("result.earlier", view.revision) }
         if (view.verdict == "internal") p { +texts.say("result.internal") }
     }
-    if (view.diagnostics.isNotEmpty()) diagnostics(texts, view.diagnostics, source.lines())
+    if (view.diagnostics.isNotEmpty()) diagnostics(texts, view.diagnostics, source)
     if (view.cases.isNotEmpty()) {
         h2 { +texts.say("result.cases") }
         if (view.cases.any { it.pictures != null }) p("legend") { +texts.say("result.legend") }
@@ -91,7 +91,7 @@ private fun FlowContent.points(
 private fun FlowContent.diagnostics(
     texts: Texts,
     diagnostics: List<DiagnosticView>,
-    lines: List<String>,
+    source: String,
 ) = section {
     h2 { +texts.say("result.diagnostics") }
     ul("diagnostics") {
@@ -99,7 +99,7 @@ private fun FlowContent.diagnostics(
             li {
                 if (diagnostic.line > 0) span("place") { +place(texts, diagnostic) }
                 span("message") { +diagnostic.message }
-                lines.getOrNull(diagnostic.line - 1)?.takeIf { it.isNotBlank() }?.let { line ->
+                partOfLine(source, diagnostic.line, diagnostic.column).takeIf { it.isNotBlank() }?.let { line ->
                     pre { code { +line.trimEnd() } }
                 }
             }
@@ -155,6 +155,3 @@ private fun FlowContent.pictures(
         pre("picture-text") { +(pictures.part?.rows(pictures.text)?.joinToString("\n") ?: pictures.text) }
     }
 }
-
-/** A source with its lines numbered. */
-fun FlowContent.sourceLines(source: String) = ol("source") { source.lines().forEach { line -> li { code { +line } } } }

@@ -6,6 +6,8 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.Arguments.argumentSet
+import org.junit.jupiter.params.provider.MethodSource
 import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.grader.Classroom
 import rasterlab.grader.ServerSettings
@@ -53,6 +55,36 @@ class DoorTest {
                 assertEquals(listOf("HTTP/1.1 200 OK", "HTTP/1.1 400 Bad Request"), statuses)
             }
         }
+
+    @ParameterizedTest(name = "{argumentSetName} is stored as if it were whole")
+    @MethodSource("partBodies")
+    fun storesNoPartOfABody(
+        header: String,
+        body: String,
+    ) = Classroom(folder).listen {
+        connect().use { socket ->
+            val head =
+                listOf(
+                    "POST /api/v1/exercises/draw-dot/submissions HTTP/1.1",
+                    "Host: localhost",
+                    "Authorization: Bearer ${newStudent()}",
+                    "Content-Type: text/x-java-source",
+                    header,
+                )
+            socket.send(head.joinToString("\r\n", postfix = "\r\n\r\n") + body)
+            socket.shutdownOutput()
+            assertEquals("HTTP/1.1 400 Bad Request", socket.answers().first())
+            val stored =
+                database.read {
+                    it
+                        .createQuery(
+                            "SELECT count(*) FROM submissions",
+                        ).mapTo(Int::class.java)
+                        .one()
+                }
+            assertEquals(0, stored)
+        }
+    }
 
     @Test
     fun countsTheConnectionsOfAnAddress() = refusesOneMoreThan(4, DoorLimits(all = 100, perAddress = 4))
@@ -109,4 +141,14 @@ class DoorTest {
 
     /** All lines until the server ends the connection. */
     private fun Socket.answers(): List<String> = getInputStream().bufferedReader().readLines()
+
+    companion object {
+        @JvmStatic
+        fun partBodies() =
+            listOf(
+                argumentSet("part of a told length", "Content-Length: 50", "class A {}"),
+                argumentSet("some of the pieces", "Transfer-Encoding: chunked", "a\r\nclass A {}\r\n"),
+                argumentSet("a broken piece", "Transfer-Encoding: chunked", "a\r\nclass A {}\r\nx\r\n"),
+            )
+    }
 }

@@ -1,0 +1,54 @@
+package rasterlab.grader.web
+
+import kotlinx.html.FlowContent
+import kotlinx.html.code
+import kotlinx.html.li
+import kotlinx.html.ol
+import kotlinx.html.pre
+
+/** More lines than people write; those behind them are shown without numbers, which cost ten times as much. */
+private const val NUMBERED_MOST = 5_000
+private const val SHOWN_BEFORE = 150
+private const val SHOWN_MOST = 300
+
+/** A source with its lines numbered. */
+fun FlowContent.sourceLines(source: String) {
+    val rest = lineStart(source, NUMBERED_MOST + 1)?.takeIf { it < source.length }
+    val numbered = if (rest == null) source else source.substring(0, rest).removeSuffix("\n").removeSuffix("\r")
+    ol("source") { numbered.lineSequence().forEach { li { code { +it } } } }
+    if (rest != null) pre("source") { code { +source.substring(rest) } }
+}
+
+/**
+ * What a message about that place is read beside: the line, or of a long one some of it around the column,
+ * with "…" where something is left out. Empty where there is no such line.
+ */
+internal fun partOfLine(
+    source: String,
+    line: Int,
+    column: Int,
+): String {
+    val start = lineStart(source, line) ?: return ""
+    val end = source.indexOfAny(charArrayOf('\r', '\n'), start).let { if (it < 0) source.length else it }
+    val from = if (end - start <= SHOWN_MOST) start else (start + column - SHOWN_BEFORE).coerceIn(start, end)
+    val until = minOf(end, from + SHOWN_MOST)
+    val before = if (from > start) "…" else ""
+    return before + if (until < end) source.substring(from, until) + "…" else source.substring(from, until).trimEnd()
+}
+
+/** Where that line begins, counted from 1 as the compiler does; null where there are fewer. */
+private fun lineStart(
+    source: String,
+    line: Int,
+): Int? {
+    if (line < 1) return null
+    var at = 0
+    var number = 1
+    while (number < line) {
+        while (at < source.length && source[at] !in "\r\n") at++
+        if (at == source.length) return null
+        at += if (source.startsWith("\r\n", at)) 2 else 1
+        number++
+    }
+    return at
+}
