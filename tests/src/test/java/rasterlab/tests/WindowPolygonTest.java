@@ -85,6 +85,7 @@ class WindowPolygonTest extends WindowHarness {
     @Test
     void wrongPointsOfThePlaneAreMarkedUntilAnExactMethodIsChosen() {
         int wrong = MethodColours.VERMILLION.getRGB();
+        window.comboBox("method").selectItem("sign-double");
         drag("point", 60, 60);
         await("boundary points are marked", () -> colours("stage").contains(wrong));
         window.comboBox("method").selectItem("robust");

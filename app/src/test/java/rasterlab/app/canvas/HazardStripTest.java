@@ -84,7 +84,8 @@ class HazardStripTest {
 
     @Test
     void itsHeightStaysWhileTheInputIsChanged() {
-        strip.setSize(300, 200);
+        strip.setSize(160, 300);
+        strip.doLayout();
         int before = strip.getPreferredSize().height;
         input = "moved";
         strip.refresh();
