@@ -16,7 +16,7 @@ final class FilterHazards {
     private FilterHazards() {}
 
     static List<Hazard<FilteredPixels>> all() {
-        return Stream.of(smaller(), shaped()).flatMap(List::stream).toList();
+        return Stream.of(smaller(), shaped(), places()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<FilteredPixels>> smaller() {
@@ -69,7 +69,11 @@ final class FilterHazards {
                         WRONG,
                         EXACT,
                         EXACT,
-                        EXACT),
+                        EXACT));
+    }
+
+    private static List<Hazard<FilteredPixels>> places() {
+        return List.of(
                 hazard(
                         "no-area",
                         "Footprints without area, on the border of two texels: the texel to the"

@@ -1,6 +1,7 @@
 package rasterlab.engine.clip.volume;
 
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.VolumeClipper;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Mutants;
@@ -11,6 +12,10 @@ final class VolumeClipMutants implements Mutants<VolumeClipper> {
 
     @Override
     public List<Mutant<VolumeClipper>> all() {
+        return Stream.concat(ofPlanes().stream(), ofPoints().stream()).toList();
+    }
+
+    private static List<Mutant<VolumeClipper>> ofPlanes() {
         return List.of(
                 new Mutant<>(
                         "the nearest plane does not cut",
@@ -43,7 +48,11 @@ final class VolumeClipMutants implements Mutants<VolumeClipper> {
                 new Mutant<>(
                         "divided before it is clipped",
                         "behind-the-eye",
-                        new DivideFirstTextbook()),
+                        new DivideFirstTextbook()));
+    }
+
+    private static List<Mutant<VolumeClipper>> ofPoints() {
+        return List.of(
                 new Mutant<>(
                         "an end at the eye is refused",
                         "at-the-eye",

@@ -1,6 +1,7 @@
 package rasterlab.engine.light.shade;
 
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
@@ -15,6 +16,10 @@ final class ShadeMutants implements Mutants<PointShader> {
 
     @Override
     public List<Mutant<PointShader>> all() {
+        return Stream.concat(ofTerms().stream(), ofSizes().stream()).toList();
+    }
+
+    private static List<Mutant<PointShader>> ofTerms() {
         return List.of(
                 new Mutant<>(
                         "the cosine's sign is dropped",
@@ -45,7 +50,11 @@ final class ShadeMutants implements Mutants<PointShader> {
                 new Mutant<>(
                         "distance does not weaken the light's ambient part",
                         "own-ambient-and-distance",
-                        ShadeMutants::ambientAnyway),
+                        ShadeMutants::ambientAnyway));
+    }
+
+    private static List<Mutant<PointShader>> ofSizes() {
+        return List.of(
                 new Mutant<>(
                         "the normal is taken to have length 1",
                         "interpolated-normal",
