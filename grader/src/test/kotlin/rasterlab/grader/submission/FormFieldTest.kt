@@ -158,7 +158,9 @@ class FormFieldTest {
             )
 
         @JvmStatic
-        fun malformed() =
+        fun malformed() = boundaries() + headers() + lengths() + dispositions()
+
+        private fun boundaries() =
             listOf(
                 argumentSet("an empty body", "first boundary is missing", ""),
                 argumentSet("another boundary inside", "first boundary is missing", form(NAMED).replace("--b", "--c")),
@@ -175,6 +177,10 @@ class FormFieldTest {
                 argumentSet("only the first boundary", "head does not end", "--b\r\n"),
                 argumentSet("a boundary's line that does not end", "first boundary is missing", "--b"),
                 argumentSet("a head that does not end", "head does not end", "--b\r\n$NAMED"),
+            )
+
+        private fun headers() =
+            listOf(
                 argumentSet("a header without a colon", "has no colon", form("$NAMED\r\nrubbish")),
                 argumentSet("a header without a name", "has no colon", form("$NAMED\r\n: x")),
                 argumentSet(
@@ -200,6 +206,10 @@ class FormFieldTest {
                     form("Content-Disposition: form-data; name=\"sou\nrce\""),
                 ),
                 argumentSet("a carriage return in a file's name", "U+000D", form("$NAMED; filename=\"a\rb\"")),
+            )
+
+        private fun lengths() =
+            listOf(
                 argumentSet("a length of -1", "no whole number", form("$NAMED\r\nContent-Length: -1")),
                 argumentSet("a length of x", "no whole number", form("$NAMED\r\nContent-Length: x")),
                 argumentSet("a length of nothing", "no whole number", form("$NAMED\r\nContent-Length:")),
@@ -219,6 +229,10 @@ class FormFieldTest {
                     "repeats content-length",
                     form("$NAMED\r\nContent-Length: 10\r\nContent-Length: 10"),
                 ),
+            )
+
+        private fun dispositions() =
+            listOf(
                 argumentSet("two dispositions", "repeats content-disposition", form("$NAMED\r\n$NAMED")),
                 argumentSet("no disposition", "no Content-Disposition", form("Content-Type: text/plain")),
                 argumentSet("no head", "no Content-Disposition", "--b\r\n\r\nclass A {}\r\n--b--"),
