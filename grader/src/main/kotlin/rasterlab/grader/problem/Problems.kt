@@ -16,10 +16,12 @@ import io.ktor.server.request.path
 import io.ktor.server.response.header
 import io.ktor.server.response.respond
 import io.ktor.util.cio.ChannelIOException
+import io.ktor.utils.io.ClosedByteChannelException
 import kotlinx.coroutines.CancellationException
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import org.jdbi.v3.core.JdbiException
+import org.slf4j.Logger
 import org.slf4j.LoggerFactory
 import java.sql.SQLException
 
@@ -72,9 +74,8 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
     }
     // Whoever asked has gone: a page was closed, a download was broken off.
-    exception<ChannelIOException> { call, gone ->
-        log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), gone.message)
-    }
+    exception<ChannelIOException> { call, gone -> log.gone(call, gone) }
+    exception<ClosedByteChannelException> { call, gone -> log.gone(call, gone) }
     // The server is stopping, which no page that is still open has to know.
     exception<CancellationException> { _, stopping -> throw stopping }
     exception<URLDecodeException> { call, malformed ->
@@ -100,6 +101,11 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         }
     }
 }
+
+private fun Logger.gone(
+    call: ApplicationCall,
+    how: Exception,
+) = debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), how.message)
 
 suspend fun ApplicationCall.respondProblem(
     status: HttpStatusCode,

@@ -8,6 +8,7 @@ import io.ktor.server.routing.get
 import io.ktor.server.routing.routing
 import io.ktor.server.testing.testApplication
 import io.ktor.util.cio.ChannelWriteException
+import io.ktor.utils.io.ClosedWriteChannelException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import rasterlab.grader.logging
@@ -21,6 +22,10 @@ class LoggingTest {
         assertEquals(listOf(Level.DEBUG), lines.map { it.level })
         assertEquals("GET /events: Cannot write to channel", lines.single().formattedMessage)
     }
+
+    @Test
+    fun keepsQuietAboutAReaderWhoHasGoneBeforeTheAnswerBegan() =
+        assertEquals(listOf(Level.DEBUG), linesOf(ClosedWriteChannelException()).map { it.level })
 
     @Test
     fun tellsOfAFailureWithItsTrace() {
