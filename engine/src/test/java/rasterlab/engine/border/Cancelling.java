@@ -18,7 +18,8 @@ final class Cancelling {
     /** Whether all numbers but 0 are so near 1 that no product is too large or too small. */
     static boolean isMiddling(Chain chain) {
         return DoubleStream.concat(
-                        DoubleStream.of(chain.points()),
+                        DoubleStream.concat(
+                                DoubleStream.of(chain.points()), DoubleStream.of(chain.h())),
                         Arrays.stream(chain.matrices()).flatMapToDouble(Arrays::stream))
                 .allMatch(each -> each == 0 || Math.abs(Math.getExponent(each)) < MIDDLING);
     }
@@ -41,12 +42,12 @@ final class Cancelling {
         return largest;
     }
 
-    /** {@code [x y z 1]} through all matrices, each number by its size if so wanted. */
+    /** {@code [x y z h]} through all matrices, each number by its size if so wanted. */
     private static BigDecimal[] row(Chain chain, boolean sizes) {
         int size = chain.dimension() + 1;
         var row = new BigDecimal[size];
         for (int i = 0; i < size; i++)
-            row[i] = i < size - 1 ? exact(chain.points()[i], sizes) : BigDecimal.ONE;
+            row[i] = exact(i < size - 1 ? chain.points()[i] : chain.h()[0], sizes);
         for (double[] matrix : chain.matrices()) {
             var next = new BigDecimal[size];
             for (int j = 0; j < size; j++) {

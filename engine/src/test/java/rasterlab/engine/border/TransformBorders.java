@@ -64,7 +64,7 @@ final class TransformBorders {
 
     /** A cell too large for a double, or parameters of which there is no such matrix. */
     private static boolean noMatrix(String method, MatrixCall call, String message) {
-        if (!message.contains("too large for a double")) return !message.contains("along the line");
+        if (!message.contains("too large for a double")) return true;
         return Arrays.stream(MATRIX.exact(call, 1))
                 .flatMapToDouble(Arrays::stream)
                 .anyMatch(cell -> Math.abs(cell) > 0x1p1000);
@@ -74,7 +74,8 @@ final class TransformBorders {
         int dimension = 2 + draws.pick(2);
         var matrices = new double[1 + draws.pick(3)][];
         for (int i = 0; i < matrices.length; i++) matrices[i] = cells(draws, dimension + 1);
-        var chain = new Chain(dimension, matrices, coordinates(draws, dimension));
+        double[] h = {draws.pick(2) == 0 ? 1 : draws.number(-LARGEST, LARGEST)};
+        var chain = new Chain(dimension, matrices, coordinates(draws, dimension), h);
         if (Cancelling.moreThanHalf(chain))
             throw new IllegalArgumentException("more than half of the digits cancel");
         return chain;

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class DyadicTest {
-    private static final MathContext DIGITS = new MathContext(60);
+    private static final MathContext DIGITS = new MathContext(2000);
     private static final BigDecimal TWO = BigDecimal.valueOf(2);
 
     @Property(tries = 2000, edgeCases = EdgeCasesMode.MIXIN)

@@ -9,9 +9,16 @@ import rasterlab.engine.study.Deviation;
  * share of the window's, and how many pieces are missing or too many.
  *
  * <p>Pieces are counted, not paired: where two are joined by a bridge, one is missing. A piece that
- * goes clockwise is extra, and so is a place that stands for a corner which has to stay.
+ * goes clockwise, by more than the rounding of its corners, is extra, and so is a place that stands
+ * for a corner which has to stay.
  */
 final class PolygonComparison {
+    /**
+     * The area, over the square of the largest coordinate, that the rounding of a piece's corners
+     * may turn to the other side: no piece of so little area has a direction.
+     */
+    private static final double ROUNDING = 0x1p-50;
+
     private PolygonComparison() {}
 
     static Deviation compare(PolygonInWindow input, List<double[]> exact, List<double[]> actual) {
@@ -40,7 +47,7 @@ final class PolygonComparison {
     private static boolean clockwise(double[] piece) {
         int x = PolygonArea.exponent(piece, 0, 2);
         int y = PolygonArea.exponent(piece, 1, 2);
-        return PolygonArea.of(PolygonArea.scaled(piece, -x, -y)) < 0;
+        return PolygonArea.of(PolygonArea.scaled(piece, -x, -y)) < -ROUNDING;
     }
 
     /**
