@@ -76,6 +76,7 @@ class LabOpeningTest {
                     Map.entry("visible-faces tiny", EnumSet.of(FACES_FOUND, SCALED)),
                     Map.entry("depth-order huge", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
                     Map.entry("depth-order tiny", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
+                    Map.entry("vertex-normals smallest-face", EnumSet.of(SCALED, FACE_NORMAL)),
                     Map.entry("vertex-normals tiny-faces", EnumSet.of(SCALED, FACE_NORMAL)),
                     Map.entry(
                             "vertex-normals zero-area-face",
