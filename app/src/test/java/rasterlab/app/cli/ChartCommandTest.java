@@ -81,7 +81,7 @@ class ChartCommandTest {
                         "4.0 1.500 calm")) assertTrue(rows.contains(row), row + " in " + rows);
         ran.assertDone();
         String russian = Ran.lab("chart", "perspective", "--lang", "ru").out();
-        assertTrue(russian.contains("  2,000  на грани\n"), russian);
+        assertTrue(russian.contains("  2,000  на границе\n"), russian);
     }
 
     @ParameterizedTest(name = "people read decimal points in Russian, or programs commas: {0}")

@@ -69,7 +69,7 @@ class HazardsCommandTest {
             delimiter = '|',
             value = {
                 "pixel (-1, 2) is missing | пиксель (-1, 2) пропущен",
-                "at 1.0E-7: -0.5 instead of 2.0 | при x = 1.0E-7: -0.5 вместо 2.0",
+                "at 1.0E-7: -0.5 instead of 2.0 | при x = 1e-7: -0.5 вместо 2",
             })
     void russianHasTheNumbersOfTheOtherTables(String detail, String said) {
         List<String> lines = printed(withDetail(detail), ReportLanguage.RU);

@@ -249,7 +249,7 @@ class RunStepsTest {
                         "texels and their shares are not told",
                         "texture-filter",
                         "linear",
-                        "{\"picture\":[[10,20],[30,40]],\"pixels\":[[0.375,0.5,0,0,0,0]]}",
+                        "{\"picture\":[[10,20],[30,40]],\"pixels\":[[0.375,0.5,0.25,0,0,0.25]]}",
                         "\"steps\":[[{\"detail\":0,\"column\":0,\"row-from-below\":0,\"level\":30,"
                                 + "\"decision\":0.375},{\"detail\":0,\"column\":1,"
                                 + "\"row-from-below\":0,\"level\":40,\"decision\":0.125},"

@@ -21,7 +21,7 @@ import rasterlab.engine.study.Topic;
  */
 abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
     /** The most pixels of a figure that {@link #whole} answers, to be drawn in a lab. */
-    private static final int MOST_SHOWN = 1_000_000;
+    public static final int MOST_SHOWN = 1_000_000;
 
     /** The most pixels of a figure that is judged by all of them. */
     private static final int MOST_ITEMS = 2_000_000;

@@ -94,8 +94,10 @@ class ListLabModelTest {
             boolean wrong = printed == Verdict.Kind.WRONG;
             boolean axisOfNoNumber = hazard.name().equals("axis-along-z");
             if (!axisOfNoNumber) assertEquals(wrong, model.scene().wrong(), hazard.name());
+            // Its cells are right, but the points' products with them are no doubles.
+            boolean tooLargeToDraw = hazard.name().equals("box-of-largest-doubles");
             assertEquals(
-                    printed == Verdict.Kind.REFUSED || axisOfNoNumber,
+                    printed == Verdict.Kind.REFUSED || axisOfNoNumber || tooLargeToDraw,
                     model.scene().isRefused(),
                     hazard.name());
             if (printed == Verdict.Kind.EXACT && !model.scene().isRefused())
