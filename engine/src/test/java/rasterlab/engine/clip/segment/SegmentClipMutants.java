@@ -1,6 +1,7 @@
 package rasterlab.engine.clip.segment;
 
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.contract.SegmentSink;
 import rasterlab.engine.study.Mutant;
@@ -13,6 +14,10 @@ final class SegmentClipMutants implements Mutants<SegmentClipper> {
 
     @Override
     public List<Mutant<SegmentClipper>> all() {
+        return Stream.of(sides(), ends()).flatMap(List::stream).toList();
+    }
+
+    private static List<Mutant<SegmentClipper>> sides() {
         return List.of(
                 new Mutant<>(
                         "the left side does not cut",
@@ -33,7 +38,11 @@ final class SegmentClipMutants implements Mutants<SegmentClipper> {
                         "ymax stands for xmax",
                         "window-not-square",
                         (l, b, r, t, x0, y0, x1, y1, out) ->
-                                RIGHT.clip(l, b, Math.max(l, t), t, x0, y0, x1, y1, out)),
+                                RIGHT.clip(l, b, Math.max(l, t), t, x0, y0, x1, y1, out)));
+    }
+
+    private static List<Mutant<SegmentClipper>> ends() {
+        return List.of(
                 new Mutant<>(
                         "from left to right whatever was asked",
                         "swapped-ends",
