@@ -2,7 +2,7 @@ package rasterlab.exercises;
 
 /** The encoding that a text which is not UTF-8 probably has, told from its bytes. */
 public enum SourceEncoding {
-    /** With a byte order mark, or with a zero in every second byte. */
+    /** UTF-16, with a byte order mark or with a zero in every second byte. */
     UTF_16,
     /** Most bytes beyond ASCII are letters of Cyrillic words. */
     WINDOWS_1251,

@@ -138,7 +138,7 @@ public final class Actions extends JPanel {
         this.changes = changes.changes();
     }
 
-    /** What can be undone, if anything. */
+    /** Returns the description of the last change that can be undone, if there is one. */
     Optional<History<?>> history() {
         return history;
     }

@@ -4,14 +4,14 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 
 /**
- * What a lab works on, as far as its hazards need to know.
+ * The part of a lab's state that its hazards need to know.
  *
  * @param input the present one, with {@code equals}
  * @param method name of the chosen method; "" where none is judged
  * @param choose chooses another method
  */
 public record LabInput(Supplier<?> input, Supplier<String> method, Consumer<String> choose) {
-    /** Of a lab whose scenes judge no method. */
+    /** Describes a lab whose scenes judge no method. */
     public static LabInput unjudged(Supplier<?> input) {
         return new LabInput(input, () -> "", method -> {});
     }

@@ -90,7 +90,7 @@ public final class LabLayout extends JPanel {
         super.doLayout();
     }
 
-    /** What is said on the stage and over it. */
+    /** The sentences on the stage and the strip over it. */
     public StageGuide guide() {
         return guide;
     }

@@ -30,13 +30,13 @@ public final class MethodColours {
     public static final Color INDIGO = new Color(0x332288);
     public static final Color OLIVE = new Color(0x999933);
 
-    /** From the same source, palette "dark". */
+    /** The palette "dark" of the same source. */
     public static final Color DARK_GREEN = new Color(0x225522);
 
-    /** From palette "muted" again. */
+    /** The palette "muted" again. */
     public static final Color MAGENTA = new Color(0xAA4499);
 
-    /** From palette "light". */
+    /** The palette "light". */
     public static final Color ROSE = new Color(0xFFAABB);
 
     /**

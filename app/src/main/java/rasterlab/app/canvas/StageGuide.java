@@ -95,7 +95,7 @@ public final class StageGuide extends JPanel {
         if (strip.isVisible() != before) revalidate();
     }
 
-    /** What lies on the stage, and in no copied picture, overlaps it. */
+    /** The guide overlaps the stage and is in no copied picture. */
     @Override
     public boolean isOptimizedDrawingEnabled() {
         return false;

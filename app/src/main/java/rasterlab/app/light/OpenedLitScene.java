@@ -121,7 +121,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
         return new OpenedLitScene(before.with(body), List.of(), false);
     }
 
-    /** What is told of the file beside its picture; "" for nothing. */
+    /** The notes about the file that stand beside its picture; "" for none. */
     String told(Path file) {
         String told = String.join("; ", notes);
         return told.isEmpty() || isModel(file) ? told : file + ": " + told;

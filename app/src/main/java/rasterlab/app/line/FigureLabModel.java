@@ -66,7 +66,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         }
     }
 
-    /** What undo brings back, and with which numbers it came into sight. */
+    /** The state that undo restores, with the numbers that brought it into sight. */
     private record Remembered(Scenes scenes, int arrangement, int sought) {}
 
     public FigureState state() {

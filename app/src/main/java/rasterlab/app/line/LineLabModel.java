@@ -71,7 +71,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      */
     private record Question(LineChoice choice, Optional<Tried> tried, LineDrawings shown) {}
 
-    /** What undo brings back; with another arrangement the stage shows the whole segment again. */
+    /** The state that undo restores; another arrangement shows the whole segment again. */
     private record Remembered(LineChoice choice, Optional<Tried> tried, int arrangement) {}
 
     public LineLabState state() {

@@ -123,7 +123,7 @@ final class ModelFolder {
         return Files.isDirectory(folder) && Files.isReadable(folder);
     }
 
-    /** In the order of their names, so that the same one is found each time. */
+    /** Sorts by name, so that the same file is found each time. */
     private static List<Path> entries(Path folder) throws IOException {
         var entries = new ArrayList<Path>();
         try (DirectoryStream<Path> stream = Files.newDirectoryStream(folder)) {

@@ -12,7 +12,7 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.KeyBinding;
 
-/** What can be done in a tab, beside the window, which goes on meanwhile. */
+/** Shows what can be done in a tab, beside the window, which goes on meanwhile. */
 final class HelpDialog extends JDialog {
     private static final long serialVersionUID = 1L;
 

@@ -7,7 +7,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
- * What can be done in a tab, and by which keys.
+ * Lists what can be done in a tab, and by which keys.
  *
  * @param title names the tab
  * @param sections those of the tab first, then what works everywhere

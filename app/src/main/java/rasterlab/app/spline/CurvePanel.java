@@ -129,7 +129,7 @@ final class CurvePanel extends LabPanel {
         guide.hint("spline.curve", texts.text("first.curve"));
     }
 
-    /** What a method is asked, whichever it is. */
+    /** The question that is put to every method. */
     private Object input() {
         CurveChoice choice = model.state().choice();
         return List.of(choice.form(), choice.points(), choice.joining(), choice.sampling());

@@ -139,7 +139,7 @@ final class FunctionPanel extends LabPanel {
         return List.copyOf(slopes);
     }
 
-    /** What a method is asked, whichever it is. */
+    /** The question that is put to every method. */
     private Object input() {
         FunctionChoice choice = model.state().choice();
         return List.of(choice.knots(), choice.ends());

@@ -104,7 +104,7 @@ public final class VisibilityPanel extends LabPanel {
         showMode();
     }
 
-    /** What is looked at, by whichever methods. */
+    /** The view that every method is given. */
     private Object input() {
         return model.state().choice().withVisibility("").withComparison("");
     }

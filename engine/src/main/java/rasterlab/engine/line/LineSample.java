@@ -51,7 +51,7 @@ final class LineSample implements Pixels {
         return segment.isWhole() && segment.steps() >= mostItems;
     }
 
-    /** What is kept of what {@code line} draws. */
+    /** Records the kept part of what {@code line} draws. */
     PixelRecording of(Consumer<Pixels> line) {
         try {
             line.accept(this);

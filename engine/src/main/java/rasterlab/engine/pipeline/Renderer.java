@@ -131,7 +131,7 @@ public final class Renderer implements AutoCloseable {
                 .toList();
     }
 
-    /** What draws faces under a name: a visibility method or the reference. */
+    /** Finds the visibility method of that name, or the reference. */
     static Visibility drawing(List<Method<Visibility>> methods, String name) {
         return name.equals(REFERENCE)
                 ? new ExactVisibility()

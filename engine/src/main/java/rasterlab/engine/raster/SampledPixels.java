@@ -30,7 +30,7 @@ public final class SampledPixels implements Pixels {
         if (kept.test(x, y)) recording.plot(x, y);
     }
 
-    /** What was kept, in the order in which it came. */
+    /** The kept pixels, in the order in which they came. */
     public PixelRecording recording() {
         return recording;
     }

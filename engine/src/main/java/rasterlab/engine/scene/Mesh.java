@@ -164,7 +164,7 @@ public final class Mesh {
         return cornerColors.length > 0;
     }
 
-    /** From 0 to 1, 1 where corners have no colours: channel 0 is red, 1 is green, 2 is blue. */
+    /** The share of a channel, 1 where corners have no colours: 0 is red, 1 green, 2 blue. */
     public double color(int face, int corner, int channel) {
         return hasColors() ? cornerColors[3 * (firstCorner[face] + corner) + channel] : 1;
     }

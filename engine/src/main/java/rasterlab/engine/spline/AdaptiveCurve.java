@@ -190,7 +190,10 @@ public final class AdaptiveCurve implements SteppedCurve {
             return (span + u) / spans;
         }
 
-        /** What the piece that ends here was called flat by, in pixels; 0 at the start. */
+        /**
+         * The distance by which the piece that ends here was called flat, in pixels; 0 at the
+         * start.
+         */
         @Override
         public double decision() {
             return decision;

@@ -73,7 +73,7 @@ final class RayTargets {
         return inside(walls[face], ray, t) ? t : Double.NaN;
     }
 
-    /** By how much rounding may part depths at which a ray meets one plane. */
+    /** The most by which rounding parts depths at which a ray meets one plane. */
     double room(double t) {
         return OnePlane.room(Math.abs(t) + radius);
     }

@@ -6,8 +6,8 @@ import java.util.Arrays;
 import rasterlab.contract.Pixels;
 
 /**
- * What a student's method draws on: keeps every pixel in order, up to a limit. It is the same, and
- * a fresh one, for every call, so that nothing tells a method whether it is timed.
+ * The sheet that a student's method draws on keeps every pixel in order, up to a limit. It is the
+ * same, and a fresh one, for every call, so that nothing tells a method whether it is timed.
  */
 final class Sheet implements Pixels {
     /** Ends a method that goes on beyond the limit. */

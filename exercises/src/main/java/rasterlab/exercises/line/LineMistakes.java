@@ -71,7 +71,7 @@ final class LineMistakes {
                 : found.stream().filter(one -> one.size() == fewest).distinct().toList();
     }
 
-    /** What is wrong where a pixel lacks at the end that is drawn first, or at the other. */
+    /** Names the mistake where a pixel lacks at the end that is drawn first, or at the other. */
     private record Ends(String first, String last) {}
 
     /** Empty where it cannot be explained; no cause where it is right. */

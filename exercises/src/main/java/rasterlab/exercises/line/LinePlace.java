@@ -62,7 +62,7 @@ record LinePlace(Optional<Cause> cause, Motion back) {
         return Math.abs(pixel[0] - x) <= 1 && Math.abs(pixel[1] - y) <= 1;
     }
 
-    /** What was drawn, brought to where it should be. */
+    /** The drawn pixels, moved to where they should be. */
     PixelRecording undo(PixelRecording actual) {
         if (cause.isEmpty()) return actual;
         PixelRecording undone = new PixelRecording(actual.size());

@@ -4,7 +4,7 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import rasterlab.engine.line.Segment;
 
-/** What distinguishes one segment from another, for a method that goes wrong on some of them. */
+/** Traits that distinguish segments, for a method that goes wrong on some of them. */
 final class LineTraits {
     /** A coordinate beyond it is far: there a float has no place for halves any more. */
     private static final int FAR = 1 << 22;

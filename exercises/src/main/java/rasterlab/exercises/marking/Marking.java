@@ -15,7 +15,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
 /**
- * What the tried cases are worth.
+ * Counts what the tried cases are worth.
  *
  * <p>A case pays unless one of its calls is wrong for a mistake that counts there ({@link
  * Charges}). A public case pays only where half of its group's hidden calls are right, and a
@@ -47,7 +47,7 @@ public final class Marking {
         charges = new Charges(exercise, cases);
     }
 
-    /** What was added, in order. */
+    /** The added cases, in order. */
     public List<TriedCase> cases() {
         return List.copyOf(cases);
     }

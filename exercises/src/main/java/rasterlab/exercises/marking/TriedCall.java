@@ -16,7 +16,7 @@ import rasterlab.exercises.score.GradingVerdict;
  * @param finding verdict and causes
  */
 public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
-    /** What an answer is worth by itself. */
+    /** The worth of an answer by itself. */
     public static TriedCall answered(Call call, Answer answer) {
         return new TriedCall(call, Optional.of(answer), call.check(answer));
     }

@@ -1,5 +1,6 @@
 /**
- * What the tried cases are worth: which case pays for a mistake, and what all failures share.
+ * Marking decides what the tried cases are worth: which case pays for a mistake, and what all
+ * failures share.
  *
  * <p>Nothing is run here. Start with {@link rasterlab.exercises.marking.Marking}.
  */

@@ -40,7 +40,7 @@ final class ChildLost extends Exception {
         this.idle = idle;
     }
 
-    /** Of a child that used so much processor time and gave no answer. */
+    /** Describes a child that used so much processor time and gave no answer. */
     static ChildLost late(TimeLimit limit, Duration used) {
         boolean idle = used.multipliedBy(2).compareTo(limit.processor()) < 0;
         Message said =

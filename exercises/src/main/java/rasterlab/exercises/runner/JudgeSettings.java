@@ -23,7 +23,7 @@ public record JudgeSettings(
         PROCESS_LIMITS_ONLY
     }
 
-    /** What wall time goes with processor time on this machine. */
+    /** The wall time that goes with processor time on this machine. */
     Patience patience() {
         return Patience.ofThisMachine();
     }

@@ -10,8 +10,8 @@ import java.util.OptionalInt;
 import rasterlab.exercises.Exercise;
 
 /**
- * In which band of speed a source was, so that one near the end of a band does not go to and fro
- * between two with each new measurement. The sources that were graded last are known.
+ * Remembers in which band of speed a source was, so that one near the end of a band does not go to
+ * and fro between two with each new measurement. The sources that were graded last are known.
  */
 final class SpeedMemory {
     private static final int MOST = 4096;
@@ -26,7 +26,7 @@ final class SpeedMemory {
                 }
             };
 
-    /** What tells one source from another, whatever its length. */
+    /** The hash that tells one source from another, whatever its length. */
     static String key(Exercise exercise, String source) {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");

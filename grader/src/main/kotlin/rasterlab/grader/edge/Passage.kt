@@ -39,7 +39,7 @@ internal class Passage(
     private var dropped = 0L
     private var closed = false
 
-    /** By System.nanoTime; null where the engine watches over the time. */
+    /** The deadline by System.nanoTime; null where the engine watches over the time. */
     private var deadline: Long? = System.nanoTime() + IDLE_NANOS
 
     init {

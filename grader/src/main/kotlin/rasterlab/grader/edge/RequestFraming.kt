@@ -38,7 +38,7 @@ internal class RequestFraming {
         return null
     }
 
-    /** What is wrong where the client sends no more. */
+    /** Names the fault where the client sends no more. */
     fun atEnd(): Refusal? = if (state == State.HEAD || state == State.REST) null else CUT_OFF
 
     private fun pass(

@@ -2,7 +2,7 @@ package rasterlab.grader.submission
 
 import rasterlab.grader.problem.Rejection
 
-/** What the header lines before a field's content say; each kind of them once. */
+/** The header lines before a field's content, each kind of them once. */
 internal class PartHead {
     var name: String? = null
         private set

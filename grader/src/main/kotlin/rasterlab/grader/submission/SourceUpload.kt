@@ -39,7 +39,7 @@ internal suspend fun ApplicationCall.receiveFields(): List<FormField> {
     return formFields(receiveAtMost(2 * LONGEST_SOURCE_BYTES + FORM_EXTRA_BYTES), request.contentType())
 }
 
-/** What the form's field `source` holds; of several, the first that is not empty. */
+/** The content of the form's field `source`; of several, the first that is not empty. */
 internal fun sourceOf(fields: List<FormField>): String {
     val sources = fields.filter { it.name == "source" }
     val sent = sources.firstOrNull { it.content.isNotEmpty() } ?: throw Rejection.EmptySource()

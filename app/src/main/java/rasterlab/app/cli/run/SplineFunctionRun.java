@@ -93,7 +93,7 @@ public final class SplineFunctionRun implements TopicRun {
         return watch.call(method, () -> solved(method, function, data, steps));
     }
 
-    /** What a method computes from. */
+    /** The data that a method computes from. */
     private record Data(double[] x, ClosedValues closed, SplineEnds ends, double[] at) {
         double[] y() {
             return closed.values();

@@ -109,7 +109,9 @@ public abstract class LabCard extends LabPanel {
         guide.hint("coordinates." + getName(), first());
     }
 
-    /** What hazards are compared with; a card that judges methods has its own. */
+    /**
+     * Describes the input that hazards are compared with; a card that judges methods overrides it.
+     */
     protected LabInput input() {
         return LabInput.unjudged(model::choice);
     }

@@ -21,7 +21,7 @@ public record PlaneAndLines(
         double[] normal, double[] point, double c, double[][] from, double[][] through) {
     private static final double[] NO_POINT = {};
 
-    /** Of the plane only n and c are known. */
+    /** Describes a plane of which only n and c are known. */
     public PlaneAndLines(Plane plane, List<Line> lines) {
         this(plane, Optional.empty(), lines);
     }

@@ -78,7 +78,7 @@ final class FaceTriangles {
         return uncolored().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
     }
 
-    /** With the corners' own colours, opaque. */
+    /** Makes triangles with the corners' own colours, opaque. */
     TriangleMesh tinted() {
         float[][] rgba = new float[4][corners];
         int at = 0;

@@ -30,7 +30,7 @@ public final class LitPixels implements PixelColors {
     private final Colors colors;
     private final Set<VertexQuantity> wants;
 
-    /** What the colours of the surface under this one are for. */
+    /** The use of the colours of the surface under this one. */
     private enum Colors {
         NOTHING,
         SHARES,

@@ -29,7 +29,7 @@ final class Materials {
     /** Materials by their names without what may be a comment; none where two have the same. */
     private final Map<String, Integer> bare = new HashMap<>();
 
-    /** Of materials that are named and not there: the first line that names each, and how many. */
+    /** The first line that names each missing material, and how many lines do. */
     private final Map<Integer, StandIn> standIns = new TreeMap<>();
 
     private int unnamed = Faces.NONE;

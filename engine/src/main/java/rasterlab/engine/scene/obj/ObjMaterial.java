@@ -56,7 +56,7 @@ public record ObjMaterial(
         emitted = List.copyOf(emitted);
     }
 
-    /** What faces have whose material is nowhere: light grey without a highlight. */
+    /** The material of faces whose own is missing: light grey without a highlight. */
     static ObjMaterial standard(String name) {
         return new MaterialValues(name).material();
     }

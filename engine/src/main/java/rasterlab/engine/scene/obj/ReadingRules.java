@@ -39,7 +39,7 @@ public final class ReadingRules {
     static final Rule SMOOTHING =
             cut("s", "off or a group's number; on is 1", 0, Integer.MAX_VALUE, 0);
 
-    /** Of a model, in the order of the table. */
+    /** The rules of a model, in the order of the table. */
     static final List<Rule> MODEL =
             List.of(
                     POSITION,
@@ -107,7 +107,7 @@ public final class ReadingRules {
     static final Rule TRANSPARENCY = cut("Tr", "1 − opacity, where d is not given", 0, 1, 0);
     static final Rule ILLUMINATION = cut("illum", "the lighting model's number", 0, 10, 2);
 
-    /** Of materials, in the order of the table. */
+    /** The rules of materials, in the order of the table. */
     static final List<Rule> MATERIALS =
             List.of(
                     read("newmtl", "the material's name", "an empty name"),
@@ -156,7 +156,7 @@ public final class ReadingRules {
     static final Rule SCALE = cut("-s", "u v w, times s t, before -o", -LARGEST, LARGEST, 1);
     static final Rule CLAMP = read("-clamp", "on or off", "off");
 
-    /** Of a texture's file name, with the most words that each takes. */
+    /** The options of a texture's file name, with the most words that each takes. */
     private static final Map<Rule, Integer> OPTIONS =
             Map.ofEntries(
                     Map.entry(OFFSET, 3),

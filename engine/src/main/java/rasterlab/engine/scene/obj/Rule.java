@@ -24,7 +24,7 @@ record Rule(
         CUT("read", "cut to it"),
         /** Names and numbers of things. */
         READ("read", ""),
-        /** Left out with a note. */
+        /** The keyword is left out, with a note. */
         PASSED_OVER("passed over", ""),
         /** Means nothing to a picture, so its absence is not told. */
         UNTOLD("passed over without a note", "");

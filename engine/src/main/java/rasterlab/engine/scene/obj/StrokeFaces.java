@@ -5,7 +5,7 @@ package rasterlab.engine.scene.obj;
  * of three sides about a line, an octahedron about a point.
  */
 final class StrokeFaces {
-    /** Of one line or point. */
+    /** The faces of one line or point. */
     static final int MOST_TRIANGLES = 8;
 
     /** World units, where a model's radius is {@link Fit#RADIUS}. */

@@ -39,7 +39,7 @@ final class PlaneClasses {
     /** How far off a plane a corner may be, as a share of the largest coordinate. */
     static final double IN_PLANE = 0x1p-40;
 
-    /** By how much coordinates of two normals may differ. */
+    /** The most by which coordinates of two normals in one plane differ. */
     static final double ONE_NORMAL = 0x1p-20;
 
     /** A direction in the space of planes in which unlike ones mostly are unlike. */

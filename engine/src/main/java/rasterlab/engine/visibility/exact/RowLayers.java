@@ -5,7 +5,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.FacePaint;
 
 /**
- * What is seen at each pixel of a row: faces from the nearest to the first opaque one.
+ * The faces seen at each pixel of a row, from the nearest to the first opaque one.
  *
  * <p>Faces come in the order of the mesh, so that of equally near ones the earlier stays before the
  * later.

@@ -27,7 +27,7 @@ final class Uses {
     private final OwnClasses own;
     private final Refusals refusals;
 
-    /** By owners: whether each member that was met may be used. */
+    /** Whether each member that was met may be used, by its owner. */
     private final Map<String, Map<Member, Boolean>> judged = new HashMap<>();
 
     /** The classes that may not be used, by the internal name that names them. */

@@ -6,7 +6,7 @@ import java.util.Set;
 
 /** Where some words stand in a source, found in one pass; of each line the first place counts. */
 final class WordPlaces {
-    /** By words, then by lines: the column, from 1. */
+    /** The column, from 1, by word and then by line. */
     private final Map<String, Map<Integer, Integer>> columns = new HashMap<>();
 
     private final Map<String, Integer> firstLines = new HashMap<>();
