@@ -7,11 +7,14 @@ package rasterlab.contract;
  * either way. It is seen from both sides and covers whatever was painted before it. An order is
  * right if at no place of the picture, that is, on no ray from the eye, a farther polygon is
  * painted over a nearer one; one that is nearer by less than 10⁻¹² of its distance is level, and of
- * those either may come first. A polygon whose plane holds the eye covers nothing and may come
- * anywhere.
+ * those either may come first. A polygon whose plane holds the eye, or misses it by less than 10⁻¹²
+ * of the largest coordinate, covers nothing and may come anywhere.
  *
  * <p>Where polygons overlap in a circle or pass through each other no order of whole ones is right:
  * then some are cut into pieces, which together cover their polygon once.
+ *
+ * <p>Every polygon is at least as wide as 10⁻⁶ of the largest coordinate in size, of corners and
+ * eye, and as far from the eye; its width is its area by the longest way between its corners.
  */
 @FunctionalInterface
 public interface DepthOrder {
@@ -21,8 +24,8 @@ public interface DepthOrder {
      * @param polygons any finite coordinates, in any unit; not to be changed
      * @param eye x, y, z
      * @throws IllegalArgumentException if a number is not finite, a polygon is not flat, convex and
-     *     of some area, or the method cannot order these; the message names place, value and what
-     *     is allowed
+     *     of some area, one is narrower or nearer to the eye than 10⁻⁶ of the largest coordinate,
+     *     or the method cannot order these; the message names place, value and what is allowed
      */
     void order(double[][] polygons, double[] eye, PieceSink out);
 }

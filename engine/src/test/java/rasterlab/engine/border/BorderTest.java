@@ -20,7 +20,7 @@ import rasterlab.engine.Topics;
  */
 class BorderTest {
     /** Topics whose inputs are still to be made of such numbers. */
-    private static final Set<String> MISSING = Set.of("depth-order", "hidden-surfaces");
+    private static final Set<String> MISSING = Set.of("hidden-surfaces");
 
     private static final int INPUTS = Boolean.getBoolean("rasterlab.full") ? 1_000_000 : 10_000;
     private static final long SEED = Long.getLong("rasterlab.seed", 28);

@@ -18,6 +18,7 @@ final class Borders {
                         ClippingBorders.all(),
                         TransformBorders.all(),
                         VisibilityBorders.all(),
+                        List.of(OrderBorders.all()),
                         List.of(CurveBorders.all()),
                         LightBorders.all(),
                         List.of(NormalsBorders.all()),

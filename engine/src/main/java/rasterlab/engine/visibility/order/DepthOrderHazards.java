@@ -18,7 +18,9 @@ final class DepthOrderHazards {
     private DepthOrderHazards() {}
 
     static List<Hazard<Sight>> all() {
-        return Stream.of(ofMeans(), ofEyes(), ofCuts(), ofPlaces()).flatMap(List::stream).toList();
+        return Stream.of(ofMeans(), ofEyes(), ofCuts(), ofPlaces(), outOfRange())
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static List<Hazard<Sight>> ofMeans() {
@@ -139,6 +141,22 @@ final class DepthOrderHazards {
                         "Coordinates of 10⁻²⁰⁰, whose products are 0.",
                         new Sight(circle(), EYE).scaled(1e-200),
                         recorded(WRONG, WRONG, EXACT, EXACT)));
+    }
+
+    private static List<Hazard<Sight>> outOfRange() {
+        return List.of(
+                hazard(
+                        "too-near-the-eye",
+                        "The eye is nearer to a wall than 10⁻⁶ of the largest coordinate: out of range.",
+                        recorded(REFUSED, REFUSED, REFUSED, REFUSED),
+                        square(0, 0, 1e-12, 1e4),
+                        square(0, 0, 1e-3, 1)),
+                hazard(
+                        "too-narrow",
+                        "A strip is narrower than 10⁻⁶ of the largest coordinate: out of range.",
+                        recorded(REFUSED, REFUSED, REFUSED, REFUSED),
+                        new double[] {-1e4, 0, 20, 1e4, 0, 30, 1e4, 1e-4, 30, -1e4, 1e-4, 20},
+                        square(0, 0, 26, 1)));
     }
 
     /** A square across the look, as wide as high, round (x, y, z). */

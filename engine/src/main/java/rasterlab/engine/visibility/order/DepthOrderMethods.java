@@ -42,8 +42,10 @@ final class DepthOrderMethods {
                                         + " again after moves and cuts: up to n² for n polygons,"
                                         + " but 15,000 of 131,000 pairs for 512 scattered ones",
                                 "none known in front of the eye; refuses what reaches behind it,"
-                                        + " and what needs more than 1,000,000 pieces or"
-                                        + " 500,000,000 comparisons, some seconds",
+                                        + " polygons narrower or nearer to the eye than 10⁻⁶ of"
+                                        + " the largest coordinate, and what needs more than"
+                                        + " 1,000,000 pieces or 500,000,000 comparisons, some"
+                                        + " seconds",
                                 "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the"
                                         + " hidden surface problem, 1972"),
                         new Newell()),
@@ -57,7 +59,9 @@ final class DepthOrderMethods {
                                         + " 6·n·log₂ n for n scattered ones, 3·n² for convex"
                                         + " bodies",
                                 "none known; cuts polygons that no circle forces to be cut; refuses"
-                                        + " what needs more than 1,000,000 pieces",
+                                        + " polygons narrower or nearer to the eye than 10⁻⁶ of"
+                                        + " the largest coordinate, and what needs more than"
+                                        + " 1,000,000 pieces",
                                 "H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation"
                                         + " by a priori tree structures, 1980"),
                         new Bsp()));

@@ -50,11 +50,16 @@ public record Sight(double[][] polygons, double[] eye) {
 
     /** The e for which all coordinates times 2⁻ᵉ are at most ¼ in size. */
     int exponent() {
+        return Math.getExponent(Math.max(largest(), Double.MIN_NORMAL)) + 3;
+    }
+
+    /** The largest coordinate in size, of corners and eye. */
+    double largest() {
         double largest = 0;
         for (double value : eye) largest = Math.max(largest, Math.abs(value));
         for (double[] xyz : polygons)
             for (double value : xyz) largest = Math.max(largest, Math.abs(value));
-        return Math.getExponent(Math.max(largest, Double.MIN_NORMAL)) + 3;
+        return largest;
     }
 
     /**
@@ -65,13 +70,17 @@ public record Sight(double[][] polygons, double[] eye) {
     List<Facet> facets() {
         int by = -exponent();
         var facets = new ArrayList<Facet>();
-        for (int k = 0; k < polygons.length; k++) {
-            var seen = new double[polygons[k].length];
-            for (int i = 0; i < seen.length; i++)
-                seen[i] = Math.scalb(polygons[k][i], by) - Math.scalb(eye[i % 3], by);
-            facets.add(Facet.whole(k, polygons[k], seen));
-        }
+        for (int k = 0; k < polygons.length; k++)
+            facets.add(Facet.whole(k, polygons[k], seen(k, by)));
         return facets;
+    }
+
+    /** The corners of polygon k less the eye, times 2 to the power of {@code by}. */
+    double[] seen(int k, int by) {
+        var seen = new double[polygons[k].length];
+        for (int i = 0; i < seen.length; i++)
+            seen[i] = Math.scalb(polygons[k][i], by) - Math.scalb(eye[i % 3], by);
+        return seen;
     }
 
     @Override

@@ -5,13 +5,20 @@ import rasterlab.contract.PieceSink;
 
 /** A method that can be watched while it orders. */
 public interface SteppedOrder extends DepthOrder {
-    /** A walk that has painted nothing yet. */
+    /**
+     * A walk that has painted nothing yet.
+     *
+     * @throws IllegalArgumentException if a polygon is narrower or nearer to the eye than the
+     *     contract allows
+     */
     default OrderWalk walk(Sight sight, PieceSink out) {
+        SightRange.require(sight);
         return walk(sight, out, () -> {});
     }
 
     /**
-     * The same, of which the caller may tire.
+     * The same, of which the caller may tire, and out of range too: what is seen in pixels may be
+     * right where the whole of it is not.
      *
      * @param pulse run now and then, before the first step too; what it throws ends the work
      */

@@ -19,6 +19,7 @@ class DepthOrderFullTest {
         var random = new Random(SEED);
         for (int scene = 0; scene < SCENES; scene++) {
             Sight sight = triangles(2 + scene % 12, random);
+            if (!inRange(sight)) continue;
             for (String name : List.of("newell", "bsp")) {
                 Painting painting =
                         topic.record(topic.method(name).implementation(), sight, 1_000_000);
@@ -39,6 +40,16 @@ class DepthOrderFullTest {
                     IllegalArgumentException.class,
                     () -> method.order(sight.polygons(), sight.eye(), (polygon, corners) -> {}),
                     name);
+        }
+    }
+
+    /** Whether the methods are not to refuse it, as they do one in thousands of random ones. */
+    static boolean inRange(Sight sight) {
+        try {
+            SightRange.require(sight);
+            return true;
+        } catch (IllegalArgumentException e) {
+            return false;
         }
     }
 

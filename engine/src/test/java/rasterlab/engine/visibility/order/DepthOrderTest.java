@@ -202,6 +202,39 @@ class DepthOrderTest {
         return painting;
     }
 
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("outOfRange")
+    void everyMethodRefusesOutOfRange(double[] polygon, String message) {
+        var sight = new Sight(new double[][] {NEAR, polygon}, EYE);
+        for (Method<DepthOrder> method : TOPIC.methods()) {
+            var refusal =
+                    assertThrows(
+                            IllegalArgumentException.class,
+                            () -> TOPIC.record(method.implementation(), sight, 100),
+                            method.name());
+            assertEquals(message, refusal.getMessage(), method.name());
+        }
+    }
+
+    static Stream<Arguments> outOfRange() {
+        return Stream.of(
+                argumentSet(
+                        "strip is too narrow",
+                        new double[] {-5e5, 0, 9, 5e5, 0, 9, 5e5, 0.25, 9, -5e5, 0.25, 9},
+                        "polygon 1 must be at least 0.5 wide, 10⁻⁶ of the largest coordinate"
+                                + " 500000.0, got 0.2499999999999922"),
+                argumentSet(
+                        "wall is too near before the eye",
+                        new double[] {-5e5, -8, 0.25, 5e5, -8, 0.25, 0, 9, 0.25},
+                        "polygon 1 must be at least 0.5 from the eye, 10⁻⁶ of the largest"
+                                + " coordinate 500000.0, got 0.25"),
+                argumentSet(
+                        "corner is too near beside the eye",
+                        new double[] {0.25, 0, 0, 5e5, 5e5, 0, 5e5, -5e5, 7},
+                        "polygon 1 must be at least 0.5 from the eye, 10⁻⁶ of the largest"
+                                + " coordinate 500000.0, got 0.25"));
+    }
+
     @Test
     void nothingIsPaintedWhereThereIsNothing() {
         for (Method<?> method : TOPIC.methods())
