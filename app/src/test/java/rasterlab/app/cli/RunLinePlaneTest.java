@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
@@ -41,6 +42,19 @@ class RunLinePlaneTest {
                         "{\"line\":[[0,0,1],[1,0,1]]," + LEVEL + "}",
                         "{\"mu\":null,\"angle\":0.0,\"cosines\":[1.0,0.0,0.0],"
                                 + "\"projection\":0.0}"));
+    }
+
+    @Test
+    void aPointFarBeyondTheLinesEndsLosesNoDigits() {
+        Ran ran =
+                Ran.labReading(
+                        "{\"line\":[[1,2,3],[1.0000000000000002,2.0000000000000004,3]],"
+                                + "\"normal\":[0.1,0.3,0.7],\"point\":[5.3,10.6,3]}",
+                        "run",
+                        "line-plane",
+                        "unrounded");
+        ran.assertDone();
+        assertTrue(ran.out().contains("\"point\":[5.3,10.6,3.0]"), ran.out());
     }
 
     @Test

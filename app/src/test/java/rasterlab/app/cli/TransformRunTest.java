@@ -28,7 +28,7 @@ class TransformRunTest {
                         "a homogeneous point is refused",
                         "transform",
                         "double",
-                        "{\"matrices\":[],\"points\":[[0,0,1,0],[2,4,6,2],[1,2,3]]}",
+                        "{\"points\":[[0,0,1,0],[2,4,6,2],[1,2,3]]}",
                         "{\"points\":[null,[1.0,2.0,3.0],[1.0,2.0,3.0]],\"h\":[0.0,2.0,1.0]}"),
                 argumentSet(
                         "a direction has no vanishing point",

@@ -35,9 +35,14 @@ public record Line(Vector from, Vector through) {
         return through.minus(from);
     }
 
-    /** (1 − μ)·p₁ + μ·p₂, which meets both points exactly. */
+    /**
+     * p₁ + μ·p*, from p₂ on where that is nearer: both points are met exactly, and far from them no
+     * digits cancel, as they do in (1 − μ)·p₁ + μ·p₂.
+     */
     public Vector at(double mu) {
-        return from.times(1 - mu).plus(through.times(mu));
+        return mu <= 0.5
+                ? from.plus(direction().times(mu))
+                : through.plus(direction().times(mu - 1));
     }
 
     /** Which part of the line μ names; both points count as between. */

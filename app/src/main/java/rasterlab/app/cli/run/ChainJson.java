@@ -14,12 +14,13 @@ import rasterlab.engine.transform.matrix.NamedMatrices;
  * A list of matrices, each by name or by its rows, and the points that go through them, as JSON.
  *
  * <p>All matrices have 4 rows and the points 3 numbers, or all have 3 and the points 2. A point may
- * have one number more, its homogeneous coordinate h, which is 0 at infinity.
+ * have one number more, its homogeneous coordinate h, which is 0 at infinity. Without matrices
+ * points stay where they are.
  */
 final class ChainJson {
     private static final int MOST_MATRICES = 1_000;
     private static final JsonField<List<double[][]>> MATRICES =
-            JsonField.required(
+            JsonField.optional(
                     "matrices", json -> json.list("matrices", ChainJson::matrix, 0, MOST_MATRICES));
     private static final JsonField<List<double[]>> POINTS =
             JsonField.required(
@@ -30,7 +31,7 @@ final class ChainJson {
 
     static Chain read(byte[] text, int length) {
         Given given = StrictJson.object(text, length, MATRICES, POINTS);
-        List<double[][]> matrices = given.get(MATRICES);
+        List<double[][]> matrices = given.find(MATRICES).orElse(List.of());
         List<double[]> points = given.get(POINTS);
         int dimension = dimension(matrices, points);
         for (int i = 0; i < matrices.size(); i++)
