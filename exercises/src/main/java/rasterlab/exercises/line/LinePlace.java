@@ -34,6 +34,13 @@ record LinePlace(Optional<Cause> cause, Motion back) {
                         Optional.of(Cause.of("mirrored-up-down")),
                         (x, y) -> new long[] {x, 2L * s.y0() - y}));
         places.add(
+                new LinePlace(
+                        Optional.of(Cause.of("mirrored-left-right")),
+                        (x, y) -> new long[] {-x, y}));
+        places.add(
+                new LinePlace(
+                        Optional.of(Cause.of("mirrored-up-down")), (x, y) -> new long[] {x, -y}));
+        places.add(
                 new LinePlace(Optional.of(Cause.of("swapped-axes")), (x, y) -> new long[] {y, x}));
         places.add(
                 new LinePlace(

@@ -100,6 +100,8 @@ final class LineTiming implements TopicGrading.Timing {
                                         s, x, y, (a, b) -> withoutFirst.plot(s, a, b, out))));
         all.add(moved("mirrored-left-right", (s, x, y, out) -> out.plot(2 * s.x0() - x, y)));
         all.add(moved("mirrored-up-down", (s, x, y, out) -> out.plot(x, 2 * s.y0() - y)));
+        all.add(moved("mirrored-left-right", (s, x, y, out) -> out.plot(-x, y)));
+        all.add(moved("mirrored-up-down", (s, x, y, out) -> out.plot(x, -y)));
         all.add(moved("swapped-axes", (s, x, y, out) -> out.plot(y, x)));
         all.add(
                 moved(

@@ -79,6 +79,14 @@ class FairMarkingTest {
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(2 * x0 - x, y))),
                 mistake(
+                        "left and right are exchanged",
+                        (x0, y0, x1, y1, out) ->
+                                RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(-x, y))),
+                mistake(
+                        "up and down are exchanged",
+                        (x0, y0, x1, y1, out) ->
+                                RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(x, -y))),
+                mistake(
                         "up and down are exchanged; only on lines upwards",
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(
