@@ -12,6 +12,7 @@ import static rasterlab.app.canvas.Unlike.Kind.FACE_NORMAL;
 import static rasterlab.app.canvas.Unlike.Kind.LAMP_BESIDE;
 import static rasterlab.app.canvas.Unlike.Kind.NORMALS_LENGTHENED;
 import static rasterlab.app.canvas.Unlike.Kind.NORMAL_LENGTH;
+import static rasterlab.app.canvas.Unlike.Kind.PAINTED_AS_GIVEN;
 import static rasterlab.app.canvas.Unlike.Kind.PAINTED_IN_ORDER;
 import static rasterlab.app.canvas.Unlike.Kind.PICTURE_SIZE;
 import static rasterlab.app.canvas.Unlike.Kind.POINT_ASIDE;
@@ -76,6 +77,7 @@ class LabOpeningTest {
                     Map.entry("visible-faces tiny", EnumSet.of(FACES_FOUND, SCALED)),
                     Map.entry("depth-order huge", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
                     Map.entry("depth-order tiny", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
+                    Map.entry("depth-order too-near-the-eye", EnumSet.of(PAINTED_AS_GIVEN, SCALED)),
                     Map.entry("vertex-normals smallest-face", EnumSet.of(SCALED, FACE_NORMAL)),
                     Map.entry("vertex-normals tiny-faces", EnumSet.of(SCALED, FACE_NORMAL)),
                     Map.entry(

@@ -85,8 +85,16 @@ class TopicViewTest {
         return hazards.stream().filter(one -> one.name().equals(name)).findFirst().orElseThrow();
     }
 
+    /** Without those that every method refuses: what is out of range may be out of sight. */
+    static Stream<Hazard<Sight>> sightsInRange() {
+        return sights().filter(
+                        hazard ->
+                                hazard.recorded().values().stream()
+                                        .anyMatch(kind -> kind != Verdict.Kind.REFUSED));
+    }
+
     @ParameterizedTest
-    @MethodSource("sights")
+    @MethodSource("sightsInRange")
     void somethingIsSeen(Hazard<Sight> hazard) {
         assertTrue(seen(TopicView.of(hazard.name(), hazard.input(), "newell", "newell")) > 2000);
     }

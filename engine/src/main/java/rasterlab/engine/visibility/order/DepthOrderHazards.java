@@ -156,7 +156,7 @@ final class DepthOrderHazards {
                         "A strip is narrower than 10⁻⁶ of the largest coordinate: out of range.",
                         recorded(REFUSED, REFUSED, REFUSED, REFUSED),
                         new double[] {-1e4, 0, 20, 1e4, 0, 30, 1e4, 1e-4, 30, -1e4, 1e-4, 20},
-                        square(0, 0, 26, 1)));
+                        square(0, 0, 26, 5e3)));
     }
 
     /** A square across the look, as wide as high, round (x, y, z). */
