@@ -86,7 +86,7 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
         return recording;
     }
 
-    /** Of how many groups of rows one is kept: 1 where the picture has no more than a million. */
+    /** One group of rows is kept of so many: 1 where the picture has at most a million pixels. */
     private static int rowStep(FillTask task) {
         long pixels = task.rows().stream().mapToLong(String::length).sum();
         return pixels <= MOST_ITEMS ? 1 : (int) (2 * pixels / MOST_ITEMS + 1);

@@ -74,8 +74,9 @@ public interface Topic<C, I, O> {
     O exact(I input, int limit);
 
     /**
-     * What methods are judged by: the right answer, or a part of one too long to keep. A topic
-     * whose methods produce items in different orders chooses that part by the items themselves.
+     * The answer that methods are judged by: the right one, or a part of one too long to keep. A
+     * topic whose methods produce items in different orders chooses that part by the items
+     * themselves.
      */
     default O exactPart(I input, int limit) {
         return exact(input, limit);

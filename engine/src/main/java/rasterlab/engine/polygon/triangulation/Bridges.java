@@ -15,7 +15,7 @@ import rasterlab.engine.polygon.MeetingEdges;
  * which holes and islands are joined to one way.
  *
  * <p>Corners may stand in one place only where a bridge ends. Edges meet at their corners only.
- * Without the bridges closed ways are left, of which no two touch: outsides, gone round the one
+ * Closed ways are left without the bridges, of which no two touch: outsides, gone round the one
  * way, and holes in them, gone round the other. So every point is gone round once or not at all.
  */
 final class Bridges {

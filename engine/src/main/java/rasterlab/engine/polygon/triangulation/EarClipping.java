@@ -56,7 +56,7 @@ public final class EarClipping implements SteppedTriangulator {
             return true;
         }
 
-        /** Of a simple polygon some corner to be tried is always an ear. */
+        /** Some corner of a simple polygon is always an ear. */
         private int next() {
             if (toTry.isEmpty()) {
                 if (!cutSince) throw EarRing.crosswise();

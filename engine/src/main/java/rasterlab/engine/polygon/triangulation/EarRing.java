@@ -115,7 +115,7 @@ final class EarRing {
         return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
     }
 
-    /** What is said where no ear is left: that happens to ways with bridges only. */
+    /** Makes the refusal of a way without an ear; only ways with bridges come to that. */
     static IllegalArgumentException crosswise() {
         return new IllegalArgumentException(
                 "where edges are gone along both ways, the ways cross in a corner");

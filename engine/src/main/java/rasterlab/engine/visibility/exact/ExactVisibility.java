@@ -25,7 +25,7 @@ import rasterlab.engine.visibility.VisibilityWork;
  * is seen, of equally near ones the one that comes first in the mesh.
  *
  * <p>So of faces in one plane the first wins at all pixels, not at those where rounding prefers it.
- * What follows from the stated rules is decided without rounding: {@link PixelSign} and {@link
+ * All that follows from the stated rules is decided without rounding: {@link PixelSign} and {@link
  * Nearness} ask doubles first, with a bound of their error, and then whole numbers.
  */
 public final class ExactVisibility implements Visibility {
