@@ -146,28 +146,28 @@ final class GraderProcess implements AutoCloseable {
      * replaced by the server, as on Windows, the server is one of the children that are left.
      */
     private void stop(Duration longest) {
-        List<ProcessHandle> children = process.descendants().toList();
-        process.destroy();
         try {
-            if (!process.waitFor(longest.toSeconds(), TimeUnit.SECONDS)) kill();
+            stop(process.toHandle(), longest);
             process.waitFor();
-            stop(children, longest);
         } catch (InterruptedException e) {
             kill();
-            children.forEach(ProcessHandle::destroyForcibly);
             Thread.currentThread().interrupt();
         }
     }
 
-    private static void stop(List<ProcessHandle> children, Duration longest)
-            throws InterruptedException {
-        children.forEach(ProcessHandle::destroy);
-        var ends = children.stream().map(ProcessHandle::onExit).toArray(CompletableFuture[]::new);
+    /**
+     * Level by level: a child is asked only once its parent has ended. Were all asked at once, a
+     * parent that sees its child killed could say so into a closed pipe, and end of that.
+     */
+    private static void stop(ProcessHandle parent, Duration longest) throws InterruptedException {
+        List<ProcessHandle> children = parent.children().toList();
+        parent.destroy();
         try {
-            CompletableFuture.allOf(ends).get(longest.toSeconds(), TimeUnit.SECONDS);
+            parent.onExit().get(longest.toSeconds(), TimeUnit.SECONDS);
         } catch (ExecutionException | TimeoutException e) {
-            children.forEach(ProcessHandle::destroyForcibly);
+            parent.destroyForcibly();
         }
+        for (ProcessHandle child : children) stop(child, longest);
     }
 
     private void forgetStopper() {
