@@ -77,10 +77,10 @@ public final class ModelFile {
 
     private static Optional<Reader> materials(ModelFolder folder, String name) throws IOException {
         try {
-            Optional<Path> found = folder.find(List.of(name));
+            Optional<ModelFolder.Found> found = folder.find(List.of(name));
             return found.isEmpty()
                     ? Optional.empty()
-                    : Optional.of(ModelText.materials(found.get()));
+                    : Optional.of(ModelText.materials(found.get().file()));
         } catch (Complaint e) {
             throw new IOException(e.getMessage(), e);
         } catch (IOException e) {

@@ -7,10 +7,10 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import rasterlab.app.outcome.Complaint;
 
 /**
@@ -36,31 +36,39 @@ final class ModelFolder {
     }
 
     /**
+     * @param name the one of the names that led to it
+     */
+    record Found(Path file, String name) {}
+
+    /** One way to look for a file. */
+    private interface Way {
+        Optional<Path> find(String name) throws IOException;
+    }
+
+    /**
      * @param names what may be meant, the likeliest first
      * @return a file; a folder or device only where it has one of the names itself
      */
-    Optional<Path> find(List<String> names) throws IOException {
-        Set<String> spelled = new LinkedHashSet<>();
+    Optional<Found> find(List<String> names) throws IOException {
+        Map<String, String> spelled = new LinkedHashMap<>();
         for (String name : names) {
-            spelled.add(name.replace('\\', '/'));
-            spelled.add(unquoted(name).replace('\\', '/'));
+            spelled.putIfAbsent(name.replace('\\', '/'), name);
+            spelled.putIfAbsent(unquoted(name).replace('\\', '/'), name);
         }
-        spelled.removeIf(name -> name.isBlank() || name.indexOf('\0') >= 0);
-        Optional<Path> noFile = Optional.empty();
-        for (String name : spelled) {
-            Optional<Path> found = exact(name);
-            if (found.filter(Files::isRegularFile).isPresent()) return found;
-            noFile = noFile.or(() -> found);
-        }
-        for (String name : spelled) {
-            Optional<Path> found = inAnyCase(root, List.of(name.split("/+")));
-            if (found.isPresent()) return found;
-        }
-        for (String name : spelled) {
-            Optional<Path> found = below(name.substring(name.lastIndexOf('/') + 1));
-            if (found.isPresent()) return found;
-        }
-        return noFile;
+        spelled.keySet().removeIf(name -> name.isBlank() || name.indexOf('\0') >= 0);
+        List<Way> ways =
+                List.of(
+                        name -> exact(name).filter(Files::isRegularFile),
+                        name -> inAnyCase(root, List.of(name.split("/+"))),
+                        name -> below(name.substring(name.lastIndexOf('/') + 1)),
+                        this::exact);
+        for (Way way : ways)
+            for (String name : spelled.keySet()) {
+                Optional<Path> found = way.find(name);
+                if (found.isPresent())
+                    return Optional.of(new Found(found.get(), spelled.get(name)));
+            }
+        return Optional.empty();
     }
 
     private static String unquoted(String name) {

@@ -30,9 +30,12 @@ final class ModelTextures implements TextureFiles {
     public Optional<Texture> open(ObjMaterial.Map map) {
         String name = map.names().get(map.names().size() - 1);
         try {
-            Optional<Path> found = folder.find(map.names());
-            if (found.isPresent())
-                return read.computeIfAbsent(found.get(), file -> picture(file, map.place()));
+            Optional<ModelFolder.Found> found = folder.find(map.names());
+            if (found.isPresent()) {
+                String taken = found.get().name();
+                if (!taken.equals(map.names().get(0))) noteOther(map, taken);
+                return read.computeIfAbsent(found.get().file(), file -> picture(file, map.place()));
+            }
             notes.accept(
                     "%s: there is no texture '%s' in the model's folder%s"
                             .formatted(map.place(), name, INSTEAD));
@@ -42,6 +45,13 @@ final class ModelTextures implements TextureFiles {
                             .formatted(map.place(), name, WholeFile.reason(e), INSTEAD));
         }
         return Optional.empty();
+    }
+
+    /** The name as it stands may have a comment or an option's word in it. */
+    private void noteOther(ObjMaterial.Map map, String taken) {
+        notes.accept(
+                "%s: there is no texture '%s'; '%s' was taken"
+                        .formatted(map.place(), map.names().get(0), taken));
     }
 
     private Optional<Texture> picture(Path file, String place) {

@@ -145,7 +145,6 @@ class ModelFileTest {
                 "wood.png | maps/wood.png",
                 "Maps\\Wood.PNG | maps/wood.png",
                 "wood#2.png | wood#2.png",
-                "wood.png # oak | wood.png",
                 "wood #2.png | wood #2.png",
                 "./wood.png | wood.png"
             })
@@ -200,6 +199,35 @@ class ModelFileTest {
         Files.createSymbolicLink(folder.resolve("a.mtl"), elsewhere.resolve("b.mtl"));
         assertEquals(0xCCCCCC, read().finish(3).rgb());
         assertTrue(notes.get(0).endsWith("there is no material file 'a.mtl'; it was passed over"));
+    }
+
+    /** A word that may be a number or the beginning of a name is what there is a file for. */
+    @ParameterizedTest(name = "map_Kd {0} does not draw {1}, or says nothing of it")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "-o 1,5 0 0 tex.png | tex.png | '-o' has a decimal comma in '1,5'; instead stands 0",
+                "-o nan 0 0 tex.png | tex.png | '-o' has no number in 'nan'; instead stands 0",
+                "-o x 0 0 tex.png | tex.png | '-o' has no number in 'x'; instead stands 0",
+                "-o 0 0 x tex.png | tex.png | there is no texture 'x tex.png'; 'tex.png' was taken",
+                "-o 0 0 x in/tex.png | in/tex.png | there is no texture 'x in/tex.png'; 'in/tex.png' was taken",
+                "-o 0 0 x tex.png | x tex.png | ",
+                "tex.png #2 | tex.png | there is no texture 'tex.png #2'; 'tex.png' was taken",
+                "tex.png #2 | tex.png #2 | ",
+                "tex#2.png | tex#2.png | "
+            })
+    void findsTexturesBehindSpoiledOptions(String map, String file, String note)
+            throws IOException {
+        write("a.obj", ("mtllib a.mtl\n" + PYRAMID).getBytes(StandardCharsets.UTF_8));
+        write("a.mtl", (METALS + "map_Kd " + map + "\n").getBytes(StandardCharsets.UTF_8));
+        writePicture(file);
+        assertTrue(read().finish(3).texture().isPresent());
+        List<String> told = notes.stream().filter(said -> said.startsWith("a.mtl:5: ")).toList();
+        assertEquals(note == null ? List.of() : List.of("a.mtl:5: " + note), told);
+        for (String said : told)
+            assertFalse(
+                    Complaints.said(Language.RUSSIAN, said).matches(".*\\b(the|has|was)\\b.*"),
+                    said);
     }
 
     @Test

@@ -29,6 +29,8 @@ final class FaceCutter {
     private final Doubles positions;
     private final Faces faces;
     private final double[] normal = new double[3];
+    private final double[] origin = new double[3];
+    private int exponent;
     private boolean cancelsOut;
     private boolean surelyTaken;
     private long squares;
@@ -41,6 +43,7 @@ final class FaceCutter {
     }
 
     void add(FaceLine line, int material, int smoothing) {
+        measure(line);
         int[] corners = apart(line);
         boolean area = hasArea(line, corners);
         if (!area && !cancelsOut) {
@@ -73,7 +76,8 @@ final class FaceCutter {
     }
 
     private void leaveOut(String what) {
-        notes.count(what + " without area was left out", lines);
+        String why = what + " without area was left out";
+        notes.leaveOut(why, why, lines);
     }
 
     private void keep(FaceLine line, int[] corners, int material, int smoothing) {
@@ -95,8 +99,19 @@ final class FaceCutter {
         return kept.all();
     }
 
+    /** Of a tiny face, {@link #at} is counted from its first corner and scaled. */
+    private void measure(FaceLine line) {
+        exponent = 0;
+        double longest = 0;
+        for (int k = 1; k < line.vertex.size(); k++)
+            for (double length : edge(line, 0, k)) longest = Math.max(longest, Math.abs(length));
+        for (int axis = 0; axis < 3; axis++) origin[axis] = at(line, 0, axis);
+        exponent = TinyLengths.exponent(longest);
+    }
+
     private double at(FaceLine line, int corner, int axis) {
-        return positions.get(3 * line.vertex.get(corner) + axis);
+        double at = positions.get(3 * line.vertex.get(corner) + axis);
+        return exponent == 0 ? at : Math.scalb(at - origin[axis], exponent);
     }
 
     /**

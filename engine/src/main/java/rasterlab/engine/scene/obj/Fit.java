@@ -12,12 +12,12 @@ final class Fit {
 
     private final double[] xyz;
     private final double[] middle = new double[3];
+    private final int exponent;
     private final double scale;
 
     /**
      * @param xyz coordinates of vertices
      * @param used the numbers of those that something is drawn at; others stay where no one looks
-     * @throws IllegalArgumentException if the model is too small to be scaled
      */
     Fit(double[] xyz, int[] used) {
         this.xyz = xyz;
@@ -25,11 +25,8 @@ final class Fit {
         double farthest = 0;
         for (int v : used)
             farthest = Math.max(farthest, Math.hypot(Math.hypot(off(v, 0), off(v, 1)), off(v, 2)));
-        scale = farthest == 0 ? 1 : rounded(RADIUS / farthest);
-        if (!(scale > 0 && scale < Double.POSITIVE_INFINITY))
-            throw new IllegalArgumentException(
-                    "model must have a radius that can be scaled to %s, got %s"
-                            .formatted(RADIUS, farthest));
+        exponent = TinyLengths.exponent(farthest);
+        scale = farthest == 0 ? 1 : rounded(RADIUS / Math.scalb(farthest, exponent));
     }
 
     private static double rounded(double scale) {
@@ -55,7 +52,8 @@ final class Fit {
     double[] fitted(int[] used) {
         double[] fitted = new double[xyz.length];
         for (int v : used)
-            for (int axis = 0; axis < 3; axis++) fitted[3 * v + axis] = scale * off(v, axis);
+            for (int axis = 0; axis < 3; axis++)
+                fitted[3 * v + axis] = scale * Math.scalb(off(v, axis), exponent);
         return fitted;
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.engine.scene.obj;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -12,6 +13,9 @@ final class MapOptions {
     private final double[] scale = {1, 1};
     private boolean clamped;
 
+    /** The first word that the last option has no room for. */
+    private int room;
+
     MapOptions(TextLines lines, Words words, Notes notes) {
         this.lines = lines;
         this.words = words;
@@ -22,7 +26,7 @@ final class MapOptions {
     Optional<ObjMaterial.Map> read() throws BrokenFileException {
         int at = 1;
         while (at < words.count() && isOption(at)) at = option(at);
-        List<String> names = words.names(at);
+        List<String> names = names(at);
         if (names.get(0).isEmpty()) {
             notes.count("'map_Kd' without a file's name was passed over", lines);
             return Optional.empty();
@@ -36,6 +40,16 @@ final class MapOptions {
                         clamped));
     }
 
+    /**
+     * The file's name from a word on in all ways that it can be meant: words that the last option
+     * has room for may be numbers that cannot be read.
+     */
+    private List<String> names(int from) {
+        List<String> names = new ArrayList<>(words.names(from));
+        for (int word = from + 1; word <= room; word++) names.addAll(words.names(word));
+        return names;
+    }
+
     /** A file's name may begin with a hyphen too, but then it has a point further on. */
     private boolean isOption(int word) {
         String text = words.get(word);
@@ -47,10 +61,13 @@ final class MapOptions {
         Optional<Rule> known = ReadingRules.ofOption(words.get(at));
         if (known.isEmpty()) {
             noteOption("unknown option '%s' was passed over", at);
-            return behind(at, Integer.MAX_VALUE);
+            room = 0;
+            return behindAny(at);
         }
         Rule rule = known.get();
-        int end = behind(at, ReadingRules.mostWords(rule));
+        int most = ReadingRules.mostWords(rule);
+        int end = behind(at, most);
+        room = most == 1 ? 0 : Math.min(words.count() - 1, at + 1 + most);
         if (rule == ReadingRules.OFFSET) numbers(at, end, rule, offset);
         else if (rule == ReadingRules.SCALE) numbers(at, end, rule, scale);
         else if (rule == ReadingRules.CLAMP)
@@ -64,20 +81,29 @@ final class MapOptions {
     }
 
     private void numbers(int at, int end, Rule rule, double[] into) throws BrokenFileException {
-        for (int i = 0; i < into.length && at + 1 + i < end; i++)
-            into[i] = words.number(at + 1 + i, rule);
+        for (int i = 0; at + 1 + i < end; i++) {
+            double number = words.number(at + 1 + i, rule);
+            if (i < into.length) into[i] = number;
+        }
         if (end == at + 1) words.noteUnread(words.count(), rule);
     }
 
     /**
-     * The word behind an option's own: numbers, or one word where the option takes one. The last
-     * word of a line is a file's name.
+     * The word behind an option's own: numbers, those that cannot be read among them, or one word
+     * where the option takes one. The last word of a line is a file's name.
      */
     private int behind(int at, int most) {
+        int last = Math.min(words.count() - 1, at + 1 + most);
         int end = at + 1;
-        int last = Math.min(words.count() - 1, most == Integer.MAX_VALUE ? most : at + 1 + most);
-        if (most == 1) return Math.max(end, last);
-        while (end < last && !Double.isNaN(words.value(end))) end++;
+        for (int word = at + 1; word < last; word++)
+            if (most == 1 || words.isMeantAsNumber(word)) end = word + 1;
+        return end;
+    }
+
+    /** The word behind an unknown option and the numbers that follow it. */
+    private int behindAny(int at) {
+        int end = at + 1;
+        while (end < words.count() - 1 && words.isMeantAsNumber(end)) end++;
         return end;
     }
 }

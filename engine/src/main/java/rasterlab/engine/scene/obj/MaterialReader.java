@@ -14,13 +14,16 @@ final class MaterialReader {
     private final Notes notes;
     private final List<MaterialValues> read = new ArrayList<>();
 
+    /** A material and the file and line that begin it. */
+    record Placed(ObjMaterial material, String place) {}
+
     private MaterialReader(TextLines lines, Notes notes) {
         this.lines = lines;
         this.notes = notes;
         words = new Words(lines, notes);
     }
 
-    static List<ObjMaterial> read(String file, Reader reader, Notes notes)
+    static List<Placed> read(String file, Reader reader, Notes notes)
             throws IOException, BrokenFileException {
         var lines = new TextLines(file, reader);
         var materials = new MaterialReader(lines, notes);
@@ -28,7 +31,9 @@ final class MaterialReader {
             materials.words.divide();
             if (materials.words.count() > 0) materials.line(materials.words.get(0));
         }
-        return materials.read.stream().map(MaterialValues::material).toList();
+        return materials.read.stream()
+                .map(values -> new Placed(values.material(), values.place))
+                .toList();
     }
 
     private void line(String keyword) throws BrokenFileException {
@@ -48,7 +53,7 @@ final class MaterialReader {
     private void name() {
         String name = words.name(1);
         if (name.isEmpty()) notes.count("'newmtl' has no name", lines);
-        read.add(new MaterialValues(name));
+        read.add(new MaterialValues(name, lines.file() + ":" + lines.number()));
     }
 
     private void value(Rule rule, MaterialValues material) throws BrokenFileException {

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 /** A material while its file is read; where the file says nothing, the values here stay. */
 final class MaterialValues {
     final String name;
+    final String place;
     List<Double> ambient = grey(ReadingRules.AMBIENT);
     List<Double> diffuse = grey(ReadingRules.DIFFUSE);
     List<Double> specular = grey(ReadingRules.SPECULAR);
@@ -17,8 +18,12 @@ final class MaterialValues {
     Optional<ObjMaterial.Map> diffuseMap = Optional.empty();
     int illumination = (int) ReadingRules.ILLUMINATION.numberInstead();
 
-    MaterialValues(String name) {
+    /**
+     * @param place the file and line of its {@code newmtl}; "" where it is in no file
+     */
+    MaterialValues(String name, String place) {
         this.name = name;
+        this.place = place;
     }
 
     private static List<Double> grey(Rule rule) {

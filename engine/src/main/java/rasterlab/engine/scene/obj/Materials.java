@@ -5,16 +5,19 @@ import java.io.Reader;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 
 /**
  * The materials of a model, numbered in the order they are read.
  *
  * <p>Names that differ are different materials, those that no file has too. Only where no material
- * has a name, it is looked for without what may be a comment.
+ * has a name, and no other name of the model is the same but for what may be a comment, it is
+ * looked for without that.
  */
 final class Materials {
     /** An opacity below this changes no level of a picture. */
@@ -34,7 +37,17 @@ final class Materials {
 
     private int unnamed = Faces.NONE;
 
-    private record StandIn(int line, int uses) {}
+    /** The names that the model's lines usemtl have. */
+    private final Set<String> used = new HashSet<>();
+
+    /** How many of them are the same without what may be a comment. */
+    private final Map<String, Integer> usedBare = new HashMap<>();
+
+    private record StandIn(String name, int line, int uses) {
+        StandIn usedAgain() {
+            return new StandIn(name, line, uses + 1);
+        }
+    }
 
     Materials(TextLines lines, MaterialFiles files, Notes notes) {
         this.lines = lines;
@@ -44,11 +57,24 @@ final class Materials {
 
     /** Reads the files of a line mtllib: one whose name has blanks, or several. */
     void read(Words words) throws IOException {
-        for (String name : words.names(1)) if (readIfThere(name)) return;
+        for (String name : words.names(1))
+            if (readIfThere(name)) {
+                if (!name.equals(words.name(1)))
+                    notes.count(
+                            "material file without its comment",
+                            without("material file", words.name(1), name),
+                            lines);
+                return;
+            }
         boolean several = words.count() > 2;
         for (int i = 1; several && i < words.count(); i++)
             if (!readIfThere(words.get(i))) noteMissingFile(words.get(i));
         if (!several) noteMissingFile(words.name(1));
+    }
+
+    private static String without(String what, String name, String taken) {
+        return "there is no %s '%s'; '%s' was taken, since a # behind a blank may begin a comment"
+                .formatted(what, Words.shown(name), Words.shown(taken));
     }
 
     private void noteMissingFile(String name) {
@@ -72,7 +98,7 @@ final class Materials {
         }
         if (found.isEmpty()) return false;
         try (Reader reader = found.get()) {
-            for (ObjMaterial material : MaterialReader.read(name, reader, notes)) add(material);
+            for (MaterialReader.Placed read : MaterialReader.read(name, reader, notes)) add(read);
         } catch (BrokenFileException e) {
             noteUnread(name, e.getMessage());
         }
@@ -86,15 +112,22 @@ final class Materials {
                 lines);
     }
 
-    private void add(ObjMaterial material) {
+    private void add(MaterialReader.Placed read) {
+        ObjMaterial material = read.material();
         int number = numbers.computeIfAbsent(material.name(), name -> all.size());
         if (number == all.size()) all.add(material);
         else if (standIns.remove(number) != null) all.set(number, material);
         else {
-            notes.count("a material of a name that was there before was passed over", lines);
+            notes.countAt(read.place(), "material given twice", givenTwice(material.name()), 1);
             return;
         }
         bare.merge(bare(material.name()), number, (one, other) -> Faces.NONE);
+    }
+
+    private static String givenTwice(String name) {
+        return name.isEmpty()
+                ? "a material without a name is given twice; the first counts"
+                : "material '%s' is given twice; the first counts".formatted(Words.shown(name));
     }
 
     private static String bare(String name) {
@@ -105,29 +138,42 @@ final class Materials {
     int numberOf(Words words) {
         String name = words.name(1);
         Integer known = numbers.get(name);
+        if (used.add(name)) usedBare.merge(bare(name), 1, Integer::sum);
         if (known == null) {
-            int meant = bare.getOrDefault(bare(name), Faces.NONE);
-            if (meant != Faces.NONE) return meant;
             known = all.size();
             numbers.put(name, known);
             all.add(ObjMaterial.standard(name));
-            standIns.put(known, new StandIn(lines.number(), 0));
+            standIns.put(known, new StandIn(name, lines.number(), 0));
         }
-        standIns.computeIfPresent(known, (n, was) -> new StandIn(was.line(), was.uses() + 1));
+        standIns.computeIfPresent(known, (n, was) -> was.usedAgain());
         return known;
     }
 
-    /** A material may stand in a file that is named below its use, so this is known at the end. */
-    void noteMissing() {
-        long uses = standIns.values().stream().mapToInt(StandIn::uses).sum();
+    /**
+     * Looks for what no file has, without what may be a comment; what is not found so either stays
+     * the default material. A material may stand in a file that is named below its use, so all this
+     * is done at the end.
+     */
+    void settleMissing() {
         standIns.entrySet().stream()
-                .min(Comparator.comparing(entry -> entry.getValue().line()))
-                .ifPresent(
-                        first ->
-                                notes.countAt(
-                                        lines.file() + ":" + first.getValue().line(),
-                                        unknown(all.get(first.getKey()).name()),
-                                        uses));
+                .sorted(Comparator.comparing(entry -> entry.getValue().line()))
+                .forEach(entry -> settle(entry.getKey(), entry.getValue()));
+    }
+
+    private void settle(int number, StandIn missing) {
+        String place = lines.file() + ":" + missing.line();
+        int meant = bare.getOrDefault(bare(missing.name()), Faces.NONE);
+        if (meant == Faces.NONE || usedBare.get(bare(missing.name())) > 1) {
+            notes.countAt(place, "missing material", unknown(missing.name()), missing.uses());
+            return;
+        }
+        String name = all.get(meant).name();
+        notes.countAt(
+                place,
+                "material without its comment",
+                without("material", missing.name(), name),
+                missing.uses());
+        all.set(number, all.get(meant));
     }
 
     private static String unknown(String name) {

@@ -49,13 +49,18 @@ final class MissingNormals {
     private void flat(int face) {
         int number = normals.size() / 3;
         double[] sum = new double[3];
+        double longest = 0;
+        for (int k = 1; k < faces.corners(face); k++)
+            for (int axis = 0; axis < 3; axis++)
+                longest = Math.max(longest, Math.abs(edge(face, k, axis, 0)));
+        int exponent = TinyLengths.exponent(longest);
         for (int k = 1; k + 1 < faces.corners(face); k++)
             for (int axis = 0; axis < 3; axis++) {
                 int y = (axis + 1) % 3;
                 int z = (axis + 2) % 3;
                 sum[axis] +=
-                        edge(face, k, y) * edge(face, k + 1, z)
-                                - edge(face, k, z) * edge(face, k + 1, y);
+                        edge(face, k, y, exponent) * edge(face, k + 1, z, exponent)
+                                - edge(face, k, z, exponent) * edge(face, k + 1, y, exponent);
             }
         double length = Math.hypot(Math.hypot(sum[0], sum[1]), sum[2]);
         for (int axis = 0; axis < 3; axis++) normals.add(sum[axis] / length);
@@ -63,8 +68,10 @@ final class MissingNormals {
             if (faces.normal(face, k) == Faces.NONE) faces.setNormal(face, k, number);
     }
 
-    private double edge(int face, int corner, int axis) {
-        return xyz[3 * faces.vertex(face, corner) + axis] - xyz[3 * faces.vertex(face, 0) + axis];
+    private double edge(int face, int corner, int axis, int exponent) {
+        double edge =
+                xyz[3 * faces.vertex(face, corner) + axis] - xyz[3 * faces.vertex(face, 0) + axis];
+        return exponent == 0 ? edge : Math.scalb(edge, exponent);
     }
 
     private void smooth(int group, List<Integer> members) {

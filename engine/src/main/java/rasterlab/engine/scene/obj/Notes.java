@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 
 /** Counts what was passed over, by kind, with the place of the first. */
@@ -14,6 +15,11 @@ final class Notes {
     private static final String OTHERS = "other unknown keywords were passed over";
 
     private final Map<Object, Note> notes = new LinkedHashMap<>();
+
+    private Optional<LeftOut> firstLeftOut = Optional.empty();
+
+    /** A row of which nothing is drawn, and why. */
+    record LeftOut(int line, String why) {}
 
     private static final class Note {
         private final String place;
@@ -48,10 +54,34 @@ final class Notes {
         count(kind, what, lines.file() + ":" + lines.number());
     }
 
+    /**
+     * Counts a face, line or point that is not drawn.
+     *
+     * @param kind what is counted together
+     */
+    void leaveOut(Object kind, String why, TextLines lines) {
+        if (firstLeftOut.isEmpty()) firstLeftOut = Optional.of(new LeftOut(lines.number(), why));
+        count(kind, why, lines);
+    }
+
+    /** The first row that {@link #leaveOut} was told of. */
+    Optional<LeftOut> firstLeftOut() {
+        return firstLeftOut;
+    }
+
     /** Counts so many at once. */
     void countAt(String place, String what, long times) {
-        count(what, () -> what, place);
-        notes.getOrDefault(what, notes.get(OTHERS)).count += times - 1;
+        countAt(place, what, what, times);
+    }
+
+    /**
+     * Counts so many at once.
+     *
+     * @param kind what is counted together
+     */
+    void countAt(String place, Object kind, String what, long times) {
+        count(kind, () -> what, place);
+        notes.getOrDefault(kind, notes.get(OTHERS)).count += times - 1;
     }
 
     /** Counts what is true of a file as a whole. */

@@ -30,7 +30,8 @@ public record ObjMaterial(
     /**
      * A texture, which stands at {@code s · scale + offset} of its picture, and t likewise.
      *
-     * @param names its file's, as the material has it, and without what may be a comment
+     * @param names its file's, the likeliest first: as the material has it, then without what may
+     *     be an option's word or a comment
      * @param place the material file and the line that name it, for messages
      * @param offset along s and t
      * @param scale along s and t
@@ -58,7 +59,7 @@ public record ObjMaterial(
 
     /** The material of faces whose own is missing: light grey without a highlight. */
     static ObjMaterial standard(String name) {
-        return new MaterialValues(name).material();
+        return new MaterialValues(name, "").material();
     }
 
     ObjMaterial opaque() {

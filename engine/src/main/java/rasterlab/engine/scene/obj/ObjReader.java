@@ -66,15 +66,20 @@ public final class ObjReader {
         vertices.finish();
         double[] normals =
                 new MissingNormals(vertices.positions, vertices.normals, faces).complete();
-        materials.noteMissing();
+        materials.settleMissing();
         materials.noteMissingTexture(faces);
         materials.showWhatVanishes(faces);
         return new ObjModel(vertices, normals, faces, strokes, materials.all(), notes.all());
     }
 
-    /** Of a text that is no model at all the first line that shows it is named. */
+    /** Names the first line that was left out, or that shows that the text is no model at all. */
     private BrokenFileException nothing() {
         String missing = "no face with an area, no line and no point";
+        if (notes.firstLeftOut().isPresent())
+            return new BrokenFileException(
+                    lines.file(),
+                    notes.firstLeftOut().get().line(),
+                    notes.firstLeftOut().get().why() + "; " + missing + " is in the file");
         if (passedOverLine > 0)
             return new BrokenFileException(
                     lines.file(),
@@ -137,7 +142,8 @@ public final class ObjReader {
     private void face() throws BrokenFileException {
         corners();
         if (face.vertex.size() < 3) {
-            notes.count("a face of fewer than 3 corners was left out", lines);
+            String few = "a face of fewer than 3 corners was left out";
+            notes.leaveOut(few, few, lines);
             return;
         }
         for (int k = 0; k < face.normal.size(); k++) {
@@ -155,14 +161,14 @@ public final class ObjReader {
             corners();
             count(StrokeFaces.MOST_TRIANGLES * (long) face.vertex.size());
         } catch (BrokenFileException e) {
-            notes.count(
+            notes.leaveOut(
                     "'" + keyword + "' that cannot be read was left out",
                     "'%s' was left out: %s".formatted(keyword, e.problem()),
                     lines);
             return;
         }
-        if (face.vertex.size() < (line ? 2 : 1))
-            notes.count("'" + keyword + "' of too few vertices was left out", lines);
+        String few = "'" + keyword + "' of too few vertices was left out";
+        if (face.vertex.size() < (line ? 2 : 1)) notes.leaveOut(few, few, lines);
         else if (line) strokes.line(face, material());
         else strokes.points(face, material());
     }

@@ -149,6 +149,13 @@ final class Words {
         return get(word).matches("[+-]?\\d*,\\d+");
     }
 
+    /** Whether a word is a number, or what other programs write in the place of one. */
+    boolean isMeantAsNumber(int word) {
+        return !Double.isNaN(value(word))
+                || hasComma(word)
+                || get(word).matches("(?i)[+-]?(nan|inf|infinity|\\d*\\.?#\\w+)");
+    }
+
     private BrokenFileException refusal(int word, Rule rule) {
         String text = shown(get(word));
         if (hasComma(word))

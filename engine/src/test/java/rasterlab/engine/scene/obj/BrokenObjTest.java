@@ -14,6 +14,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class BrokenObjTest {
     private static final String NOTHING =
             "a.obj: no face with an area, no line and no point is in it";
+    private static final String LEFT =
+            "; no face with an area, no line and no point is in the file";
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
@@ -79,10 +81,26 @@ class BrokenObjTest {
                                 + " f, s, usemtl, mtllib, o, g, l and p; no face with an area, no"
                                 + " line and no point is in the file"),
                 argumentSet("an empty file is a model", "", NOTHING),
-                argumentSet(
-                        "a model of nothing but slivers is a model",
-                        Texts.SQUARE + "f 1 2 1",
-                        NOTHING));
+                square(
+                        "a model of nothing but slivers is a model, or its line is not named",
+                        "f 1 2 1",
+                        "face without area was left out" + LEFT),
+                square(
+                        "a line to a vertex that is not there is not named",
+                        "l 1 9\np 8",
+                        "'l' was left out: face corner 2 names vertex 9; there are 4" + LEFT),
+                square(
+                        "a point that is not there is not named",
+                        "p 9\nl 1 8",
+                        "'p' was left out: face corner 1 names vertex 9; there are 4" + LEFT),
+                square(
+                        "a line of one vertex is not named",
+                        "l 1",
+                        "'l' of too few vertices was left out" + LEFT),
+                square(
+                        "a face of two corners is not named",
+                        "f 1 2\ncurv 0 1 1 2",
+                        "a face of fewer than 3 corners was left out" + LEFT));
     }
 
     private static String number(String keyword, int at, String got) {

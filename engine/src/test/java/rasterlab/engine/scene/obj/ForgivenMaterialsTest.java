@@ -12,6 +12,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Values that materials must not have are cut, replaced or passed over, and that is told. */
@@ -39,7 +40,7 @@ class ForgivenMaterialsTest {
     }
 
     static Stream<Arguments> values() {
-        return Stream.concat(ofNumbers(), ofMaps());
+        return Stream.of(ofNumbers(), ofMaps(), ofSpoiledOptions()).flatMap(values -> values);
     }
 
     private static Stream<Arguments> ofNumbers() {
@@ -109,6 +110,57 @@ class ForgivenMaterialsTest {
 
     private static ObjMaterial.Map map(ObjMaterial material) {
         return material.diffuseMap().orElseThrow();
+    }
+
+    private static Arguments option(String mistake, String mtl, Object expected, String... notes) {
+        return value(
+                mistake,
+                mtl,
+                m -> List.of(map(m).names(), map(m).offset(), map(m).scale()),
+                expected,
+                notes);
+    }
+
+    private static Stream<Arguments> ofSpoiledOptions() {
+        List<Double> none = List.of(0.0, 0.0);
+        List<Double> whole = List.of(1.0, 1.0);
+        List<String> tex = List.of("tex.png");
+        return Stream.of(
+                option(
+                        "a decimal comma of an offset is the file's name",
+                        "map_Kd -o 1,5 0 0 tex.png",
+                        List.of(tex, none, whole),
+                        "m.mtl:2: '-o' has a decimal comma in '1,5'; instead stands 0"),
+                option(
+                        "the last decimal comma is the file's name",
+                        "map_Kd -s 2 2 0,5 tex.png",
+                        List.of(tex, none, List.of(2.0, 2.0)),
+                        "m.mtl:2: '-s' has a decimal comma in '0,5'; instead stands 1"),
+                option(
+                        "no number of a scale is the file's name",
+                        "map_Kd -s nan 3 -o -1.#IND00 inf tex.png",
+                        List.of(tex, none, List.of(1.0, 3.0)),
+                        "m.mtl:2: '-s' has no number in 'nan'; instead stands 1",
+                        "m.mtl:2: '-o' has no number in '-1.#IND00'; instead stands 0, 2 times"),
+                option(
+                        "a word before numbers is the file's name",
+                        "map_Kd -o x 2 tex.png",
+                        List.of(tex, List.of(0.0, 2.0), whole),
+                        "m.mtl:2: '-o' has no number in 'x'; instead stands 0"),
+                option(
+                        "a word behind numbers is surely the file's name, or surely none",
+                        "map_Kd -o 1 2 x tex.png",
+                        List.of(List.of("x tex.png", "tex.png"), List.of(1.0, 2.0), whole)),
+                option(
+                        "a name is cut though the option has all its numbers",
+                        "map_Kd -o 1 2 0 x tex.png",
+                        List.of(List.of("x tex.png"), List.of(1.0, 2.0), whole)),
+                option(
+                        "what another option leaves out is the file's name",
+                        "map_Kd -mm 0,5 1 -bm x tex.png",
+                        List.of(tex, none, whole),
+                        "m.mtl:2: option '-mm' was passed over",
+                        "m.mtl:2: option '-bm' was passed over"));
     }
 
     private static Stream<Arguments> ofMaps() {
@@ -203,6 +255,46 @@ class ForgivenMaterialsTest {
                 Arguments.of("Red", "red"));
     }
 
+    /** Neither name has a material, and without its end each would be that of another one. */
+    @ParameterizedTest(name = "{0} and {1} become one beside a material {2}")
+    @CsvSource({"Mat #1, Mat #2, Mat", "Mat, Mat #2, Mat #3", "Mat #1, Mat, Mat"})
+    void namesWithoutAMaterialBecomeNoOther(String one, String other, String material)
+            throws Exception {
+        String faces =
+                Texts.SQUARE + "usemtl " + one + "\nf 1 2 3\nusemtl " + other + "\nf 2 3 4\n";
+        ObjModel model =
+                Texts.read("mtllib m.mtl\n" + faces, "newmtl " + material + "\nKd 1 0 0\n");
+        assertNotEquals(model.material(0), model.material(1));
+        List<List<Double>> shown =
+                Stream.of(0, 1)
+                        .map(face -> model.materials().get(model.material(face)).diffuse())
+                        .toList();
+        List<Double> standard = List.of(0.8, 0.8, 0.8);
+        List<Double> red = List.of(1.0, 0.0, 0.0);
+        assertEquals(
+                Stream.of(one, other).map(name -> name.equals(material) ? red : standard).toList(),
+                shown);
+        String missing = one.equals(material) ? other : one;
+        int missed = one.equals(material) || other.equals(material) ? 1 : 2;
+        assertEquals(
+                List.of(
+                        "a.obj:%d: there is no material '%s'; the default one stands for it%s"
+                                .formatted(
+                                        one.equals(material) ? 8 : 6,
+                                        missing,
+                                        missed == 1 ? "" : ", 2 times")),
+                model.notes());
+    }
+
+    @Test
+    @DisplayName("a material given twice is told at the model's line, without its name")
+    void namesTheMaterialThatIsGivenTwice() throws Exception {
+        ObjModel model = Texts.read(MODEL, "newmtl a\nKd 1 0 0\n\nnewmtl a\nKd 0 1 0\n");
+        assertEquals(List.of(1.0, 0.0, 0.0), model.materials().get(model.material(0)).diffuse());
+        assertEquals(
+                List.of("m.mtl:4: material 'a' is given twice; the first counts"), model.notes());
+    }
+
     @Test
     @DisplayName("a comment behind a name is part of it though no material has such a name")
     void findsTheMaterialInFrontOfAComment() throws Exception {
@@ -210,7 +302,13 @@ class ForgivenMaterialsTest {
         ObjModel model =
                 Texts.read("mtllib m.mtl # all\n" + Texts.SQUARE + "usemtl red\nf 1 2 3", mtl);
         assertEquals(List.of(1.0, 0.0, 0.0), model.materials().get(model.material(0)).diffuse());
-        assertEquals(List.of(), model.notes());
+        assertEquals(
+                List.of(
+                        "a.obj:1: there is no material file 'm.mtl # all'; 'm.mtl' was taken, since a"
+                                + " # behind a blank may begin a comment",
+                        "a.obj:6: there is no material 'red'; 'red # the first' was taken, since a #"
+                                + " behind a blank may begin a comment"),
+                model.notes());
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
