@@ -38,9 +38,9 @@ public final class VerdictDetail {
         return Complaints.said(language, difference(texts, detail, point));
     }
 
-    /** The same on a terminal: numbers stay as Java writes them, and English as it is. */
+    /** The same on a terminal, with the numbers as one types them. */
     public static String saidToTypist(Language language, String detail) {
-        if (language == Language.ENGLISH) return detail;
+        if (language == Language.ENGLISH) return Complaints.saidToTypist(language, detail);
         Texts texts = Texts.of("canvas", language);
         String said = difference(texts, detail, "(%s, %s)"::formatted);
         return Complaints.saidToTypist(language, said);

@@ -5,6 +5,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 
 /**
@@ -40,6 +41,13 @@ public record ComplaintText(ReportLanguage language) {
 
     private static String lowerFirst(String sentence) {
         return Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1);
+    }
+
+    /** What is told beside an answer, with numbers as prose has them: nobody types them. */
+    String note(String english) {
+        return language.inWindow() == Language.ENGLISH
+                ? of(english)
+                : Complaints.said(language.inWindow(), english);
     }
 
     /** A sentence of the engine. */

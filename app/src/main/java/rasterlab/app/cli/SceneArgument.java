@@ -74,7 +74,7 @@ final class SceneArgument {
         if (sceneOnly && !view)
             throw new IllegalArgumentException("--scene-only is for a scene file, FILE.scene.json");
         if (view) return shown(Path.of(scene));
-        if (model) return model(note -> console.tell("note", complaints.of(note)));
+        if (model) return model(note -> console.tell("note", complaints.note(note)));
         return plain(detail == null ? Scenes.named(scene) : Scenes.named(scene, detail));
     }
 
@@ -96,7 +96,7 @@ final class SceneArgument {
         console.tell(
                 "note",
                 new ComplaintText(console.language())
-                        .of(
+                        .note(
                                 scene
                                         + ": nothing of the model is seen: no pixel differs from the"
                                         + " background; --camera, --zoom, --near, --far and --cull"

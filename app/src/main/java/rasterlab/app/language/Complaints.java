@@ -107,16 +107,18 @@ public final class Complaints {
 
     /**
      * The same on a terminal: numbers keep the point that one types there, whole ones without a
-     * fraction, and English stays as it is, for scripts that read it.
+     * fraction. English stays as it is, for scripts that read it, but for Java's powers of ten:
+     * 1e-8 for 1.0E-8.
      */
     public static String saidToTypist(Language language, String english) {
         return language == Language.ENGLISH
-                ? english
+                ? NumberForm.powers(english, NumberForm::typed)
                 : new Complaints(language, NumberForm::typed).inQuotes(english);
     }
 
     private String inQuotes(String english) {
-        return Quotes.of(translations.language(), said(english).orElse(english));
+        String said = NumberForm.powers(said(english).orElse(english), numbers);
+        return Quotes.of(translations.language(), said);
     }
 
     private Optional<String> said(String english) {

@@ -3,6 +3,7 @@ package rasterlab.app.language;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.text.DecimalFormatSymbols;
+import java.util.function.UnaryOperator;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -18,6 +19,13 @@ final class NumberForm {
 
     /** Java's fraction of a whole number, and its capital in front of an exponent. */
     private static final Pattern JAVA = Pattern.compile("\\.0(?!\\d)(?:E(?=-?\\d))?|E(?=-?\\d)");
+
+    /** What is quoted, or a number with Java's capital E that is no part of a name or of a path. */
+    private static final Pattern POWER =
+            Pattern.compile(
+                    Quotes.QUOTED
+                            + "|(?<![\\p{L}\\p{N}_/\\\\]|[^.]\\.)(?<power>-?\\d+(?:\\.\\d+)?E-?\\d+)"
+                            + "(?![\\p{L}\\p{N}_/\\\\]|\\.[\\p{L}\\p{N}])");
 
     private static final MathContext DIGITS = new MathContext(6);
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -37,6 +45,18 @@ final class NumberForm {
     static String typed(String text) {
         if (!NUMBERS.matcher(text).matches()) return text;
         return JAVA.matcher(text).replaceAll(found -> found.group().endsWith("E") ? "e" : "");
+    }
+
+    /** The sentence with each of Java's powers of ten outside quotation marks in another form. */
+    static String powers(String sentence, UnaryOperator<String> form) {
+        return POWER.matcher(sentence)
+                .replaceAll(found -> Matcher.quoteReplacement(power(found, form)));
+    }
+
+    private static String power(MatchResult found, UnaryOperator<String> form) {
+        String number = found.group(found.groupCount());
+        if (number == null) return found.group();
+        return form.apply(number.contains(".") ? number : number.replace("E", ".0E"));
     }
 
     /** The number to six digits; the text itself where it is something else. */

@@ -9,7 +9,7 @@ final class Quotes {
      * In marks of a language, and within them whatever was typed; or in straight quotes, of which
      * an apostrophe in or behind a word is none.
      */
-    private static final Pattern QUOTED =
+    static final Pattern QUOTED =
             Pattern.compile("«[^»]*»|“[^”]*”|(?<![\\p{L}\\p{N}])'([^'\\n]*)'(?![\\p{L}\\p{N}])");
 
     private Quotes() {}

@@ -56,7 +56,7 @@ class HazardsCommandTest {
     @ValueSource(
             strings = {
                 "pixel (-1, 2) is missing",
-                "at 1.0E-7: -0.5 instead of 2.0",
+                "at 1e-7: -0.5 instead of 2.0",
                 "no visibility 'x'; there are z16, bsp",
             })
     void englishStaysAsTheEngineWritesIt(String detail) {
@@ -69,7 +69,7 @@ class HazardsCommandTest {
             delimiter = '|',
             value = {
                 "pixel (-1, 2) is missing | пиксель (-1, 2) пропущен",
-                "at 1.0E-7: -0.5 instead of 2.0 | при x = 1e-7: -0.5 вместо 2",
+                "at 1e-7: -0.5 instead of 2.0 | при x = 1e-7: -0.5 вместо 2",
             })
     void russianHasTheNumbersOfTheOtherTables(String detail, String said) {
         List<String> lines = printed(withDetail(detail), ReportLanguage.RU);

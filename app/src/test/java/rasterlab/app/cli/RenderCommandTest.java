@@ -111,7 +111,7 @@ class RenderCommandTest {
                 mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
                 mistake("size is 0", "from 1×1 to 8192×8192 pixels, got 0×9", "--size=0x9"),
                 mistake("size is too large", "got 8193×1", "--size=8193x1"),
-                mistake("zoom is 0", "zoom must be from 1.0E-6 to 1000000.0, got 0.0", "--zoom=0"),
+                mistake("zoom is 0", "zoom must be from 1e-6 to 1000000.0, got 0.0", "--zoom=0"),
                 mistake("zoom is not finite", "to 1000000.0, got Infinity", "--zoom=Infinity"),
                 mistake("method has no outlines", "'zfloat' draws no outlines", "--outline"),
                 mistake("reference is outlined", "draws no", "--reference", "--outline"),
@@ -157,7 +157,7 @@ class RenderCommandTest {
                         "--eyes=1e300"),
                 mistake("eyes are one", "distance must be above 0, got '0'", GLASSES, "--eyes=0"),
                 mistake("angle is huge", "1000000.0 radians, got '1e300'", "--camera=1e300,1,5"),
-                mistake("zoom is huge", "to 1000000.0, got 1.0E300", "--zoom=1e300"),
+                mistake("zoom is huge", "to 1000000.0, got 1e300", "--zoom=1e300"),
                 mistake(
                         "no term",
                         "--terms ',' has an empty name; expected some of amb",

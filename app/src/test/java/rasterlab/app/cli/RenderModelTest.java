@@ -184,7 +184,7 @@ class RenderModelTest {
                         "number that is none becomes 0",
                         CUBE.replace("v 1 1 1", "v 1 NaN 1"),
                         MATERIALS,
-                        "CUBE:8: 'v' needs a number in ±1.0E18 as number 2, got 'NaN'"),
+                        "CUBE:8: 'v' needs a number in ±1e18 as number 2, got 'NaN'"),
                 argumentSet(
                         "empty file is an empty picture",
                         "",

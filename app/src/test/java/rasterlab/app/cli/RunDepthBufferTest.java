@@ -53,11 +53,11 @@ class RunDepthBufferTest {
                 argumentSet(
                         "planes in the wrong order",
                         "{\"near\":9,\"far\":8,\"depths\":[8.5]}",
-                        "/far: must be at least 1.000001·near and at most 1E100, or infinite, got 8.0 with near 9.0"),
+                        "/far: must be at least 1.000001·near and at most 1e100, or infinite, got 8.0 with near 9.0"),
                 argumentSet(
                         "near plane in the eye",
                         "{\"near\":0,\"far\":8,\"depths\":[5]}",
-                        "/near: must be from 1E-100 to 1E100, got 0.0"),
+                        "/near: must be from 1e-100 to 1e100, got 0.0"),
                 argumentSet(
                         "depth behind the far plane",
                         "{\"near\":1,\"far\":8,\"depths\":[5,9]}",

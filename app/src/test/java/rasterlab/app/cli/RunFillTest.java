@@ -174,7 +174,7 @@ class RunFillTest {
                         "{\"polygon\":[[0,0],[1e300,0],[0,1]],\"rule\":\"evenodd\",\"size\":[4,4]}",
                         3,
                         "scanline refuses: x of corner 1 must be a number from -1e100 to 1e100, got"
-                                + " 1.0E300"),
+                                + " 1e300"),
                 argumentSet(
                         "answer of 67 million pixels fills the memory",
                         polygon,

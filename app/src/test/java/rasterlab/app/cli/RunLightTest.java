@@ -155,7 +155,7 @@ class RunLightTest {
                         "texture-mapping",
                         "perspective",
                         "{\"from\":[0,0,-1],\"to\":[1,2,3],\"pixels\":3}",
-                        "/: depth of the first pixel must be from 1.0E-6 to 1000000.0, got -1.0"),
+                        "/: depth of the first pixel must be from 1e-6 to 1000000.0, got -1.0"),
                 argumentSet(
                         "a short row",
                         2,

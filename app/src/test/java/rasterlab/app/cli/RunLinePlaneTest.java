@@ -89,12 +89,11 @@ class RunLinePlaneTest {
                         "one point twice is a line",
                         2,
                         "{\"line\":[[1,2,3],[1,2,3]]," + LEVEL + "}",
-                        "/line: a line needs two different points, got Vector[x=1.0, y=2.0, z=3.0]"
-                                + " twice"),
+                        "/line: a line needs two different points, got (1.0, 2.0, 3.0)" + " twice"),
                 argumentSet(
                         "normal of no length has a direction",
                         2,
                         "{\"line\":[[0,0,1],[1,0,2]],\"normal\":[0,0,0],\"point\":[1,1,1]}",
-                        "/normal: a plane's normal must not be Vector[x=0.0, y=0.0, z=0.0]"));
+                        "/normal: a plane's normal must not be (0.0, 0.0, 0.0)"));
     }
 }

@@ -50,14 +50,14 @@ class RunSplineTest {
     void aPeriodThatClosesWithinRoundingIsClosedAndSaid() {
         String periodic =
                 "{\"x\":[0,1,2,3],\"y\":[0,1,-1,%s],\"ends\":{\"kind\":\"periodic\"},\"at\":[3]}";
-        String sine = periodic.formatted("-2.4492935982947064E-16");
+        String sine = periodic.formatted("-2.4492935982947064e-16");
         for (String method : List.of("cubic", "monotone")) {
             Ran ran = Ran.labReading(sine, "run", "spline-function", method);
             ran.assertDone();
             assertTrue(
                     ran.out()
                             .endsWith(
-                                    ",\"note\":\"y[3] = -2.4492935982947064E-16 is taken as y[0] ="
+                                    ",\"note\":\"y[3] = -2.4492935982947064e-16 is taken as y[0] ="
                                             + " 0.0: the period closes within rounding\"}\n"),
                     ran.out());
         }
@@ -156,7 +156,7 @@ class RunSplineTest {
                         "curve",
                         "horner",
                         "{\"kind\":\"bezier\",\"points\":[[0,0],[1,1e200]],\"at\":[0]}",
-                        "/points/1: y must be in ±1.0E100, got 1.0E200"),
+                        "/points/1: y must be in ±1e100, got 1e200"),
                 argumentSet(
                         "t beyond the end goes on",
                         "curve",
@@ -168,7 +168,7 @@ class RunSplineTest {
                         "curve",
                         "adaptive",
                         ARCH + "\"flatness\":0}",
-                        "/flatness: expected a number of pixels from 1.0E-100 to 1.0E100, got 0.0"),
+                        "/flatness: expected a number of pixels from 1e-100 to 1e100, got 0.0"),
                 argumentSet(
                         "three points make no Hermite curve",
                         "curve",

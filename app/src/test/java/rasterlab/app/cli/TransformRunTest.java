@@ -179,8 +179,8 @@ class TransformRunTest {
                         "matrix",
                         "formula",
                         "{\"name\":\"LOOKAT\",\"eye\":[10,38,2],\"center\":[10,8,2.000000001],\"up\":[0,1,0]}",
-                        "formula refuses: up must lie at least 1.0E-8 radians off the line of sight, got"
-                                + " (0.0, 1.0, 0.0) along (0.0, -1.0, 3.33333360913457E-11)"),
+                        "formula refuses: up must lie at least 1e-8 radians off the line of sight, got"
+                                + " (0.0, 1.0, 0.0) along (0.0, -1.0, 3.33333360913457e-11)"),
                 argumentSet(
                         "a value out of range",
                         2,
@@ -216,7 +216,7 @@ class TransformRunTest {
                         "view",
                         "taken-apart",
                         "{\"points\":[],\"theta\":1,\"phi\":2,\"rho\":\"far\"}",
-                        "/rho: expected a number above 0.0, up to 1.0715086071862673E301, got the"
+                        "/rho: expected a number above 0.0, up to 1.0715086071862673e301, got the"
                                 + " string \"far\""),
                 argumentSet(
                         "a bad matrix in a list has no place",

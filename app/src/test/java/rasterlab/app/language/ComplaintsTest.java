@@ -69,6 +69,23 @@ class ComplaintsTest {
         assertEquals(said, Complaints.said(language, english));
     }
 
+    @ParameterizedTest(name = "a number has Java''s capital E, or a name loses its own: {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "ENGLISH | up must lie at least 1.0E-8 radians off | up must lie at least 1e-8 radians off",
+                "ENGLISH | y must be in ±1.0E100, got NaN | y must be in ±1e100, got NaN",
+                "ENGLISH | must be from -1E75 to 1E75 | must be from -1e75 to 1e75",
+                "ENGLISH | must be in 1.0E-75..1.0E75, got 2.5 | must be in 1e-75..1e75, got 2.5",
+                "ENGLISH | got (0.0, -1.0, 3.5E-11) | got (0.0, -1.0, 3.5e-11)",
+                "ENGLISH | /tmp/1.0E5: no file '-1.0E5' or x1.0E5.obj"
+                        + " | /tmp/1.0E5: no file '-1.0E5' or x1.0E5.obj",
+                "RUSSIAN | no such sentence: 1.0E-8 | no such sentence: 1e-8",
+            })
+    void powersOfTenAreTyped(Language language, String english, String said) {
+        assertEquals(said, Complaints.saidToTypist(language, english));
+    }
+
     @ParameterizedTest(name = "an older sentence about one case is taken for the general one: {0}")
     @CsvSource(
             delimiter = '|',

@@ -14,7 +14,7 @@ public record Line(Vector from, Vector through) {
                 || !Double.isFinite(through.y() - from.y())
                 || !Double.isFinite(through.z() - from.z()))
             throw new IllegalArgumentException(
-                    "a line's points must be less than 1.8e308 apart, got "
+                    "a line's points must be less than 1.8E308 apart, got "
                             + from
                             + " and "
                             + through);

@@ -69,4 +69,9 @@ public record Vector(double x, double y, double z) {
     Vector shifted(int by) {
         return new Vector(Math.scalb(x, by), Math.scalb(y, by), Math.scalb(z, by));
     }
+
+    @Override
+    public String toString() {
+        return "(" + x + ", " + y + ", " + z + ")";
+    }
 }

@@ -108,7 +108,7 @@ class SpaceTest {
         assertRefused("c must be finite, got NaN", () -> new Plane(at(0, 0, 1), Double.NaN));
         assertRefused("mu must be finite, got Infinity", () -> Line.part(1 / 0.0));
         assertRefused(
-                "a line's points must be less than 1.8e308 apart, got "
+                "a line's points must be less than 1.8E308 apart, got "
                         + at(-1e308, 0, 0)
                         + " and "
                         + at(1e308, 0, 0),

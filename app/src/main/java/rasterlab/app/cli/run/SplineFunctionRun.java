@@ -10,6 +10,8 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
@@ -128,7 +130,9 @@ public final class SplineFunctionRun implements TopicRun {
             JsonNumbers.write(json, values);
             json.writeFieldName("coefficients");
             JsonNumbers.writePoints(json, coefficients, 4);
-            if (data.closed().moved()) json.writeStringField("note", data.closed().note());
+            if (data.closed().moved())
+                json.writeStringField(
+                        "note", Complaints.saidToTypist(Language.ENGLISH, data.closed().note()));
             if (function instanceof SteppedSpline stepped && steps)
                 Steps.write(
                         json, stepped.decisionFormula(), walked, (out, step) -> step.write(out));

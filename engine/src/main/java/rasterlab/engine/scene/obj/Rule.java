@@ -77,16 +77,21 @@ record Rule(
         String beyond =
                 ranged
                         ? "beyond %s to %s: %s"
-                                .formatted(number(least), number(most), treatment.beyond)
+                                .formatted(typed(least), typed(most), treatment.beyond)
                         : "";
         return "| `%s` | %s | %s | %s | %s |"
                 .formatted(keyword, words, treatment.done, beyond, instead)
                 .replaceAll(" +", " ");
     }
 
+    /** As one types it in a file. */
+    private static String typed(double value) {
+        return number(value).replaceFirst("\\.0E", "e");
+    }
+
     /** Shortest decimal, a whole number without its point. */
     static String number(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e7
+        return value == Math.rint(value) && Math.abs(value) < 1e10
                 ? Long.toString((long) value)
                 : Double.toString(value);
     }

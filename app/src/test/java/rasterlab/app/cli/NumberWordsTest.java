@@ -1,0 +1,109 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.cli.run.Runs;
+import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
+
+/** Keeps the forms in which Java prints numbers and records out of what people read. */
+class NumberWordsTest {
+    private static final Path INPUTS =
+            Path.of("src", "test", "resources", "rasterlab", "app", "golden", "inputs.txt");
+
+    /** A double with Java's capital E, or a record with the names of its parts. */
+    private static final Pattern JAVA = Pattern.compile("\\dE-?\\d|\\p{L}\\[\\p{L}+=|@[0-9a-f]{5}");
+
+    private static final Pattern NUMBER = Pattern.compile("-?\\d+(?:\\.\\d+)?(?:[eE]-?\\d+)?");
+
+    /** Numbers that some place of some topic refuses. */
+    private static final List<String> BAD =
+            List.of("0", "-1", "0.5", "1e300", "-1e-300", "1e18", "null");
+
+    static Stream<String> topics() {
+        return Topics.all().stream().map(Topic::name);
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void noComplaintOfATopicHasThem(String topic) throws IOException {
+        TopicRun run = Runs.named(topic);
+        Set<String> complaints = new TreeSet<>();
+        for (String input : inputs(topic))
+            for (String bad : badInputs(input))
+                for (String method : List.of(first(run), last(run)))
+                    complaints.addAll(complaint(run, method, bad));
+        assertTrue(!complaints.isEmpty(), "nothing was refused");
+        var wrong = new ArrayList<String>();
+        for (String each : complaints) wrong.addAll(wrongForms(each));
+        assertEquals(List.of(), wrong);
+    }
+
+    /** The sentence wherever it is shown, if one of Java's forms is in it there. */
+    private static List<String> wrongForms(String complaint) {
+        return Stream.of(Language.values())
+                .flatMap(
+                        language ->
+                                Stream.of(
+                                        Complaints.said(language, complaint),
+                                        Complaints.saidToTypist(language, complaint)))
+                .filter(said -> JAVA.matcher(said).find())
+                .distinct()
+                .toList();
+    }
+
+    private static String first(TopicRun run) {
+        return run.topic().methods().get(0).name();
+    }
+
+    private static String last(TopicRun run) {
+        return run.topic().methods().get(run.topic().methods().size() - 1).name();
+    }
+
+    private static List<String> inputs(String topic) throws IOException {
+        return Files.readAllLines(INPUTS).stream()
+                .filter(line -> line.startsWith(topic + " "))
+                .map(line -> line.substring(topic.length() + 1))
+                .toList();
+    }
+
+    /** The input with each of its numbers in turn replaced by each bad one. */
+    private static List<String> badInputs(String input) {
+        var bad = new ArrayList<String>();
+        Matcher number = NUMBER.matcher(input);
+        while (number.find())
+            for (String each : BAD)
+                bad.add(input.substring(0, number.start()) + each + input.substring(number.end()));
+        bad.add(NUMBER.matcher(input).replaceAll("1e-200"));
+        bad.add(NUMBER.matcher(input).replaceAll("1"));
+        return bad;
+    }
+
+    private static List<String> complaint(TopicRun run, String method, String input) {
+        byte[] text = input.getBytes(StandardCharsets.UTF_8);
+        try {
+            run.answer(method, text, text.length, false);
+            return List.of();
+        } catch (Complaint complaint) {
+            return List.of(complaint.getMessage());
+        }
+    }
+}
