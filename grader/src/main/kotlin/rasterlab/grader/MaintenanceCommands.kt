@@ -94,7 +94,7 @@ internal class RestoreCommand(
     name = "token",
     mixinStandardHelpOptions = true,
     description = [
-        "Makes a new token for who has lost the old one, which lets nobody in any more.",
+        "Makes a new token in the place of a lost one, which stops working at once.",
         "The server may run meanwhile.",
     ],
 )

@@ -110,7 +110,7 @@ final class LineHazards {
                         Map.of(FLOAT, DEGRADED)),
                 hazard(
                         "products-beyond-int",
-                        "After a third of the way a step times the height is no int any more.",
+                        "After a third of the way a step times the height no longer fits in an int.",
                         new Segment(0, 0, 200_000, 30_011),
                         Map.of(FLOAT, WRONG)),
                 hazard(

@@ -214,7 +214,10 @@ class SplineFunctionTest {
         assertArrayEquals(inside, function.at(of(-1.5, 5.25, 2, -1)), 1e-15);
     }
 
-    /** The period 9 + 2⁻⁵⁰ is no double, and the tooth is steep enough to show what it lacks. */
+    /**
+     * The period 9 + 2⁻⁵⁰ does not fit in a double, and the tooth is steep enough to show what it
+     * lacks.
+     */
     @Test
     void thePeriodGoesOnWithoutRoundingThePlace() {
         double[] x = of(-Math.pow(2, -50), 8, 8 + Math.pow(2, -33), 9);

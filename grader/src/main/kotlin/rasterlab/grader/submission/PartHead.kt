@@ -37,11 +37,7 @@ internal class PartHead {
             }
 
             "content-transfer-encoding" -> {
-                if (value.lowercase() !in
-                    PLAIN
-                ) {
-                    wrong("asks for an encoding other than $PLAIN")
-                }
+                if (value.lowercase() !in PLAIN) wrong("asks for an encoding other than 7bit, 8bit or binary")
             }
         }
     }

@@ -11,8 +11,8 @@ import rasterlab.engine.clip.polygon.ConvexWindow;
  * it enters at t = −inside/rate where rate &gt; 0, leaves there where rate &lt; 0, and runs along
  * the edge where rate = 0. The contract's window is a rectangle, corners counter-clockwise, so that
  * one of n's coordinates is 0 and t errs by less than 2⁻⁵⁰, unless a difference is so small that n
- * times it is no double, which is handed over; {@link ConvexWindowWalk} takes any other convex
- * window.
+ * times it does not fit in a double, which is handed over; {@link ConvexWindowWalk} takes any other
+ * convex window.
  *
  * <p>Source: M. Cyrus and J. Beck, Generalized two- and three-dimensional clipping, Computers and
  * Graphics 3, 1978, pp. 23–28.

@@ -189,7 +189,7 @@ final class SegmentClipHazards {
                         s(-1e30, 3, 2e30, 3 + 1e15)),
                 hazard(
                         "largest-doubles",
-                        "The difference of the ends is no double.",
+                        "The difference of the ends does not fit in a double.",
                         TEN,
                         recorded(EXACT, ENDLESS, WRONG, EXACT),
                         s(-MOST, -MOST, MOST, MOST),
@@ -233,7 +233,7 @@ final class SegmentClipHazards {
                         s(1, -0.0, 2, -0.0)),
                 hazard(
                         "beyond-by-the-smallest-double",
-                        "An end so little outside that its share of the segment is no double.",
+                        "An end so little outside that its share of the segment does not fit in a double.",
                         new ClipWindow(0, 0, 5, 3),
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(-3, 5, 5, -TINY)),

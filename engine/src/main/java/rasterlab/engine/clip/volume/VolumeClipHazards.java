@@ -140,7 +140,7 @@ final class VolumeClipHazards {
                         s(0, 0, -1e30, 0.25, 0.125, 1e30)),
                 hazard(
                         "largest-doubles",
-                        "The difference of the ends is no double.",
+                        "The difference of the ends does not fit in a double.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(-MOST, 0, -MOST, MOST, 0, MOST),

@@ -93,7 +93,7 @@ final class ShadeHazards {
                         lit(new double[3], SLANTED, UP)),
                 hazard(
                         "huge-normal",
-                        "A cross product of long edges, whose square is no double.",
+                        "A cross product of long edges, whose square does not fit in a double.",
                         WRONG,
                         EXACT,
                         lit(new double[] {3e200, 0, 4e200}, SLANTED, UP)),

@@ -138,10 +138,10 @@ final class Words {
 
     private String unread(int word, Rule rule) {
         if (word >= count)
-            return "'%s' has too few numbers; instead stands %s"
+            return "'%s' has too few numbers; %s is used instead"
                     .formatted(rule.keyword(), rule.instead());
         String what = hasComma(word) ? "a decimal comma in" : "no number in";
-        return "'%s' has %s '%s'; instead stands %s"
+        return "'%s' has %s '%s'; %s is used instead"
                 .formatted(rule.keyword(), what, shown(get(word)), rule.instead());
     }
 

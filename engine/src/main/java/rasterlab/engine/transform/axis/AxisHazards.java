@@ -59,7 +59,7 @@ final class AxisHazards {
                         WRONG),
                 hazard(
                         "axis-nearly-z",
-                        "d is so small that its square is no double.",
+                        "d is so small that its square does not fit in a double.",
                         AxisTurn.about(3e-170, -4e-170, 1, 45, 1, 2, 3),
                         WRONG),
                 hazard(

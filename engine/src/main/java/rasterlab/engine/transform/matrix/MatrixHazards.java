@@ -92,7 +92,7 @@ final class MatrixHazards {
                         Math.nextUp(1.0)),
                 exact(
                         "small-pyramid",
-                        "a/zmax is no double, a/zmax/xscreen is: the smallest doubles cancel.",
+                        "a/zmax does not fit in a double, a/zmax/xscreen does: the smallest doubles cancel.",
                         "NORMALIZE",
                         Double.MIN_VALUE,
                         Double.MIN_VALUE,
@@ -100,7 +100,7 @@ final class MatrixHazards {
                         2),
                 exact(
                         "box-of-largest-doubles",
-                        "top + bottom is no double, its quotient by top − bottom is.",
+                        "top + bottom does not fit in a double, its quotient by top − bottom does.",
                         "GL_ORTHO",
                         0,
                         1,
@@ -110,7 +110,7 @@ final class MatrixHazards {
                         1),
                 hazard(
                         "frustum-of-nothing",
-                        "right − left is so small that 2·near / (right − left) is no double.",
+                        "right − left is so small that 2·near / (right − left) does not fit in a double.",
                         Map.of("formula-textbook", REFUSED, "formula", REFUSED),
                         MatrixCall.of("GL_FRUSTUM", 0, 1e-300, -1, 1, 1e10, 1e11)));
     }

@@ -53,7 +53,7 @@ class SegmentJudgementTest {
                                         window, i % 7, i / 7 % 7, i / 49 % 7, i / 343));
     }
 
-    /** A segment may be so steep that 1/(x1 − x0) is no double. */
+    /** A segment may be so steep that 1/(x1 − x0) does not fit in a double. */
     @Test
     void nextToVerticalAndHorizontalAreRight() {
         var window = new ClipWindow(0, 0, 1, 1);

@@ -62,19 +62,19 @@ class ForgivenMaterialsTest {
                         "Ks 1 1",
                         ObjMaterial::specular,
                         List.of(0.0, 0.0, 0.0),
-                        "m.mtl:2: 'Ks' has too few numbers; instead stands 0"),
+                        "m.mtl:2: 'Ks' has too few numbers; 0 is used instead"),
                 value(
                         "a decimal comma stops a model, or is not named",
                         "Kd 0,5 0,5 0,5",
                         ObjMaterial::diffuse,
                         List.of(0.8, 0.8, 0.8),
-                        "m.mtl:2: 'Kd' has a decimal comma in '0,5'; instead stands 0.8"),
+                        "m.mtl:2: 'Kd' has a decimal comma in '0,5'; 0.8 is used instead"),
                 value(
                         "a colour by its spectrum stops a model",
                         "Kd spectral red.rfl 1",
                         ObjMaterial::diffuse,
                         List.of(0.8, 0.8, 0.8),
-                        "m.mtl:2: 'Kd' has no number in 'spectral'; instead stands 0.8"),
+                        "m.mtl:2: 'Kd' has no number in 'spectral'; 0.8 is used instead"),
                 value(
                         "an exponent above 1000 stops a model",
                         "Ns 1000.5",
@@ -105,7 +105,7 @@ class ForgivenMaterialsTest {
                         "illum 1.5",
                         ObjMaterial::illumination,
                         2,
-                        "m.mtl:2: 'illum' has no number in '1.5'; instead stands 2"));
+                        "m.mtl:2: 'illum' has no number in '1.5'; 2 is used instead"));
     }
 
     private static ObjMaterial.Map map(ObjMaterial material) {

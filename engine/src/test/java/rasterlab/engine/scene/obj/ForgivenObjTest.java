@@ -147,7 +147,7 @@ class ForgivenObjTest {
                         "a place without numbers moves the ones after it",
                         "vt\nvt 1,5 x\nvt 1e30 0\nf 1/1 2/2 3/3",
                         "0/0 1/1 2/2",
-                        "a.obj:5: 'vt' has too few numbers; instead stands 0, 4 times",
+                        "a.obj:5: 'vt' has too few numbers; 0 is used instead, 4 times",
                         "a.obj:7: 'vt' of 1e30 was cut to its range, -1.0E18 to 1.0E18"),
                 thing(
                         "half a colour stops a model",
@@ -160,13 +160,13 @@ class ForgivenObjTest {
                         "0 1 2",
                         "a.obj:5: vertices without a colour, beside others with one, became white",
                         "a.obj:5: 'v' of 255 was cut to its range, 0 to 1",
-                        "a.obj:5: 'v' has no number in 'x'; instead stands 1"),
+                        "a.obj:5: 'v' has no number in 'x'; 1 is used instead"),
                 thing("smoothing cannot be on", "s on\nf 1 2 3", "0 1 2"),
                 thing(
                         "smoothing that means nothing stops a model",
                         "s maybe\ns 1.5\nf 1 2 3",
                         "0 1 2",
-                        "a.obj:5: 's' has no number in 'maybe'; instead stands 0, 2 times"));
+                        "a.obj:5: 's' has no number in 'maybe'; 0 is used instead, 2 times"));
     }
 
     private static Stream<Arguments> ofMaterials() {

@@ -55,7 +55,7 @@ final class AxisMutants implements Mutants<AxisRotation> {
                                         points)));
     }
 
-    /** A direction whose square is no double stays as long as it is: no unit vector. */
+    /** A direction whose square does not fit in a double stays as long as it is: no unit vector. */
     private static void bySquares(
             double[] through, double[] direction, double degrees, double[] points) {
         double square = 0;
