@@ -2,6 +2,7 @@ package rasterlab.exercises;
 
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -41,8 +42,13 @@ public interface TopicGrading {
     /** Something for the reference to draw before it is timed. */
     Call warmUp();
 
-    /** New inputs to time a method on, unlike all before. */
-    Timing timing(Random random);
+    /**
+     * Inputs to time a method on.
+     *
+     * @param wrongOn traits of the inputs on which it was wrong for a reason that no points were
+     *     lost for: as far as possible it is not timed on the like
+     */
+    Timings timings(Random random, Collection<Set<String>> wrongOn);
 
     /** What a child is asked. */
     interface Task {
@@ -82,6 +88,12 @@ public interface TopicGrading {
          * The same with what a student's method plotted, which the lab shows beside the right one.
          */
         String scene(Optional<Plotted> drawn);
+    }
+
+    /** Makes inputs to time a method on. */
+    interface Timings {
+        /** New ones, unlike all before. */
+        Timing next();
     }
 
     /** A batch of inputs that are drawn into a sink which sums up. */

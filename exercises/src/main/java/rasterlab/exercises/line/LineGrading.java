@@ -2,6 +2,8 @@ package rasterlab.exercises.line;
 
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -57,8 +59,8 @@ public final class LineGrading implements TopicGrading {
     }
 
     @Override
-    public Timing timing(Random random) {
-        return new LineTiming(random);
+    public Timings timings(Random random, Collection<Set<String>> wrongOn) {
+        return new LineTimings(random, wrongOn);
     }
 
     static void write(DataOutputStream out, Segment segment) throws IOException {
@@ -97,7 +99,9 @@ public final class LineGrading implements TopicGrading {
 
         @Override
         public Set<String> traits() {
-            return LineTraits.of(segment);
+            Set<String> traits = new LinkedHashSet<>(LineTraits.of(segment));
+            if (demand.cutShort(segment)) traits.add("cut");
+            return traits;
         }
 
         @Override

@@ -59,21 +59,32 @@ public final class LineJudge {
         int limit = cut ? demand.firstPixels() : (int) segment.steps() + 1;
         PixelRecording actual = answer.pixels();
         WantedPixels pixels = new WantedPixels(segment);
-        PixelRecording wanted = eitherOnTies ? pixels.nearest(actual, limit) : pixels.exact(limit);
+        PixelRecording wanted = wanted(pixels, actual, limit);
         if (answer.ending() == Answer.Ending.CUT && !cut) {
             Message endless = Message.of("still-plotting", actual.size(), wanted.size());
-            Finding finding = Finding.of(GradingVerdict.OUTPUT_LIMIT, endless);
+            List<List<Cause>> cause = List.of(List.of(Cause.of("endless")));
+            Finding finding = Finding.of(GradingVerdict.OUTPUT_LIMIT, endless, cause);
             return whole ? shown(finding, wanted, answer) : finding;
         }
         if (same(wanted, actual)) return Finding.OK;
         List<List<Cause>> causes = new LineMistakes(segment, limit, cut, eitherOnTies).of(actual);
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
+        if (cut && isOnlyAgain(causes)) wanted = wanted(pixels, actual, PixelSet.of(actual).size());
         Message said = said(FirstDifference.of(wanted, actual).orElseThrow());
         for (Cause cause : causes.stream().findFirst().orElse(List.of()))
             said = said.and(cause.said());
         Finding wrong =
                 Finding.of(GradingVerdict.WRONG, said.and(knownFault(segment, actual)), causes);
         return shown(wrong, wanted, answer);
+    }
+
+    private PixelRecording wanted(WantedPixels pixels, PixelRecording actual, int limit) {
+        return eitherOnTies ? pixels.nearest(actual, limit) : pixels.exact(limit);
+    }
+
+    /** Then no pixel is missing: what comes twice takes the place of what lies beyond the cut. */
+    private static boolean isOnlyAgain(List<List<Cause>> causes) {
+        return causes.stream().anyMatch(one -> Cause.codes(one).equals(List.of("again")));
     }
 
     private Finding thrown(Answer answer) {

@@ -1,19 +1,19 @@
 package rasterlab.exercises.line;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.exercises.score.Cause;
 
 /**
- * Finds the few simple mistakes that turn the exact line into what was drawn: at most one of the
- * place, one of the order, one of the ends and one of the ties, and no more than {@value #MOST}
- * together.
+ * Finds the few simple mistakes that turn the exact line into what was drawn: of the place, of the
+ * order, of the ends and of the ties, and no more than {@value #MOST} together.
  */
 final class LineMistakes {
     /** The codes of what can be found. */
@@ -55,15 +55,17 @@ final class LineMistakes {
     List<List<Cause>> of(PixelRecording actual) {
         if (actual.size() == 0) return List.of(List.of(Cause.of("nothing")));
         List<List<Cause>> found = new ArrayList<>();
-        WantedPixels forward = new WantedPixels(segment);
-        WantedPixels backward = new WantedPixels(segment.reversed());
+        Map<Segment, WantedPixels> lines = new HashMap<>();
         for (LinePlace place : LinePlace.of(segment, actual)) {
             PixelRecording back = place.undo(actual);
-            inDirection(forward, back, new Ends("first-pixel", "last-pixel"))
-                    .ifPresent(causes -> found.add(with(place.cause(), causes)));
-            inDirection(backward, back, new Ends("last-pixel", "first-pixel"))
-                    .map(causes -> with(Optional.of(Cause.of("reversed")), causes))
-                    .ifPresent(causes -> found.add(with(place.cause(), causes)));
+            WantedPixels forward = lines.computeIfAbsent(place.line(), WantedPixels::new);
+            for (List<Cause> causes : inDirection(forward, back, "first-pixel", "last-pixel"))
+                found.add(with(place.causes(), causes));
+            WantedPixels backward =
+                    lines.computeIfAbsent(place.line().reversed(), WantedPixels::new);
+            List<Cause> reversed = with(place.causes(), List.of(Cause.of("reversed")));
+            for (List<Cause> causes : inDirection(backward, back, "last-pixel", "first-pixel"))
+                found.add(with(reversed, causes));
         }
         int fewest = found.stream().mapToInt(List::size).min().orElse(MOST + 1);
         return fewest > MOST
@@ -71,56 +73,27 @@ final class LineMistakes {
                 : found.stream().filter(one -> one.size() == fewest).distinct().toList();
     }
 
-    /** Names the mistake where a pixel lacks at the end that is drawn first, or at the other. */
-    private record Ends(String first, String last) {}
-
-    /** Empty where it cannot be explained; no cause where it is right. */
-    private Optional<List<Cause>> inDirection(
-            WantedPixels pixels, PixelRecording actual, Ends ends) {
+    /** Empty where it cannot be explained; one without a cause where it is right. */
+    private List<List<Cause>> inDirection(
+            WantedPixels pixels, PixelRecording actual, String first, String last) {
         int reach = cut ? limit + 1 : limit;
-        PixelRecording exact = pixels.exact(reach);
-        Optional<List<Cause>> right = atEnds(exact, actual, ends);
         PixelRecording near = pixels.nearest(actual, reach);
-        Optional<List<Cause>> tied = atEnds(near, actual, ends);
+        List<List<Cause>> tied = inTurn(near, actual, first, last);
         if (eitherOnTies) return tied;
-        if (right.isPresent()) return right;
-        return tied.map(causes -> with(Optional.of(Cause.of("ties")), causes));
+        List<List<Cause>> right = inTurn(pixels.exact(reach), actual, first, last);
+        return right.isEmpty()
+                ? tied.stream().map(causes -> with(List.of(Cause.of("ties")), causes)).toList()
+                : right;
     }
 
-    private Optional<List<Cause>> atEnds(PixelRecording wanted, PixelRecording actual, Ends ends) {
-        int all = cut ? limit : wanted.size();
-        if (actual.size() == all && same(wanted, 0, actual)) return Optional.of(List.of());
-        boolean isLong = wanted.size() > 2;
-        if (cut)
-            return actual.size() == all && same(wanted, 1, actual)
-                    ? Optional.of(List.of(Cause.of(ends.first())))
-                    : Optional.empty();
-        if (actual.size() == all + 1 && isLong && begins(wanted, actual))
-            return Optional.of(List.of(Cause.of("beyond-" + ends.last())));
-        if (!isLong) return Optional.empty();
-        if (actual.size() == all - 1 && same(wanted, 0, actual))
-            return Optional.of(List.of(Cause.of(ends.last())));
-        if (actual.size() == all - 1 && same(wanted, 1, actual))
-            return Optional.of(List.of(Cause.of(ends.first())));
-        boolean inner = all > 3 && actual.size() == all - 2 && same(wanted, 1, actual);
-        return inner
-                ? Optional.of(List.of(Cause.of(ends.first()), Cause.of(ends.last())))
-                : Optional.empty();
-    }
-
-    /** Whether all that was drawn is wanted, beginning with that pixel. */
-    private static boolean same(PixelRecording wanted, int from, PixelRecording actual) {
-        if (from + actual.size() > wanted.size()) return false;
-        for (int i = 0; i < actual.size(); i++)
-            if (wanted.x(from + i) != actual.x(i) || wanted.y(from + i) != actual.y(i))
-                return false;
-        return true;
-    }
-
-    private static boolean begins(PixelRecording wanted, PixelRecording actual) {
-        for (int i = 0; i < wanted.size(); i++)
-            if (wanted.x(i) != actual.x(i) || wanted.y(i) != actual.y(i)) return false;
-        return true;
+    private List<List<Cause>> inTurn(
+            PixelRecording wanted, PixelRecording actual, String first, String last) {
+        boolean cutThere = cut && actual.size() == limit;
+        if (cut && !cutThere) return List.of();
+        List<List<Cause>> atEnds = new LineEnds(wanted, actual, cut, first, last).explanations();
+        if (!atEnds.isEmpty()) return atEnds;
+        Optional<Cause> again = new Repetition(actual).explains(wanted, cut, first, last);
+        return again.map(cause -> List.of(List.of(cause))).orElse(List.of());
     }
 
     /** The right pixels, but more than once or in another order. */
@@ -136,7 +109,9 @@ final class LineMistakes {
         return List.of(List.of(Cause.of(eachOnce ? "out-of-order" : "again")));
     }
 
-    private static List<Cause> with(Optional<Cause> one, List<Cause> others) {
-        return Stream.concat(one.stream(), others.stream()).toList();
+    private static List<Cause> with(List<Cause> some, List<Cause> others) {
+        List<Cause> all = new ArrayList<>(some);
+        all.addAll(others);
+        return List.copyOf(all);
     }
 }

@@ -38,6 +38,7 @@ final class WantedPixels {
     /** The same, with tied pixels as {@code actual} has them. */
     PixelRecording nearest(PixelRecording actual, int limit) {
         PixelRecording exact = exact(limit);
+        if (!hasTies(exact.size())) return exact;
         PixelSet drawn = PixelSet.of(actual);
         PixelRecording wanted = new PixelRecording(limit);
         for (int k = 0; k < exact.size(); k++) {
@@ -50,6 +51,11 @@ final class WantedPixels {
             wanted.plot(other && steep ? x + 1 : x, other && !steep ? y + 1 : y);
         }
         return wanted;
+    }
+
+    private boolean hasTies(int steps) {
+        for (int k = 0; k < steps; k++) if (isTie(k)) return true;
+        return false;
     }
 
     /**

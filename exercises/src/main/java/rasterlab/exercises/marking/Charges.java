@@ -36,6 +36,11 @@ final class Charges {
         return charged;
     }
 
+    /** Whether all that is wrong there was paid for. */
+    boolean explain(TriedCall call) {
+        return call.explanations().stream().anyMatch(charged::containsAll);
+    }
+
     private Set<String> claimedBy(Case one) {
         return exercise.group(one).map(Group::mistakes).orElse(Set.of());
     }

@@ -69,6 +69,16 @@ public final class Marking {
         return charges.charged();
     }
 
+    /** Traits of the inputs whose answer is wrong for a reason that was not paid for. */
+    public List<Set<String>> uncharged() {
+        return cases.stream()
+                .flatMap(tried -> tried.calls().stream())
+                .filter(call -> !call.right() && !charges.explain(call))
+                .map(call -> call.call().traits())
+                .distinct()
+                .toList();
+    }
+
     /** One line for each case, in their order. */
     public List<CaseReport> reports() {
         List<CaseReport> reports = new ArrayList<>();

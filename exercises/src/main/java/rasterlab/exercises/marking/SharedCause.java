@@ -2,6 +2,7 @@ package rasterlab.exercises.marking;
 
 import static java.util.stream.Collectors.toCollection;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -9,7 +10,10 @@ import java.util.Set;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
-/** The mistake that every wrong call shows, on which inputs it shows, and one of them. */
+/**
+ * The one or two mistakes that explain every wrong call, on which inputs each shows, and one of
+ * them; where none do, a mistake that all wrong calls have beside others.
+ */
 final class SharedCause {
     private final List<TriedCase> cases;
     private final List<TriedCall> wrong;
@@ -18,9 +22,9 @@ final class SharedCause {
     SharedCause(List<TriedCase> cases) {
         this.cases = cases;
         List<TriedCall> all = calls(false);
-        List<TriedCall> telling = all.stream().filter(call -> !call.tellsLittle()).toList();
+        List<TriedCall> telling = telling(all);
         this.wrong = telling.isEmpty() ? all : telling;
-        this.right = calls(true);
+        this.right = telling.isEmpty() ? calls(true) : telling(calls(true));
     }
 
     private List<TriedCall> calls(boolean right) {
@@ -30,51 +34,95 @@ final class SharedCause {
                 .toList();
     }
 
+    private static List<TriedCall> telling(List<TriedCall> calls) {
+        return calls.stream().filter(call -> !call.tellsLittle()).toList();
+    }
+
     /** Nothing where the failures share no mistake, or where there is but one. */
     Message said() {
         if (wrong.size() < 2) return Message.NONE;
-        List<Cause> shared =
-                wrong.get(0).finding().explanations().stream()
-                        .flatMap(List::stream)
-                        .distinct()
-                        .filter(this::isEverywhere)
-                        .toList();
-        if (shared.isEmpty()) return Message.NONE;
-        Message said = Message.of("cause.shared");
-        for (Cause cause : shared) said = said.and(cause.said());
-        return said.and(where()).and(example().orElse(Message.NONE));
+        List<Cause> known = known();
+        for (Cause one : known)
+            if (explainAll(List.of(one))) return said("cause.shared", List.of(one));
+        for (int i = 0; i < known.size(); i++)
+            for (int j = i + 1; j < known.size(); j++) {
+                List<Cause> two = List.of(known.get(i), known.get(j));
+                if (explainAll(two)) return said("cause.shared.two", two);
+            }
+        for (Cause one : known)
+            if (wrong.stream().allMatch(call -> shows(call, List.of(one), known)))
+                return said("cause.common", List.of(one));
+        return Message.NONE;
     }
 
-    private boolean isEverywhere(Cause cause) {
+    /** The causes of all explanations, those of the first wrong call first. */
+    private List<Cause> known() {
+        Set<Cause> known = new LinkedHashSet<>();
+        for (TriedCall call : wrong)
+            for (List<Cause> one : call.finding().explanations()) known.addAll(one);
+        return List.copyOf(known);
+    }
+
+    private boolean explainAll(List<Cause> causes) {
         return wrong.stream()
                 .allMatch(
                         call ->
                                 call.finding().explanations().stream()
-                                        .anyMatch(known -> known.contains(cause)));
+                                        .anyMatch(causes::containsAll));
     }
 
-    /** The traits, at most two, that the wrong inputs have and no right one has all of. */
-    private Message where() {
-        if (right.isEmpty()) return Message.of("where.everywhere");
-        List<String> common = common();
-        for (String one : common) if (tellsApart(Set.of(one))) return Message.of("where." + one);
+    /** Whether the call has those causes by an explanation out of the given ones. */
+    private static boolean shows(TriedCall call, List<Cause> causes, List<Cause> given) {
+        return call.finding().explanations().stream()
+                .anyMatch(one -> given.containsAll(one) && one.containsAll(causes));
+    }
+
+    /** Each cause with where it shows, which is said once where all show there. */
+    private Message said(String heading, List<Cause> causes) {
+        List<Message> where = new ArrayList<>();
+        for (Cause one : causes) where.add(where(one, causes));
+        Message said = Message.of(heading);
+        for (int i = 0; i < causes.size(); i++) {
+            said = said.and(causes.get(i).said());
+            boolean saidNext = i + 1 < causes.size() && where.get(i + 1).equals(where.get(i));
+            if (!saidNext) said = said.and(where.get(i));
+        }
+        return said.and(example().orElse(Message.NONE));
+    }
+
+    private Message where(Cause cause, List<Cause> causes) {
+        List<TriedCall> with =
+                wrong.stream()
+                        .filter(call -> causes.size() == 1 || shows(call, List.of(cause), causes))
+                        .toList();
+        List<TriedCall> without = new ArrayList<>(right);
+        wrong.stream().filter(call -> !with.contains(call)).forEach(without::add);
+        return where(with, without);
+    }
+
+    /** The traits, at most two, that those inputs have and none of the others has all of. */
+    private static Message where(List<TriedCall> with, List<TriedCall> without) {
+        if (without.isEmpty()) return Message.of("where.everywhere");
+        List<String> common = common(with);
+        for (String one : common)
+            if (tellsApart(Set.of(one), without)) return Message.of("where." + one);
         for (int i = 0; i < common.size(); i++)
             for (int j = i + 1; j < common.size(); j++)
-                if (tellsApart(Set.of(common.get(i), common.get(j))))
+                if (tellsApart(Set.of(common.get(i), common.get(j)), without))
                     return Message.of("where." + common.get(i))
                             .and(Message.of("where." + common.get(j)));
         return Message.NONE;
     }
 
-    private List<String> common() {
+    private static List<String> common(List<TriedCall> calls) {
         Set<String> traits =
-                wrong.get(0).call().traits().stream().collect(toCollection(LinkedHashSet::new));
-        wrong.forEach(call -> traits.retainAll(call.call().traits()));
+                calls.get(0).call().traits().stream().collect(toCollection(LinkedHashSet::new));
+        calls.forEach(call -> traits.retainAll(call.call().traits()));
         return List.copyOf(traits);
     }
 
-    private boolean tellsApart(Set<String> traits) {
-        return right.stream().noneMatch(call -> call.call().traits().containsAll(traits));
+    private static boolean tellsApart(Set<String> traits, List<TriedCall> others) {
+        return others.stream().noneMatch(call -> call.call().traits().containsAll(traits));
     }
 
     /** Of a public case: no hidden input may be told. */

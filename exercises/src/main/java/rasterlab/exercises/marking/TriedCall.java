@@ -45,7 +45,7 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
     /** Where it is wrong, what may explain all of it: each some codes of mistakes. */
     List<List<String>> explanations() {
         return finding.verdict() == GradingVerdict.WRONG
-                ? finding.explanations().stream().map(Cause::codes).toList()
+                ? finding.explanations().stream().map(Cause::codes).distinct().toList()
                 : List.of();
     }
 
@@ -63,9 +63,12 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
         return answer.filter(one -> one.pixels().size() > 0).isPresent();
     }
 
-    /** A single point is its own first and last pixel: what is wrong there tells no mistake. */
+    /**
+     * A single point is its own first and last pixel, and of a cut line the last end is not seen:
+     * what is wrong or right there tells no mistake.
+     */
     boolean tellsLittle() {
-        return call.traits().contains("point");
+        return call.traits().contains("point") || call.traits().contains("cut");
     }
 
     /** The finding with pictures. */

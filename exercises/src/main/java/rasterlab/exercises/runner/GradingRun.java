@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Set;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
@@ -130,7 +129,7 @@ final class GradingRun {
         SpeedTrial.Outcome speed =
                 student.over().isPresent() || !aboveFloor(reports)
                         ? SpeedTrial.Outcome.none(tooInaccurate())
-                        : speed(student, reference, cases.repeated(), marking.charged());
+                        : speed(student, reference, cases.repeated(), marking);
         CaseReport speedReport = report(speed);
         progress.accept(speedReport);
         List<Diagnostic> said = new ArrayList<>();
@@ -200,18 +199,16 @@ final class GradingRun {
 
     /** A method that is stopped while it is timed loses the points for speed only. */
     private SpeedTrial.Outcome speed(
-            Student student, Student reference, List<Call> before, Set<String> charged)
+            Student student, Student reference, List<Call> before, Marking marking)
             throws ChildLost, InterruptedException {
         try {
-            long unknown = new SecureRandom().nextLong();
             return new SpeedTrial(
-                            topic,
+                            topic.timings(new SecureRandom(), marking.uncharged()),
                             student,
                             reference,
                             before,
-                            charged,
-                            settings.patience(),
-                            unknown)
+                            marking.charged(),
+                            settings.patience())
                     .measure();
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;

@@ -50,7 +50,7 @@ public final class Judge implements Grading, AutoCloseable {
      * source raises by hand.
      */
     public static String version() {
-        return "judge-7 " + AllowList.text();
+        return "judge-8 " + AllowList.text();
     }
 
     /**

@@ -2,7 +2,6 @@ package rasterlab.exercises.runner;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Random;
 import java.util.Set;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
@@ -27,38 +26,36 @@ final class SpeedTrial {
     /** Each in fresh children, later than the one before. */
     private static final int MOST_TRIES = 4;
 
-    private final TopicGrading topic;
+    private final TopicGrading.Timings timings;
     private final Student student;
     private final Student reference;
     private final List<Call> before;
     private final Set<String> charged;
     private final Patience patience;
-    private final Random random;
     private final Pace theirs = new Pace();
     private final Pace ours = new Pace();
     private boolean printed;
 
     /**
      * @param before what both draw before they are timed
+     * @param timings what they are timed on, not known to the student, so that nothing can be
+     *     computed beforehand
      * @param charged codes of mistakes that cost points already, and cost none here
      * @param patience tells whether the machine is busy
-     * @param seed not known to the student, so that nothing can be computed beforehand
      */
     SpeedTrial(
-            TopicGrading topic,
+            TopicGrading.Timings timings,
             Student student,
             Student reference,
             List<Call> before,
             Set<String> charged,
-            Patience patience,
-            long seed) {
-        this.topic = topic;
+            Patience patience) {
+        this.timings = timings;
         this.student = student;
         this.reference = reference;
         this.before = List.copyOf(before.subList(0, Math.min(MOST_BEFORE, before.size())));
         this.charged = charged;
         this.patience = patience;
-        this.random = new Random(seed);
     }
 
     /**
@@ -124,7 +121,7 @@ final class SpeedTrial {
         }
         long start = System.nanoTime();
         for (int round = 1; round <= LEAST_ROUNDS || !theirs.isSettledBeside(ours); round++) {
-            TopicGrading.Timing timing = topic.timing(random);
+            TopicGrading.Timing timing = timings.next();
             StudentRun.Timed reply = student.run().time(timing);
             Optional<Message> obstacle = obstacle(timing, reply);
             if (obstacle.isPresent()) return obstacle;

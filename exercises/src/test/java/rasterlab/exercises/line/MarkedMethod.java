@@ -9,6 +9,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.Marking;
@@ -54,7 +55,16 @@ record MarkedMethod(Exercise exercise, Marking marking) {
 
     /** Points for accuracy and stability together. */
     int points() {
+        return points(List.of(Kind.values()));
+    }
+
+    int accuracy() {
+        return points(List.of(Kind.ACCURACY));
+    }
+
+    private int points(List<Kind> kinds) {
         return exercise.cases().stream()
+                .filter(one -> kinds.contains(one.kind()))
                 .filter(one -> marking.paying().contains(one.name()))
                 .mapToInt(Case::points)
                 .sum();
