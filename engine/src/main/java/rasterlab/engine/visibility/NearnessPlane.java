@@ -13,6 +13,7 @@ final class NearnessPlane {
     double base;
     double perColumn;
     double perRow;
+    private double most;
 
     /**
      * With X, Y on the picture plane, n·p = k becomes ρ/z = (nx·X + ny·Y + nz·ρ)/k in perspective
@@ -38,6 +39,29 @@ final class NearnessPlane {
                 middle
                         + perUnitX * fit.toPlaneX(PixelPoint.RIGHT_OF_CENTRE)
                         + perUnitY * fit.toPlaneY(PixelPoint.BELOW_CENTRE);
+        double inPicture =
+                Math.abs(base)
+                        + Math.abs(perColumn) * fit.width()
+                        + Math.abs(perRow) * fit.height();
+        // k is a sum of products as large as the corner, which may cancel.
+        double corner = mostOf(view, view.mesh().corner(face, 0));
+        most =
+                central
+                        ? inPicture * Math.max(1, corner / Math.abs(k))
+                        : inPicture + corner / Math.abs(nz);
         return true;
+    }
+
+    private static double mostOf(ViewedMesh view, int vertex) {
+        return Math.abs(view.eyeX(vertex))
+                + Math.abs(view.eyeY(vertex))
+                + Math.abs(view.eyeZ(vertex));
+    }
+
+    /**
+     * The most that nearness can be in the picture, and what its parts can be before they cancel.
+     */
+    double most() {
+        return most;
     }
 }

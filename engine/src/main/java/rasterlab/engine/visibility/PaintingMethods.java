@@ -44,7 +44,8 @@ final class PaintingMethods {
                         + " in depth that it hides nothing of it; in a circle one is cut",
                 "nothing painted hides anything that is left",
                 "up to N² tests and more after cuts, every pixel of every face is written",
-                "none known; refuses scenes that need too many comparisons or pieces",
+                "none known for corners within 1000·ρ; refuses scenes that need too many comparisons"
+                        + " or pieces, and faces that the view makes too narrow",
                 "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface"
                         + " problem, 1972");
     }
@@ -54,8 +55,8 @@ final class PaintingMethods {
                 "the far side of a face's plane, the plane, its near side, each side likewise",
                 "nothing on the far side of a plane hides anything on its near side",
                 "N·log N to N² tests, every pixel of every face is written",
-                "none known; cuts faces that no circle forces to be cut, and refuses too many"
-                        + " pieces",
+                "none known for corners within 1000·ρ; cuts faces that no circle forces to be cut, and"
+                        + " refuses too many pieces and faces that the view makes too narrow",
                 "H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori"
                         + " tree structures, SIGGRAPH 1980");
     }

@@ -95,8 +95,11 @@ final class RayTargets {
         double x = ray[0] + t * ray[3];
         double y = ray[1] + t * ray[4];
         double z = ray[2] + t * ray[5];
-        for (int w = 0; w < walls.length; w += 4)
-            if (walls[w] * x + walls[w + 1] * y + walls[w + 2] * z < walls[w + 3]) return false;
+        for (int w = 0; w < walls.length; w += 4) {
+            double inwards = walls[w] * x + walls[w + 1] * y + walls[w + 2] * z;
+            // Not a number where the ray is as good as parallel: then it meets nothing.
+            if (!(inwards >= walls[w + 3])) return false;
+        }
         return true;
     }
 

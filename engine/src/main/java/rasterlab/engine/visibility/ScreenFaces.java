@@ -14,6 +14,7 @@ final class ScreenFaces {
     private double[] y;
     private final int[] box;
     private final double[] nearness;
+    private final double[] room;
     private final boolean[] opaque;
     private int count;
     private int corners;
@@ -25,6 +26,7 @@ final class ScreenFaces {
         firstCorner = new int[faces + 1];
         box = new int[4 * faces];
         nearness = new double[3 * faces];
+        room = new double[faces];
         opaque = new boolean[faces];
         x = new double[4 * faces + 8];
         y = new double[4 * faces + 8];
@@ -71,6 +73,7 @@ final class ScreenFaces {
         nearness[3 * count] = plane.base;
         nearness[3 * count + 1] = plane.perColumn;
         nearness[3 * count + 2] = plane.perRow;
+        room[count] = OnePlane.room(plane.most());
         face[count++] = number;
         firstCorner[count] = corners;
     }
@@ -131,8 +134,7 @@ final class ScreenFaces {
         double here = nearness(one, pixelX, pixelY);
         double there = nearness(other, pixelX, pixelY);
         if (here == there) return one < other;
-        if (Math.abs(here - there) <= OnePlane.room(size(one)) && onePlane(one, other))
-            return one < other;
+        if (Math.abs(here - there) <= room[one] && onePlane(one, other)) return one < other;
         return here > there;
     }
 
@@ -144,14 +146,7 @@ final class ScreenFaces {
                 Math.abs(nearness[a] - nearness[b])
                         + Math.abs(nearness[a + 1] - nearness[b + 1]) * view.fit().width()
                         + Math.abs(nearness[a + 2] - nearness[b + 2]) * view.fit().height();
-        return apart <= OnePlane.room(size(one));
-    }
-
-    /** The most that nearness can be in the picture. */
-    private double size(int place) {
-        return Math.abs(nearness[3 * place])
-                + Math.abs(nearness[3 * place + 1]) * view.fit().width()
-                + Math.abs(nearness[3 * place + 2]) * view.fit().height();
+        return apart <= room[one];
     }
 
     /** Takes the pixels of one row that the face owns. */

@@ -19,6 +19,7 @@ final class Borders {
                         TransformBorders.all(),
                         VisibilityBorders.all(),
                         List.of(OrderBorders.all()),
+                        List.of(SurfaceBorders.all()),
                         List.of(CurveBorders.all()),
                         LightBorders.all(),
                         List.of(NormalsBorders.all()),

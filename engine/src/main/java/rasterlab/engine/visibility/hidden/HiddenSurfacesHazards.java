@@ -101,7 +101,13 @@ final class HiddenSurfacesHazards {
                         "Two squares in one plane that was turned, which rounds it: the earlier is right.",
                         "none back-face painter",
                         "painter-textbook",
-                        TurnedSquares.seen()));
+                        TurnedSquares.seen()),
+                hazard(
+                        "coplanar-far-corners",
+                        "A strip in the plane of a square, corners far away: the earlier is right.",
+                        "none back-face painter",
+                        "painter-textbook",
+                        FarCorners.seen()));
     }
 
     /** One is nearer on the left, the other on the right. */
@@ -208,6 +214,16 @@ final class HiddenSurfacesHazards {
                         "painter-textbook",
                         parallel(box())),
                 hazard(
+                        "edge-on-by-a-hair",
+                        "A wall over a floor, seen at the smallest angle there is: it covers nothing.",
+                        "",
+                        "",
+                        SurfaceView.of(
+                                wallOnFloor(),
+                                new SphericalView(0, Double.MIN_VALUE, Quads.RHO),
+                                Projection.PARALLEL,
+                                SMALL)),
+                hazard(
                         "eye-in-a-face",
                         "The eye lies in a floor that reaches behind it, before a square.",
                         "",
@@ -261,6 +277,15 @@ final class HiddenSurfacesHazards {
                 .add(-30.3, 19.7, 480, -30.3, 19.7, 520, -30.3, -20.4, 520, -30.3, -20.4, 480)
                 .add(30.6, -20.4, 520, 30.6, 19.7, 520, 30.6, 19.7, 480, 30.6, -20.4, 480)
                 .mesh();
+    }
+
+    /** The floor is level, the wall upright. */
+    private static Mesh wallOnFloor() {
+        double[] xyz = {
+            -40, -30, 0, 40, -30, 0, 40, 30, 0, -40, 30, 0,
+            20, -45, -10, 20, 45, -10, 20, 45, 40, 20, -45, 40
+        };
+        return new Mesh(xyz, new int[][] {{0, 1, 2, 3}, {4, 5, 6, 7}});
     }
 
     private static SurfaceView parallel(Mesh mesh) {

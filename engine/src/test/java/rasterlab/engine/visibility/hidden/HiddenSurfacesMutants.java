@@ -38,13 +38,21 @@ final class HiddenSurfacesMutants implements Mutants<Visibility> {
                         "coplanar",
                         HiddenSurfacesMutants::laterFirst),
                 new Mutant<>(
-                        "the rounding of a plane decides", "coplanar-turned", rays(z -> z, true)),
-                new Mutant<>("the near plane cuts nothing", "through-a-face", rays(z -> z, false)),
+                        "the rounding of a plane decides",
+                        "coplanar-turned",
+                        rays(z -> z, true, false)),
+                new Mutant<>(
+                        "the near plane cuts nothing",
+                        "through-a-face",
+                        rays(z -> z, false, false)),
                 new Mutant<>(
                         "faces behind the eye are before it",
                         "behind-the-eye",
-                        rays(Math::abs, true)),
-                method("16 bits hold a depth", "depth-1-at-1000", "z16"),
+                        rays(Math::abs, true, false)),
+                new Mutant<>(
+                        "what is as good as parallel is met before all else",
+                        "edge-on-by-a-hair",
+                        rays(z -> Double.isInfinite(z) ? -Double.MAX_VALUE : z, true, true)),
                 method("sums of 24 bits hold a depth", "long-span-drift", "z24"));
     }
 
@@ -103,15 +111,16 @@ final class HiddenSurfacesMutants implements Mutants<Visibility> {
      *
      * @param depth what is compared
      * @param near whether the near plane cuts
+     * @param careless whether a point that is no number counts as inside
      */
-    private static Visibility rays(DoubleUnaryOperator depth, boolean near) {
+    private static Visibility rays(DoubleUnaryOperator depth, boolean near, boolean careless) {
         return (view, paint, out, cancelled) -> {
             for (int y = 0; y < out.height(); y++)
                 for (int x = 0; x < out.width(); x++) {
                     int seen = -1;
                     double least = Double.POSITIVE_INFINITY;
                     for (int face = 0; face < view.mesh().faceCount(); face++) {
-                        double z = depth.applyAsDouble(meets(view, face, x, y));
+                        double z = depth.applyAsDouble(meets(view, face, x, y, careless));
                         boolean drawn = z > (near ? view.near() : 0) && z <= view.far();
                         if (!drawn || z >= least) continue;
                         seen = face;
@@ -124,7 +133,7 @@ final class HiddenSurfacesMutants implements Mutants<Visibility> {
     }
 
     /** z of the point in which the line of sight through a pixel meets a face, else NaN. */
-    private static double meets(ViewedMesh view, int face, int x, int y) {
+    private static double meets(ViewedMesh view, int face, int x, int y, boolean careless) {
         boolean central = view.transform().central();
         double across = view.fit().toPlaneX(x + PixelPoint.RIGHT_OF_CENTRE);
         double up = view.fit().toPlaneY(y + PixelPoint.BELOW_CENTRE);
@@ -151,7 +160,7 @@ final class HiddenSurfacesMutants implements Mutants<Visibility> {
             double left =
                     nx * (ey * uz - ez * uy) + ny * (ez * ux - ex * uz) + nz * (ex * uy - ey * ux);
             // Eye space is left-handed: what goes round to the left in the world goes to the right.
-            if (!(left <= 0)) return Double.NaN;
+            if (left > 0 || Double.isNaN(left) && !careless) return Double.NaN;
         }
         return z;
     }
