@@ -17,6 +17,7 @@ import rasterlab.grader.storage.CannotStart
 import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.SpeedBands
 import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress
@@ -136,7 +137,7 @@ internal class ServeCommand(
         DataFolder.take(data, db).use { folder ->
             logTo(folder.logFile)
             openDatabase(folder.databaseFile).use { database ->
-                Judge.start(JudgeSettings.defaults()).use { judge ->
+                Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
                     if (exam && !judge.isolation().exam()) {
                         throw CannotStart(Reason.EXAM, judge.isolation().said())
                     }

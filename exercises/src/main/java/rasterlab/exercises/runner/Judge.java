@@ -31,11 +31,12 @@ public final class Judge implements Grading, AutoCloseable {
     private final Box box;
     private final Children children;
     private final ByteCodeCheck check = new ByteCodeCheck(AllowList.builtIn());
-    private final SpeedMemory memory = new SpeedMemory();
+    private final SpeedMemory memory;
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
 
-    Judge(JudgeSettings settings, ChildJars jars, Launcher launcher, Box box) {
+    Judge(JudgeSettings settings, ChildJars jars, Launcher launcher, Box box, SpeedMemory memory) {
+        this.memory = memory;
         this.settings = settings;
         this.jars = jars;
         this.launcher = launcher;
@@ -59,11 +60,20 @@ public final class Judge implements Grading, AutoCloseable {
      * @throws RuntimeException when no child can be started here; nothing is left behind then
      */
     public static Judge start(JudgeSettings settings) {
+        return start(settings, SpeedMemory.ofProcess());
+    }
+
+    /**
+     * The same.
+     *
+     * @param memory in which bands of speed sources were before
+     */
+    public static Judge start(JudgeSettings settings, SpeedMemory memory) {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
         try {
             Box box = BoxChoice.on(launcher, jars).choose(settings.box());
-            return prepared(new Judge(settings, jars, launcher, box));
+            return prepared(new Judge(settings, jars, launcher, box, memory));
         } catch (RuntimeException cannotStart) {
             launcher.close();
             jars.close();

@@ -4,27 +4,28 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.OptionalInt;
 import rasterlab.exercises.Exercise;
 
 /**
  * Remembers in which band of speed a source was, so that one near the end of a band does not go to
- * and fro between two with each new measurement. The sources that were graded last are known.
+ * and fro between two with each new measurement. Several threads may use it at once.
  */
-final class SpeedMemory {
-    private static final int MOST = 4096;
+public interface SpeedMemory {
+    /**
+     * The band, 0 being the best, in which that source was when it was last measured.
+     *
+     * @param key of exercise and source, as {@link #key} has it
+     */
+    OptionalInt band(String key);
 
-    private final Map<String, Integer> bands =
-            new LinkedHashMap<>() {
-                private static final long serialVersionUID = 1L;
+    /** Takes note of a measurement that settled. */
+    void keep(String key, int band);
 
-                @Override
-                protected boolean removeEldestEntry(Map.Entry<String, Integer> eldest) {
-                    return size() > MOST;
-                }
-            };
+    /** A memory that lasts as long as the process and knows the sources that were graded last. */
+    static SpeedMemory ofProcess() {
+        return new ProcessSpeedMemory();
+    }
 
     /** The hash that tells one source from another, whatever its length. */
     static String key(Exercise exercise, String source) {
@@ -35,17 +36,5 @@ final class SpeedMemory {
         } catch (NoSuchAlgorithmException e) {
             throw new AssertionError("every Java platform has SHA-256", e);
         }
-    }
-
-    /**
-     * @param key of exercise and source
-     */
-    synchronized OptionalInt band(String key) {
-        Integer known = bands.get(key);
-        return known == null ? OptionalInt.empty() : OptionalInt.of(known);
-    }
-
-    synchronized void keep(String key, int band) {
-        bands.put(key, band);
     }
 }

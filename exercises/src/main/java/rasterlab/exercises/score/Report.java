@@ -1,6 +1,7 @@
 package rasterlab.exercises.score;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The whole answer to a submission, with nothing hidden.
@@ -26,6 +27,16 @@ public record Report(
     public Report {
         cases = List.copyOf(cases);
         diagnostics = List.copyOf(diagnostics);
+    }
+
+    /** Its line on speed; empty where nothing was run. */
+    public Optional<CaseReport> speed() {
+        return cases.stream().filter(one -> one.name().equals(CaseReport.SPEED)).findFirst();
+    }
+
+    /** Whether the speed is worth another try, since the machine did not let it be measured. */
+    public boolean speedIsUnsettled() {
+        return speed().filter(SpeedPoints::isUnsettled).isPresent();
     }
 
     /** {@link #isolation} in that language. */

@@ -28,6 +28,8 @@ public final class SpeedPoints {
     /** A method that was in a band stays there up to so much beyond its end. */
     private static final double STAYS = 1.3;
 
+    private static final String UNSETTLED = "speed.unsettled";
+
     private SpeedPoints() {}
 
     /**
@@ -100,8 +102,13 @@ public final class SpeedPoints {
      * @param band the best that is possible by what is known
      */
     public static CaseReport unsettled(int of, int band) {
-        return report(
-                GradingVerdict.NOT_MEASURED, points(band, of), of, Message.of("speed.unsettled"));
+        return report(GradingVerdict.NOT_MEASURED, points(band, of), of, Message.of(UNSETTLED));
+    }
+
+    /** Whether that is the line of a speed which the machine did not let be measured. */
+    static boolean isUnsettled(CaseReport one) {
+        return one.name().equals(CaseReport.SPEED)
+                && one.said().sentences().stream().anyMatch(said -> said.key().equals(UNSETTLED));
     }
 
     private static int points(int band, int of) {

@@ -146,7 +146,13 @@ class GradingLifeTest {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
         Box withoutReserve = new WithoutReserve(new PlainBox(jars, Message.NONE));
-        try (Judge judge = new Judge(JudgeSettings.defaults(), jars, launcher, withoutReserve)) {
+        try (Judge judge =
+                new Judge(
+                        JudgeSettings.defaults(),
+                        jars,
+                        launcher,
+                        withoutReserve,
+                        SpeedMemory.ofProcess())) {
             assertEquals(GradingVerdict.OK, grade(judge, Sources.RIGHT).verdict());
         }
     }

@@ -4,6 +4,7 @@ import org.slf4j.LoggerFactory
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.Grading.CaseSelection
+import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
@@ -14,6 +15,7 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.isForWantOfStorage
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.TimeUnit
+import java.util.function.Consumer
 
 /** Whether the queue is done with a submission. */
 enum class Outcome {
@@ -45,7 +47,7 @@ class Attempts(
      */
     fun attemptNext(): Outcome {
         if (!database.hasRoom()) return Outcome.TRY_AGAIN
-        val lease = leases.claimNext() ?: return Outcome.SETTLED
+        val lease = leases.claimNext() ?: return measureNext()
         live.announce()
         held += lease
         try {
@@ -57,6 +59,26 @@ class Attempts(
             held -= lease
             live.ended(lease.submission.id)
         }
+    }
+
+    /** Measures a speed again, if one is due. What else the same source is given now changes nothing. */
+    private fun measureNext(): Outcome {
+        val lease = leases.measurements.claimNext() ?: return Outcome.SETTLED
+        held += lease
+        try {
+            val submission = lease.submission
+            val exercise = exercises.at(submission.exercise, submission.revision)
+            val report = exercise?.let { grade(it, submission) {} }
+            val settled = stored { leases.measurements.finish(lease, report, counts = !stopping()) }
+            if (settled) log.info("the speed of submission {} is measured", submission.id)
+        } catch (failure: Exception) {
+            leases.measurements.finish(lease, report = null, counts = failure !is InterruptedException && !stopping())
+            throw failure
+        } finally {
+            held -= lease
+            live.announce()
+        }
+        return Outcome.SETTLED
     }
 
     /** Keeps the leases of the attempts that run here. */
@@ -84,7 +106,7 @@ class Attempts(
                 }
 
                 else -> {
-                    grade(exercise, submission)
+                    grade(exercise, submission) { live.judged(submission.id, it) }
                 }
             }
         if (report.verdict() == GradingVerdict.INTERNAL && (submission.tries < TRIES || stopping())) {
@@ -119,13 +141,15 @@ class Attempts(
     private fun grade(
         exercise: Exercise,
         submission: Submission,
+        progress: Consumer<CaseReport>,
     ): Report =
         try {
             grading.grade(
                 exercise,
                 submission.source,
                 CaseSelection.all(submission.seed),
-            ) { live.judged(submission.id, it) }
+                progress,
+            )
         } catch (stop: InterruptedException) {
             throw stop
         } catch (failure: Exception) {

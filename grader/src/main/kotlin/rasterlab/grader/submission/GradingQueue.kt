@@ -78,10 +78,14 @@ class GradingQueue(
         live.announce()
     }
 
-    /** Puts back what nobody grades any more, and rings as often as rings are missing for what waits. */
+    /**
+     * Puts back what nobody grades any more, and rings as often as rings are missing for what waits: for all
+     * submissions, or else for one speed that is to be measured again.
+     */
     fun sweep() {
         leases.releaseExpired()
-        repeat(submissions.waiting() - rings()) {
+        val wanted = if (leases.measurements.isDue()) 1 else submissions.waiting()
+        repeat(wanted - rings()) {
             scheduler.scheduleIfNotExists(task.instance(Secrets.newId()), clock.instant())
         }
     }

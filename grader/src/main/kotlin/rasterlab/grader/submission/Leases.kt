@@ -28,6 +28,9 @@ class Leases(
     private val clock: InstantSource,
     private val steady: InstantSource,
 ) {
+    /** What is measured again when nothing waits; that, too, is done under a lease. */
+    val measurements = Measurements(database, reports, steady)
+
     /** Begins an attempt at the submission whose turn it is, or null if none waits. */
     fun claimNext(): Lease? {
         val token = Secrets.newId()
@@ -103,23 +106,31 @@ class Leases(
                     ).bind("id", lease.submission.id)
                     .bind("lease", lease.token)
                     .execute()
-            if (ended == 1) reports.insert(handle, lease.submission.id, revision, report, clock.instant())
+            if (ended == 1) {
+                reports.insert(handle, lease.submission.id, revision, report, clock.instant())
+                measurements.note(handle, lease.submission.id, report)
+            }
             ended == 1
         }
 
     /** Puts back into the queue what nobody grades any more. */
     fun releaseExpired() {
         database.write {
-            it
-                .createUpdate("$RELEASE WHERE state = 'running' AND lease_until <= :now")
-                .bind("now", after(Duration.ZERO))
-                .execute()
+            for (release in listOf("$RELEASE WHERE state = 'running'", "$MEASURED WHERE state = 'done'")) {
+                it
+                    .createUpdate("$release AND lease_until <= :now")
+                    .bind("now", after(Duration.ZERO))
+                    .execute()
+            }
         }
     }
 
     /** Puts everything back: for a server that starts and is alone on its database. */
     fun releaseAll() {
-        database.write { it.execute("$RELEASE WHERE state <> 'done'") }
+        database.write {
+            it.execute("$RELEASE WHERE state <> 'done'")
+            it.execute("$MEASURED, speed_due = NULL WHERE speeds_left > 0")
+        }
     }
 
     private fun after(wait: Duration) = (steady.instant() + wait).text()
@@ -130,6 +141,9 @@ class Leases(
 
         /** Before our fault is tried again: what was short may be there again. */
         val PAUSE: Duration = Duration.ofSeconds(1)
+
+        /** The result is there, only the lease to measure its speed again is not any more. */
+        private const val MEASURED = "UPDATE submissions SET lease = NULL, lease_until = NULL"
 
         private const val RELEASE = "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL"
     }

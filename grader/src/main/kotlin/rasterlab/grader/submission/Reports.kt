@@ -95,6 +95,35 @@ class Reports(
         }
     }
 
+    /** Puts the speed of [report] in the place of that of the latest one, in the transaction of [handle]. */
+    fun replaceSpeed(
+        handle: Handle,
+        submission: String,
+        report: Report,
+    ) {
+        val speed = report.speed().orElseThrow()
+        val last = "(SELECT max(graded_at) FROM results WHERE submission_id = :id)"
+        val latest = "submission_id = :id AND graded_at = $last"
+        handle
+            .createUpdate(
+                """UPDATE case_results SET verdict = :verdict, points = :points, message = :message, message_data = :data
+                   WHERE submission_id = :id AND name = :name
+                       AND revision = (SELECT revision FROM results WHERE $latest)""",
+            ).bind("id", submission)
+            .bind("name", speed.name())
+            .bind("verdict", speed.verdict().name)
+            .bind("points", speed.points())
+            .bind("message", speed.message())
+            .bind("data", speed.said().data())
+            .execute()
+        handle
+            .createUpdate("UPDATE results SET speed = :points, nanos_per_item = :nanos WHERE $latest")
+            .bind("id", submission)
+            .bind("points", speed.points())
+            .bind("nanos", report.nanosPerItem())
+            .execute()
+    }
+
     private fun insert(
         handle: Handle,
         submission: String,

@@ -1,6 +1,6 @@
 /*
  * A submission from its arrival to its result.
- * Read Submission, Intake, Leases, Attempts, Reports, GradingQueue, in this order.
+ * Read Submission, Intake, Leases, Attempts, Measurements, Reports, GradingQueue, in this order.
  */
 package rasterlab.grader.submission
 

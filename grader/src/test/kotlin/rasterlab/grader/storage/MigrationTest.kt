@@ -67,6 +67,34 @@ class MigrationTest {
         }
     }
 
+    @Test
+    @DisplayName("what was graded before speeds were measured again is measured, or cannot be read")
+    fun whatWasGradedBeforeSpeedsWereMeasuredAgain() {
+        of("5")
+        execute(
+            """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+               VALUES ('s', 'a', 'draw-dot', 'r1', 1, 'class Dot {}', 1, '2026-03-29T00:59:59.000Z', 'done')""",
+        )
+        execute(
+            """INSERT INTO results (submission_id, revision, verdict, accuracy, stability, speed, points_of, isolation,
+                   nanos_per_item, graded_at)
+               VALUES ('s', 'r1', 'ok', 6, 3, 1, 10, 'bubblewrap', 0, '2026-03-29T00:59:59.000Z')""",
+        )
+        Database.open(file).use { database ->
+            val clock = InstantSource.system()
+            val reports = Reports(database)
+            assertEquals(null, Leases(database, reports, clock, clock).measurements.claimNext())
+            assertEquals(
+                10,
+                reports
+                    .of("s")
+                    ?.report
+                    ?.points()
+                    ?.total(),
+            )
+        }
+    }
+
     /** Makes the database as the server of that version left it, with the students a and b. */
     private fun of(version: String) {
         Flyway
