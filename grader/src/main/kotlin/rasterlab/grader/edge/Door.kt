@@ -116,7 +116,7 @@ class Door(
             if (key == accepting) acceptAll(accepting) else goOn(key.attachment() as Passage)
         }
         val now = System.nanoTime()
-        passages.filter { it.isOverdue(now) }.forEach(Passage::close)
+        passages.filter { it.isOverdue(now) }.forEach(Passage::overdue)
         if (!closing) accepting.interestOps(if (now < acceptAgainAt) 0 else SelectionKey.OP_ACCEPT)
     }
 

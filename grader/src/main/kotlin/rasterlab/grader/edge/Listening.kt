@@ -10,12 +10,13 @@ import kotlinx.coroutines.runBlocking
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.net.Socket
+import java.nio.ByteBuffer
 
 /**
  * An application behind its front door, from now on until it is closed.
  *
  * @param install gets the address of whoever makes a call
-
+ *
  * @throws java.io.IOException when nobody can listen at [address]
  */
 class Listening(
@@ -58,6 +59,9 @@ class Listening(
      * while there are files to load it from: a class that could not be loaded once never will be.
      */
     private fun loadRefusals(inner: InetSocketAddress) {
+        val person = Asker.of("GET / HTTP/1.1\r\nAccept: text/html\r\nAccept-Language: ru")
+        val malformed = RequestFraming().feed(ByteBuffer.wrap(byteArrayOf(0)), ByteBuffer.allocate(0))
+        listOfNotNull(malformed, TOO_MANY, NO_ENGINE).forEach { it.answer(person) }
         for (target in listOf("/nothing", "/api/v1/nothing", "/api/v1/exercises", "/%zz")) {
             Socket(inner.address, inner.port).use { socket ->
                 socket.soTimeout = LOAD_MILLIS

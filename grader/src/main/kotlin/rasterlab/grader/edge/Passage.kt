@@ -35,6 +35,9 @@ internal class Passage(
     private var engineToldEnd = false
     private var answersEnded = false
     private var refusal: Refusal? = null
+
+    /** The refusal waits for the request, which tells who reads it, up to the deadline. */
+    private var listening = false
     private var lingering = false
     private var dropped = 0L
     private var closed = false
@@ -47,11 +50,26 @@ internal class Passage(
         fromClient = client.register(selector, 0, this)
     }
 
-    /** Answers that instead of what the engine would, after what it has been asked already. */
+    /** Answers that to the first request, or soon where none comes, instead of what the engine would. */
     fun refuse(refusal: Refusal) {
         this.refusal = refusal
-        requestsEnded = true
+        listening = true
+        deadline = System.nanoTime() + LISTEN_NANOS
         goOn()
+    }
+
+    /** Ends the connection, or the waiting for the request that is to be refused. */
+    fun overdue() {
+        if (!listening) return close()
+        endListening()
+        goOn()
+    }
+
+    private fun endListening() {
+        listening = false
+        requestsEnded = true
+        toEngine.clear()
+        deadline = System.nanoTime() + WRITE_NANOS
     }
 
     /** Does what can be done without waiting. */
@@ -86,7 +104,9 @@ internal class Passage(
         if (count == 0) return false
         val wrong = if (count < 0) framing.atEnd() else toEngine.fill { framing.feed(arrived.flip(), it) }
         requestsEnded = count < 0 || wrong != null
-        if (wrong != null) {
+        if (listening && (requestsEnded || !toEngine.isEmpty)) {
+            endListening()
+        } else if (wrong != null) {
             refusal = wrong
             if (framing.isWithinRequest) breakOff()
         }
@@ -110,6 +130,7 @@ internal class Passage(
     }
 
     private fun writeEngine(): Boolean {
+        if (listening) return false
         if (engine == null && toEngine.isEmpty) return endWithoutEngine()
         val channel = engine ?: connected() ?: return true
         if (engineToldEnd || !(channel.isConnected || finishConnect(channel))) return false
@@ -189,7 +210,7 @@ internal class Passage(
         val last = refusal
         if (last != null) {
             refusal = null
-            toClient.fill { it.put(last.answer) }
+            toClient.fill { it.put(last.answer(framing.asker)) }
             return true
         }
         client.shutdownOutput()
@@ -227,6 +248,9 @@ internal class Passage(
 
         /** For the first whole head. The engine itself ends connections that are idle later. */
         const val IDLE_NANOS = 45 * SECOND
+
+        /** For the head of a request that is refused whatever it asks. */
+        const val LISTEN_NANOS = SECOND / 2
 
         /** For a client to take some of its answer. */
         const val WRITE_NANOS = 60 * SECOND

@@ -2,29 +2,44 @@ package rasterlab.grader.edge
 
 import io.ktor.http.HttpStatusCode
 import kotlinx.serialization.json.Json
+import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.problem.Problem
+import rasterlab.grader.web.Texts
+import rasterlab.grader.web.plainErrorPage
 
 /** An answer that the door gives itself, as bytes made before anybody asks; it ends the connection. */
 internal class Refusal(
-    status: HttpStatusCode,
+    private val status: HttpStatusCode,
     code: String,
     detail: String,
-    vararg headers: String,
+    private vararg val headers: String,
 ) {
-    val answer: ByteArray
+    private val problem =
+        answer(
+            "application/problem+json",
+            Json.encodeToString(Problem("urn:rasterlab:problem:$code", status.description, status.value, detail)),
+        )
+    private val pages =
+        LANGUAGES.associateWith { answer("text/html; charset=utf-8", plainErrorPage(Texts.of(it), status, code)) }
 
-    init {
-        val problem = Problem("urn:rasterlab:problem:$code", status.description, status.value, detail)
-        val body = Json.encodeToString(problem).toByteArray()
+    /** A page for people, a problem document for programs. */
+    fun answer(asker: Asker): ByteArray = if (asker.person) pages.getValue(asker.language) else problem
+
+    private fun answer(
+        type: String,
+        body: String,
+    ): ByteArray {
+        val bytes = body.toByteArray()
         val head =
             listOf(
                 "HTTP/1.1 ${status.value} ${status.description}",
-                "Content-Type: application/problem+json",
-                "Content-Length: ${body.size}",
+                "Content-Type: $type",
+                "Content-Length: ${bytes.size}",
+                "Cache-Control: no-store",
                 "Connection: close",
                 *headers,
             )
-        answer = head.joinToString("\r\n", postfix = "\r\n\r\n").toByteArray() + body
+        return head.joinToString("\r\n", postfix = "\r\n\r\n").toByteArray() + bytes
     }
 }
 

@@ -17,6 +17,10 @@ internal class RequestFraming {
     /** Whether some of a request went through, and not yet all of it. */
     val isWithinRequest get() = state != State.HEAD
 
+    /** Who reads the answer to the request that is on its way, or to the last one. */
+    var asker = Asker.UNKNOWN
+        private set
+
     /** Bytes of the body or chunk that are still to come. */
     private var left = 0L
 
@@ -33,7 +37,10 @@ internal class RequestFraming {
                     State.BODY, State.CHUNK -> null.also { pass(input, output) }
                     State.CHUNK_SIZE, State.CHUNK_END, State.TRAILER -> holdLine(input, output)
                 }
-            if (refusal != null) return refusal
+            if (refusal != null) {
+                if (state == State.HEAD) asker = Asker.of(text() + Charsets.ISO_8859_1.decode(input))
+                return refusal
+            }
         }
         return null
     }
@@ -129,6 +136,7 @@ internal class RequestFraming {
             if (name.isEmpty() || name.any { it <= ' ' || it == DELETE }) return BAD_HEADER
             headers.getOrPut(name.lowercase(), ::mutableListOf) += line.substringAfter(':').trim(' ', '\t')
         }
+        asker = Asker.of(head)
         val lengths = headers["content-length"].orEmpty()
         val encodings = headers["transfer-encoding"].orEmpty()
         if (lengths.isNotEmpty() && encodings.isNotEmpty()) return TWO_LENGTHS

@@ -118,11 +118,11 @@ suspend fun ApplicationCall.respondProblem(
 
 private fun HttpStatusCode.code() = description.lowercase().replace(' ', '-')
 
-private fun ApplicationCall.isForPrograms() =
-    request.path().let { path ->
-        path.startsWith("/api/") ||
-            path in setOf("/openapi.json", "/healthz", "/readyz", "/metrics")
-    }
+private fun ApplicationCall.isForPrograms() = isForPrograms(request.path())
+
+/** Whether programs call there, which no page would serve. */
+fun isForPrograms(path: String) =
+    path.startsWith("/api/") || path in setOf("/openapi.json", "/healthz", "/readyz", "/metrics")
 
 private fun ApplicationCall.plainDetail(status: HttpStatusCode) =
     when (status) {

@@ -112,6 +112,35 @@ class DoorTest {
         open.forEach(Socket::close)
     }
 
+    @ParameterizedTest(name = "{argumentSetName} is answered for the wrong reader")
+    @MethodSource("readers")
+    fun tellsPeopleOnAPageAndProgramsInJson(
+        head: String,
+        type: String,
+        words: String,
+    ) = Classroom(folder).listen {
+        connect().use { socket ->
+            socket.send("$head\r\nContent-Length: 1\r\nTransfer-Encoding: chunked\r\n\r\n")
+            val answer = socket.answers()
+            assertEquals("HTTP/1.1 400 Bad Request", answer.first())
+            assertTrue("Content-Type: $type" in answer && answer.any { words in it }, "$answer")
+        }
+    }
+
+    @Test
+    fun aPersonWhoIsOneTooManyReadsAPage() =
+        Classroom(folder).listen(DoorLimits(all = 1, perAddress = 1)) {
+            connect().use { first ->
+                assertEquals("HTTP/1.1 200 OK", first.health())
+                connect().use { socket ->
+                    socket.send("GET / HTTP/1.1\r\nHost: localhost\r\n$BROWSER\r\n\r\n")
+                    val answer = socket.answers()
+                    assertEquals("HTTP/1.1 503 Service Unavailable", answer.first())
+                    assertTrue("Retry-After: 5" in answer && "слишком много открытых" in answer.last(), "$answer")
+                }
+            }
+        }
+
     @Test
     fun keepsAnsweringWhenManyHaveComeAndGone() =
         Classroom(folder).listen(DoorLimits(all = 8, perAddress = 8)) {
@@ -143,6 +172,26 @@ class DoorTest {
     private fun Socket.answers(): List<String> = getInputStream().bufferedReader().readLines()
 
     companion object {
+        private const val BROWSER = "Accept: text/html,*/*;q=0.8\r\nAccept-Language: de, ru;q=0.7, en;q=0.5"
+        private const val PAGE = "text/html; charset=utf-8"
+        private const val PROBLEM = "application/problem+json"
+
+        @JvmStatic
+        fun readers() =
+            listOf(
+                argumentSet("a browser", "POST /x HTTP/1.1\r\n$BROWSER", PAGE, "Сервер не смог"),
+                argumentSet("an English one", "POST /x?lang=en HTTP/1.1\r\n$BROWSER", PAGE, "could not read what"),
+                argumentSet(
+                    "one by its cookie",
+                    "POST / HTTP/1.1\r\n$BROWSER\r\nCookie: a=b; lang=en",
+                    PAGE,
+                    "could not",
+                ),
+                argumentSet("a bad header's browser", "POST / HTTP/1.1\r\nX : y\r\n$BROWSER", PAGE, "Сервер не смог"),
+                argumentSet("a program", "POST /x HTTP/1.1\r\nAccept: */*", PROBLEM, "malformed-request"),
+                argumentSet("the API in a browser", "POST /api/v1/join HTTP/1.1\r\n$BROWSER", PROBLEM, "malformed-req"),
+            )
+
         @JvmStatic
         fun partBodies() =
             listOf(
