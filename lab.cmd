@@ -62,14 +62,14 @@ if not exist "%state%" (
 )
 echo lab: building Rasterlab (the first time fetches its libraries and takes a few minutes); log: "%log%" 1>&2
 type nul > "%state%\building"
-rem A library of an earlier version must not stay on the class path.
-if exist "%root%\app\target\lib" rmdir /s /q "%root%\app\target\lib"
-if exist "%root%\grader\target\lib" rmdir /s /q "%root%\grader\target\lib"
-if "%parts%"=="tests" if exist "%root%\tests\target\lib" rmdir /s /q "%root%\tests\target\lib"
+rem A library of an earlier version must not stay on the class path; nor may one go while others run.
+set "modules=app grader"
+if "%parts%"=="tests" set "modules=tests"
+for %%M in (%modules%) do if exist "%root%\%%M\target\lib" rmdir /s /q "%root%\%%M\target\lib"
 set "JAVA_HOME=%home%"
 call "%root%\mvnw.cmd" -B -f "%root%\pom.xml" -pl %parts% -am -Dmaven.test.skip=true package > "%log%" 2>&1 < nul
 if not "%errorlevel%"=="0" (
-    findstr /b /c:"[ERROR] " "%log%" 1>&2
+    powershell -NoProfile -Command "$lines = @(Select-String -LiteralPath $env:log -Pattern '^\[ERROR\] ' | Select-Object -First 3 | ForEach-Object Line); if (-not $lines) { $lines = Get-Content -LiteralPath $env:log -Tail 3 }; $lines" 1>&2
     echo lab: the build failed; its whole log is in "%log%" 1>&2
     exit /b 1
 )

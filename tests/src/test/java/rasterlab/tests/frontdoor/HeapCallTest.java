@@ -64,6 +64,8 @@ class HeapCallTest {
         "--lang ru grader serve --heap 80,-Xmx80m",
         "grader serve --heap 63,-Xmx256m",
         "grader serve --heap 9999999,-Xmx256m",
+        "grader serve --heap 65536,-Xmx65536m",
+        "grader serve --heap 65537,-Xmx256m",
         "grader serve --heap 1g,-Xmx256m",
         "grader serve --heap,-Xmx256m",
         "grader serve --data=--heap=512x,-Xmx256m",
