@@ -8,6 +8,12 @@ public enum SourceEncoding {
     WINDOWS_1251,
     OTHER;
 
+    /** What to do about a file that is not UTF-8, in the editors that students have. */
+    public static final String HOW_TO_SAVE =
+            "save it as UTF-8: in VS Code click the encoding at the lower right and choose"
+                    + " 'Save with Encoding', in IntelliJ IDEA click it and choose 'Convert',"
+                    + " in Notepad choose 'Save as' and the encoding UTF-8";
+
     /** Of ten bytes beyond ASCII, those that stand in words; signs and one-letter words are few. */
     private static final int IN_WORDS_OF_TEN = 7;
 

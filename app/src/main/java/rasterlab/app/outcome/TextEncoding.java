@@ -5,6 +5,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import rasterlab.exercises.SourceEncoding;
 
 /**
  * Ways in which people's programs write text, told by its bytes.
@@ -80,11 +81,11 @@ public enum TextEncoding {
     static Optional<String> obstacle(byte[] text) {
         return switch (of(text)) {
             case UTF_8 -> Optional.empty();
-            case UTF_16LE, UTF_16BE -> Optional.of("is UTF-16 text; save it as UTF-8");
+            case UTF_16LE, UTF_16BE -> Optional.of("is UTF-16 text; " + SourceEncoding.HOW_TO_SAVE);
             case WINDOWS_1251 ->
                     Optional.of(
                             readsAsRussian(text)
-                                    ? "is Windows-1251 text; save it as UTF-8"
+                                    ? "is Windows-1251 text; " + SourceEncoding.HOW_TO_SAVE
                                     : "is not UTF-8 text");
         };
     }

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.exercises.SourceEncoding;
 
 class TextEncodingTest {
     @TempDir Path folder;
@@ -31,9 +32,14 @@ class TextEncodingTest {
         String refusal =
                 assertThrows(Complaint.class, () -> FileToRead.text(file, FileKind.SOURCE))
                         .getMessage();
-        assertEquals(file + ": " + english + "; save it as UTF-8", refusal);
+        assertEquals(file + ": " + english + "; " + SourceEncoding.HOW_TO_SAVE, refusal);
         assertEquals(
-                file + ": " + russian + "; сохраните его в UTF-8",
+                file
+                        + ": "
+                        + russian
+                        + "; сохраните его в UTF-8: в VS Code щёлкните кодировку справа внизу и"
+                        + " выберите «Сохранить с кодировкой», в IntelliJ IDEA щёлкните её и выберите"
+                        + " «Convert», в Блокноте выберите «Сохранить как» и кодировку UTF-8",
                 Complaints.said(Language.RUSSIAN, refusal));
     }
 

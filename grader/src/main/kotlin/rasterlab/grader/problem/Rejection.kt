@@ -95,10 +95,12 @@ sealed class Rejection(
         private companion object {
             fun SourceEncoding.advice() =
                 when (this) {
-                    SourceEncoding.WINDOWS_1251 -> "; it looks like Windows-1251 (CP1251): save it as UTF-8"
-                    SourceEncoding.UTF_16 -> "; it looks like UTF-16: save it as UTF-8"
+                    SourceEncoding.WINDOWS_1251 -> looksLike("Windows-1251 (CP1251)")
+                    SourceEncoding.UTF_16 -> looksLike("UTF-16")
                     SourceEncoding.OTHER -> ""
                 }
+
+            fun looksLike(encoding: String) = "; it looks like $encoding; ${SourceEncoding.HOW_TO_SAVE}"
 
             fun SourceEncoding.ending() =
                 if (this == SourceEncoding.OTHER) "" else ".${name.lowercase().replace('_', '-')}"
