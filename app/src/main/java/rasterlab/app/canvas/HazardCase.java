@@ -38,8 +38,8 @@ public record HazardCase(
         return new HazardCase(name, label, special, List.of(), Map.of(), show);
     }
 
-    /** The same with verdicts. */
-    HazardCase judged(Map<String, Verdict.Kind> found) {
+    /** The same with verdicts, in teaching order. */
+    public HazardCase judged(Map<String, Verdict.Kind> found) {
         return new HazardCase(name, label, special, List.copyOf(found.keySet()), found, show);
     }
 

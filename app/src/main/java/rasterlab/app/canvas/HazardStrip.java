@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.BorderFactory;
+import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -15,7 +16,8 @@ import rasterlab.engine.study.Verdict;
 
 /**
  * Says over the stage of a clicked hazard what is special about it, what the chosen method's
- * verdict is, and which methods fail: each is a button that chooses it.
+ * verdict is, and which methods fail: each is a button that chooses it. Where no method is judged
+ * it says why.
  *
  * <p>It stays until it is closed or another mode is shown, so that the stage keeps its size while
  * the input is changed; then it tells that the verdicts are of the case as it was.
@@ -23,9 +25,13 @@ import rasterlab.engine.study.Verdict;
 final class HazardStrip extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    /** View units that the layout leaves on both sides of the row together. */
+    private static final int BESIDE = 16;
+
     private final transient Texts texts;
     private final transient Texts verdicts;
     private final WrappedText special = new WrappedText("hazard.special");
+    private final WrappedText unjudged = new WrappedText("hazard.unjudged");
     private final JPanel row = new JPanel(FlowRows.inTheMiddle(6));
     private final JLabel verdict = new JLabel();
     private transient Optional<HazardCase> shown = Optional.empty();
@@ -37,7 +43,7 @@ final class HazardStrip extends JPanel {
     private boolean judging;
 
     HazardStrip(Texts texts) {
-        super(new MigLayout("insets 6 10 6 6, gap 4 4", "[grow,fill][]", "[][]"));
+        super(new MigLayout("insets 6 10 6 6, gap 4 4, hidemode 3", "[grow,fill][]"));
         this.texts = texts;
         verdicts = Texts.of("study", texts.language());
         setName("hazard.strip");
@@ -47,6 +53,7 @@ final class HazardStrip extends JPanel {
         verdict.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, 14));
         add(special, "wmin 0, aligny center");
         add(close(), "aligny top, wrap");
+        add(unjudged, "wmin 0, span 2, wrap");
         add(row, "wmin 0, span 2");
         setVisible(false);
     }
@@ -128,6 +135,12 @@ final class HazardStrip extends JPanel {
         else if (!hazard.methods().isEmpty()) addVerdicts(hazard);
         else if (judging) row.add(new JLabel(texts.text("hazard.judging")));
         row.setVisible(row.getComponentCount() > 0);
+        unjudged.show(lab.map(LabInput::unjudged).orElse(""));
+        unjudged.setVisible(
+                !changed
+                        && !judging
+                        && hazard.methods().isEmpty()
+                        && !unjudged.getText().isEmpty());
         row.revalidate();
         row.repaint();
     }
@@ -149,7 +162,7 @@ final class HazardStrip extends JPanel {
         Verdict.Kind kind = hazard.recorded().get(method);
         if (kind != null) {
             verdict.setText(said(method, kind));
-            verdict.setIcon(new MethodSwatch(method));
+            verdict.setIcon(swatch(method));
             row.add(verdict);
         }
         row.add(
@@ -171,13 +184,23 @@ final class HazardStrip extends JPanel {
                             lab.ifPresent(one -> one.choose().accept(method));
                             refresh();
                         });
-        button.setIcon(new MethodSwatch(method));
-        button.setToolTipText(texts.text("hazard.choose", method));
+        button.setIcon(swatch(method));
+        button.setToolTipText(texts.text("hazard.choose", called(method)));
         return button;
     }
 
     private String said(String method, Verdict.Kind kind) {
-        return texts.text("hazard.verdict", method, verdicts.text("verdict." + kind.code()));
+        String found = verdicts.text("verdict." + kind.code());
+        return texts.text("hazard.verdict", called(method), found);
+    }
+
+    private String called(String method) {
+        return lab.map(one -> one.called().apply(method)).orElse(method);
+    }
+
+    /** The method's colour; null where it shares one with others, which would tell nothing. */
+    private static Icon swatch(String method) {
+        return MethodColours.has(method) ? new MethodSwatch(method) : null;
     }
 
     private static JButton button(String name, String text, Runnable action) {
@@ -189,6 +212,9 @@ final class HazardStrip extends JPanel {
     /** No smaller than before for the same hazard, so that the stage keeps its size. */
     @Override
     public Dimension getPreferredSize() {
+        // A row that was hidden still has the width of another time, by which it would be wrapped.
+        int wide = getWidth() - getInsets().left - getInsets().right - BESIDE;
+        if (wide > 0 && row.getWidth() != wide) row.setSize(wide, row.getHeight());
         Dimension size = super.getPreferredSize();
         tallest = Math.max(tallest, size.height);
         return new Dimension(size.width, tallest);

@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 
 /**
  * The part of a lab's state that its hazards need to know.
@@ -9,10 +10,25 @@ import java.util.function.Supplier;
  * @param input the present one, with {@code equals}
  * @param method name of the chosen method; "" where none is judged
  * @param choose chooses another method
+ * @param called what the lab calls a method of that name
+ * @param unjudged a sentence that says why no method is judged by some hazards; "" where all judge
  */
-public record LabInput(Supplier<?> input, Supplier<String> method, Consumer<String> choose) {
-    /** Describes a lab whose scenes judge no method. */
-    public static LabInput unjudged(Supplier<?> input) {
-        return new LabInput(input, () -> "", method -> {});
+public record LabInput(
+        Supplier<?> input,
+        Supplier<String> method,
+        Consumer<String> choose,
+        UnaryOperator<String> called,
+        String unjudged) {
+    public LabInput(Supplier<?> input, Supplier<String> method, Consumer<String> choose) {
+        this(input, method, choose, name -> name, "");
+    }
+
+    /**
+     * Describes a lab whose scenes judge no method.
+     *
+     * @param why one sentence
+     */
+    public static LabInput unjudged(Supplier<?> input, String why) {
+        return new LabInput(input, () -> "", method -> {}, name -> name, why);
     }
 }

@@ -179,6 +179,11 @@ public final class MethodColours {
         return OWN.getOrDefault(method, INDIGO);
     }
 
+    /** Whether the method has a colour of its own. */
+    static boolean has(String method) {
+        return OWN.containsKey(method);
+    }
+
     /**
      * Colours to tell the methods of one picture apart: their own, and in the methods' order what
      * is left of the palette, which begins again when it is used up.

@@ -11,6 +11,7 @@ import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -52,6 +53,9 @@ record PlaneFrame(
 
     /** Between a point's ring and its label, the best first. */
     private static final int[] FARTHER = {0, 14};
+
+    /** The same where pixels may have to be left clear. */
+    private static final int[] OFF_PIXELS = {0, 14, 28, 42, 56, 70};
 
     /** Half of the width of a thick line, and a little more. */
     private static final int THICK = 4;
@@ -165,6 +169,15 @@ record PlaneFrame(
         return Math.abs(handle - point) <= 1 ? point : handle;
     }
 
+    /** What labels leave clear where there is room. */
+    private record KeptClear(List<Line2D> lines, List<Rectangle2D> pixels) {
+        KeptClear near(Rectangle around) {
+            return new KeptClear(
+                    lines.stream().filter(around::intersectsLine).toList(),
+                    pixels.stream().filter(around::intersects).toList());
+        }
+    }
+
     /** A point's label, where its plate lies. */
     private record Label(String text, Rectangle place) {}
 
@@ -172,12 +185,17 @@ record PlaneFrame(
         FontMetrics metrics = g.getFontMetrics(font.deriveFont(Font.BOLD));
         double middleX = points.stream().mapToDouble(p -> map.viewX(p.x())).average().orElse(0);
         double middleY = points.stream().mapToDouble(p -> map.viewY(p.y())).average().orElse(0);
-        List<Line2D> lines = picture.lines(map, new Rectangle(width, height));
+        var stage = new Rectangle(width, height);
+        boolean labelled = points.stream().anyMatch(point -> !point.label().isEmpty());
+        var kept =
+                new KeptClear(
+                        picture.lines(map, stage),
+                        labelled ? picture.pixels(map, stage) : List.of());
         var labels = new ArrayList<Label>();
         for (Placed each : placed) {
             if (each.point.label().isEmpty()) continue;
             Label wanted = label(each, metrics, middleX, middleY);
-            Optional<Label> free = free(each, wanted, placed, labels, lines);
+            Optional<Label> free = free(each, wanted, placed, labels, kept);
             if (inSight(each.point)) labels.add(free.orElse(wanted));
             else free.ifPresent(labels::add);
         }
@@ -187,14 +205,10 @@ record PlaneFrame(
     /**
      * The label where it lies over no point's ring, no label before it and no button: where it
      * should be, or else at another side of its point. Of such places the first that covers the
-     * fewest lines; empty if there is none.
+     * least of the pixels, then the fewest lines; empty if there is none.
      */
     private Optional<Label> free(
-            Placed point,
-            Label wanted,
-            List<Placed> points,
-            List<Label> before,
-            List<Line2D> lines) {
+            Placed point, Label wanted, List<Placed> points, List<Label> before, KeptClear kept) {
         List<Rectangle> taken =
                 Stream.of(
                                 before.stream().map(Label::place),
@@ -204,19 +218,23 @@ record PlaneFrame(
                         .toList();
         Rectangle inside = inside(picture, new Dimension(width, height));
         Rectangle ring = point.ring();
+        int[] gaps = kept.pixels.isEmpty() ? FARTHER : OFF_PIXELS;
         Rectangle around =
-                grown(ring, FARTHER[FARTHER.length - 1] + wanted.place.width + THICK)
+                grown(ring, gaps[gaps.length - 1] + wanted.place.width + THICK)
                         .union(grown(wanted.place, THICK));
-        List<Line2D> near = lines.stream().filter(around::intersectsLine).toList();
+        KeptClear near = kept.near(around);
         Stream<Rectangle> places =
-                IntStream.of(FARTHER)
+                IntStream.of(gaps)
                         .boxed()
                         .flatMap(farther -> sides(grown(ring, farther), wanted.place));
         return Stream.concat(Stream.of(wanted.place), places)
                 .filter(inside::contains)
                 .filter(place -> taken.stream().noneMatch(place::intersects))
                 .filter(place -> !onItsRing(point, place))
-                .min(Comparator.comparingLong(place -> covered(near, place)))
+                .min(
+                        Comparator.comparingDouble(
+                                        (Rectangle place) -> CoveredArea.of(place, near.pixels))
+                                .thenComparingLong(place -> covered(near.lines, place)))
                 .map(place -> new Label(wanted.text, place));
     }
 

@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -35,6 +36,15 @@ public interface PlanePicture {
      * @param view what is seen
      */
     default List<Line2D> lines(PlaneMap map, Rectangle view) {
+        return List.of();
+    }
+
+    /**
+     * Lit and marked pixels, which labels of points leave clear where there is room, in view units.
+     *
+     * @param view what is seen
+     */
+    default List<Rectangle2D> pixels(PlaneMap map, Rectangle view) {
         return List.of();
     }
 

@@ -66,6 +66,11 @@ enum LightHazard {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
+    /** Whether the methods of vertex normals fail here; elsewhere a shading or a sum does. */
+    boolean ofNormals() {
+        return shown().body().name().equals("cube");
+    }
+
     /** The choice that shows it. */
     LightChoice shown() {
         return view.apply(LightChoice.first());

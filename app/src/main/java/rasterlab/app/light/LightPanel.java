@@ -8,6 +8,7 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -89,14 +90,43 @@ public final class LightPanel extends LabPanel {
 
     private void addLight() {
         var layout = new LabLayout(chips(), stage, light.column(), lightActions, orbit);
-        lightGuide = layout.guide().of(LabInput.unjudged(() -> model.state().choice()));
+        lightGuide =
+                layout.guide()
+                        .dock()
+                        .of(
+                                new LabInput(
+                                        this::lit,
+                                        this::normals,
+                                        this::chooseNormals,
+                                        name -> texts.text("normals." + name),
+                                        texts.text("unjudged")));
         addCard(layout, ModeRow.LIGHT);
     }
 
     private void addColours() {
         var layout = new LabLayout(colourChips(), cube, colours.column(), colourActions, turning);
-        colourGuide = layout.guide().of(LabInput.unjudged(() -> model.state().colour().rgb()));
+        colourGuide =
+                layout.guide()
+                        .of(
+                                new LabInput(
+                                        () -> model.state().colour().rgb(),
+                                        () -> model.state().colour().method(),
+                                        name -> model.colour(colour -> colour.withMethod(name))));
         addCard(layout, ModeRow.COLOURS);
+    }
+
+    /** What normals of every method are lit in. */
+    private Object lit() {
+        LightChoice choice = model.state().choice();
+        return choice.with(choice.body().withNormals(Body.OWN));
+    }
+
+    private String normals() {
+        return model.state().choice().body().normals();
+    }
+
+    private void chooseNormals(String method) {
+        model.choose(choice -> choice.with(choice.body().withNormals(method)));
     }
 
     private void listen() {
@@ -151,12 +181,15 @@ public final class LightPanel extends LabPanel {
 
     private Chips chips() {
         var chips = new Chips(texts, "hazards");
-        for (LightHazard hazard : LightHazard.values())
-            chips.add(
-                    hazard.code(),
-                    texts.text("hazard." + hazard.code()),
-                    texts.text("hazard." + hazard.code() + ".hint"),
-                    () -> model.choose(choice -> hazard.shown()));
+        for (LightHazard hazard : LightHazard.values()) {
+            HazardCase shown =
+                    HazardCase.unjudged(
+                            hazard.code(),
+                            texts.text("hazard." + hazard.code()),
+                            texts.text("hazard." + hazard.code() + ".hint"),
+                            () -> model.choose(choice -> hazard.shown()));
+            chips.add(hazard.ofNormals() ? shown.judged(LightVerdicts.ofNormals(hazard)) : shown);
+        }
         return chips;
     }
 
@@ -173,18 +206,20 @@ public final class LightPanel extends LabPanel {
 
     private void chip(Chips chips, String name, double red, double green, double blue) {
         double[] rgb = {red, green, blue};
-        chips.add(
-                name,
-                texts.text("colour." + name),
-                texts.text("colour." + name + ".hint"),
-                () ->
-                        model.colour(
-                                colour -> {
-                                    ColourChoice next = colour;
-                                    for (int i = 0; i < 3; i++)
-                                        next = next.with(ColorModel.RGB, i, rgb[i]);
-                                    return next;
-                                }));
+        HazardCase shown =
+                HazardCase.unjudged(
+                        name,
+                        texts.text("colour." + name),
+                        texts.text("colour." + name + ".hint"),
+                        () ->
+                                model.colour(
+                                        colour -> {
+                                            ColourChoice next = colour;
+                                            for (int i = 0; i < 3; i++)
+                                                next = next.with(ColorModel.RGB, i, rgb[i]);
+                                            return next;
+                                        }));
+        chips.add(shown.judged(LightVerdicts.ofColour(rgb)));
     }
 
     /** Gives the keyboard to the picture, whose arrow keys turn the scene or the cube. */

@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import rasterlab.app.canvas.CoveredArea;
 
 /** Where the label of an end stands: beside its ring, and on no lit or marked pixel. */
 final class EndLabels {
@@ -39,7 +40,7 @@ final class EndLabels {
                 .mapToObj(times -> GAP + times * height)
                 .flatMap(gap -> around(width, height, ring, above, gap))
                 .map(place -> moved(place, within))
-                .min(Comparator.comparingDouble(place -> covered(place, seen)))
+                .min(Comparator.comparingDouble(place -> CoveredArea.of(place, seen)))
                 .orElseThrow();
     }
 
@@ -73,14 +74,5 @@ final class EndLabels {
                 Math.max(within.y, Math.min(bottom, place.y)),
                 place.width,
                 place.height);
-    }
-
-    private static double covered(Rectangle place, List<? extends Rectangle2D> seen) {
-        double area = 0;
-        for (Rectangle2D each : seen) {
-            Rectangle2D both = each.createIntersection(place);
-            if (!both.isEmpty()) area += both.getWidth() * both.getHeight();
-        }
-        return area;
     }
 }

@@ -57,7 +57,12 @@ public final class OpenGlPanel extends LabPanel {
 
     private void putTogether() {
         var layout = new LabLayout(chips(), stage, inspector.column(), actions, player);
-        guide = layout.guide().of(LabInput.unjudged(() -> model.state().choice()));
+        guide =
+                layout.guide()
+                        .dock()
+                        .of(
+                                LabInput.unjudged(
+                                        () -> model.state().choice(), texts.text("unjudged")));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());
@@ -97,6 +102,7 @@ public final class OpenGlPanel extends LabPanel {
         player.refresh();
         actions.refreshUndo();
         guide.refresh();
+        guide.hint("opengl", texts.text("first"));
         actions.enable("copyCommand", command().isPresent());
         actions.hint("copyCommand", texts.text("copy.software"));
     }

@@ -8,6 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
@@ -44,6 +45,22 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
         return figure instanceof FillFigure fill
                 ? PathLines.of(Strokes.ring(fill.corners(), map), view)
                 : List.of();
+    }
+
+    /** Runs that are filled so far, missing pixels, and what was there before. */
+    @Override
+    public List<Rectangle2D> pixels(PlaneMap map, Rectangle view) {
+        var pixels = new ArrayList<Rectangle2D>();
+        for (int run = 0; run < Math.min(step, answer.steps()); run++) pixels.add(frame(map, run));
+        if (step > answer.steps())
+            each(wrong.missing(), (x, y) -> pixels.add(frame(map, x, x + 1, y)));
+        if (figure instanceof SeedFigure seed)
+            for (int y = 0; y < seed.height(); y++)
+                for (int x = 0; x < seed.width(); x++)
+                    if (seed.rows().get(y).charAt(x) != SeedFigure.FREE)
+                        pixels.add(frame(map, x, x + 1, y));
+        pixels.removeIf(pixel -> !view.intersects(pixel));
+        return pixels;
     }
 
     @Override
@@ -141,10 +158,14 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
 
     private Rectangle2D frame(PlaneMap map, int run) {
         Runs runs = answer.runs();
+        return frame(map, runs.from(run), runs.to(run), runs.y(run));
+    }
+
+    private static Rectangle2D frame(PlaneMap map, int from, int to, int y) {
         return new Rectangle2D.Double(
-                map.viewX(runs.from(run) - 0.5),
-                map.viewY(runs.y(run) - 0.5),
-                (runs.to(run) - runs.from(run)) * map.scaleX(),
+                map.viewX(from - 0.5),
+                map.viewY(y - 0.5),
+                (to - from) * map.scaleX(),
                 map.scaleY());
     }
 

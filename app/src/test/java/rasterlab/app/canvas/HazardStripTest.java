@@ -116,6 +116,69 @@ class HazardStripTest {
         assertEquals(List.of("hazard.method.wrong"), choices());
     }
 
+    @Test
+    @DisplayName("where no method is judged nothing is said of it, or it is said beside verdicts")
+    void saysWhyNoMethodIsJudged() {
+        strip.of(LabInput.unjudged(() -> input, "Both are drawn."));
+        strip.tell(HazardCase.unjudged("view", "View", "Faces in a circle.", () -> {}), chips);
+        WrappedText why = (WrappedText) named("hazard.unjudged").orElseThrow();
+        assertTrue(why.isVisible());
+        assertEquals("Both are drawn.", why.getText());
+        strip.judging();
+        assertFalse(why.isVisible(), "verdicts are being found");
+        strip.judge("view", Map.of("right", Verdict.Kind.EXACT));
+        assertFalse(why.isVisible(), "there are verdicts");
+        tell();
+        assertFalse(((WrappedText) named("hazard.unjudged").orElseThrow()).isVisible());
+    }
+
+    @Test
+    @DisplayName("verdicts beside a hazard that is not judged leave a gap below them")
+    void itsHeightIsThatOfItsOwnHazard() {
+        strip.setSize(600, 300);
+        strip.doLayout();
+        int alone = strip.getPreferredSize().height;
+        strip.of(
+                new LabInput(
+                        () -> input,
+                        () -> method,
+                        chosen -> method = chosen,
+                        name -> name,
+                        "Both are drawn beside each other. ".repeat(8)));
+        strip.tell(HazardCase.unjudged("view", "View", "In a circle.", () -> {}), chips);
+        strip.setSize(40, 300);
+        strip.validate();
+        strip.doLayout();
+        strip.setSize(600, 300);
+        strip.tell(
+                new HazardCase(
+                        "steep",
+                        "Steep",
+                        "Above 45° there are more rows than columns.",
+                        List.of("wrong", "right", "endless"),
+                        Map.of(
+                                "right", Verdict.Kind.EXACT,
+                                "wrong", Verdict.Kind.WRONG,
+                                "endless", Verdict.Kind.ENDLESS),
+                        () -> {}),
+                chips);
+        assertEquals(alone, strip.getPreferredSize().height);
+    }
+
+    @Test
+    @DisplayName("a method is called by its code where the lab has a name for it")
+    void callsMethodsAsTheLabDoes() {
+        strip.of(
+                new LabInput(
+                        () -> input,
+                        () -> method,
+                        chosen -> method = chosen,
+                        name -> "the " + name + " one",
+                        ""));
+        strip.refresh();
+        assertEquals("the right one: exact", verdict());
+    }
+
     private String verdict() {
         return ((JLabel) named("hazard.verdict").orElseThrow()).getText();
     }

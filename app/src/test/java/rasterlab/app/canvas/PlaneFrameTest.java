@@ -24,7 +24,13 @@ class PlaneFrameTest {
                     PlaneAxes.GEOMETRY);
 
     /** A picture that keeps what it was told to leave. */
-    private record Told(List<Rectangle> places, List<Line2D> lines) implements PlanePicture {
+    private record Told(List<Rectangle> places, List<Line2D> lines, List<Rectangle2D> lit)
+            implements PlanePicture {
+        @Override
+        public List<Rectangle2D> pixels(PlaneMap map, Rectangle view) {
+            return lit;
+        }
+
         @Override
         public List<Line2D> lines(PlaneMap map, Rectangle view) {
             return lines;
@@ -51,7 +57,10 @@ class PlaneFrameTest {
 
     private static List<Rectangle> told(
             Rectangle covered, List<Line2D> lines, PlanePoint... points) {
-        var picture = new Told(new ArrayList<>(), lines);
+        return told(new Told(new ArrayList<>(), lines, List.of()), covered, points);
+    }
+
+    private static List<Rectangle> told(Told picture, Rectangle covered, PlanePoint... points) {
         new PlaneFrame(
                         picture,
                         List.of(points),
@@ -152,5 +161,21 @@ class PlaneFrameTest {
         Rectangle label = told(new Rectangle(), List.of(line), point, point("", 7, 7)).get(0);
         assertTrue(before.intersectsLine(line));
         assertFalse(label.intersectsLine(line), label + " on the line");
+    }
+
+    @Test
+    @DisplayName("a label hides lit pixels beside free ones, to leave a line clear")
+    void labelLeavesPixelsClear() {
+        PlanePoint[] points = {point("A1 0000", 3, 3), point("", 7, 7)};
+        Rectangle before = told(points).get(0);
+        var lit = new ArrayList<Rectangle2D>();
+        for (int x = 0; x < 400; x += 20)
+            for (int y = (int) MAP.viewY(4); y < 400; y += 20)
+                lit.add(new Rectangle2D.Double(x, y, 20, 20));
+        var line = new Line2D.Double(0, MAP.viewY(4.2), 400, MAP.viewY(4.2));
+        var picture = new Told(new ArrayList<>(), List.of(line), lit);
+        Rectangle label = told(picture, new Rectangle(), points).get(0);
+        assertTrue(lit.stream().anyMatch(before::intersects), before.toString());
+        assertFalse(lit.stream().anyMatch(label::intersects), label + " on a lit pixel");
     }
 }

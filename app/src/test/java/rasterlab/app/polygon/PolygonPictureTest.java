@@ -144,4 +144,28 @@ class PolygonPictureTest {
         assertFalse(result(solid).contains(between));
         assertTrue(result(hatched).contains(between));
     }
+
+    @ParameterizedTest(name = "labels are not told of a pixel that {1} of {0} fills")
+    @CsvSource({"FILL, naive", "FILL, scanline", "SEED, span"})
+    void labelsAreToldOfEveryPixelThatIsLit(PolygonMode mode, String method) {
+        PolygonScene scene = PolygonScene.first(mode).withMethod(method);
+        PolygonResults results = PolygonResults.of(topics, scene);
+        var view = new Rectangle(0, 0, WIDTH, HEIGHT);
+        PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, PlaneAxes.RASTER);
+        int steps = results.outcome().steps();
+        double area = 0;
+        for (int step = 0; step <= steps + 1; step++) {
+            double now =
+                    pictures.of(scene, results.outcome(), step).pixels(map, view).stream()
+                            .mapToDouble(pixel -> pixel.getWidth() * pixel.getHeight())
+                            .sum();
+            assertTrue(now >= area, "step " + step + " takes pixels away");
+            area = now;
+        }
+        PixelAnswer answer = (PixelAnswer) results.outcome().answer();
+        double filled = 0;
+        for (int run = 0; run < steps; run++)
+            filled += answer.runs().to(run) - answer.runs().from(run);
+        assertTrue(area >= filled * map.scaleX() * map.scaleY() - 1e-6, area + " of " + filled);
+    }
 }

@@ -113,7 +113,12 @@ public abstract class LabCard extends LabPanel {
      * Describes the input that hazards are compared with; a card that judges methods overrides it.
      */
     protected LabInput input() {
-        return LabInput.unjudged(model::choice);
+        return LabInput.unjudged(model::choice, unjudged());
+    }
+
+    /** A sentence that says why no method is judged; "" in a card that judges them. */
+    protected String unjudged() {
+        return "";
     }
 
     /** A sentence that says what to do on the stage. */

@@ -51,6 +51,11 @@ public final class StackPanel extends LabCard {
     }
 
     @Override
+    protected String unjudged() {
+        return texts.text("unjudged");
+    }
+
+    @Override
     protected String first() {
         return texts.text("first");
     }

@@ -93,6 +93,11 @@ public final class ViewPanel extends LabCard {
     }
 
     @Override
+    protected String unjudged() {
+        return texts.text("unjudged");
+    }
+
+    @Override
     protected String first() {
         return texts.text("first");
     }
