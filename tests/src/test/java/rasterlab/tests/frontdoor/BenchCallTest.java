@@ -5,13 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -29,6 +24,11 @@ import rasterlab.tests.bench.Bench;
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
 class BenchCallTest {
     private static final String REFUSED = "no-such-work";
+
+    /** Says what it is called with, and refuses one work when only asked about it. */
+    private static final String SAYING =
+            "echo \"$*\" | grep -q -e '--arguments-only .*%s' && exit 2; echo \"$@\""
+                    .formatted(REFUSED);
 
     @TempDir Path folder;
 
@@ -82,34 +82,6 @@ class BenchCallTest {
     }
 
     private ChildProcess calledWith(List<String> words) throws IOException {
-        FreshCopy.copySources(folder);
-        var state = Files.createDirectories(folder.resolve("target/lab"));
-        for (var stamp : List.of("built", "built-bench"))
-            Files.writeString(state.resolve(stamp), "");
-        var command = new ArrayList<>(List.of(folder.resolve("lab").toString()));
-        command.addAll(words);
-        var home = Map.of("JAVA_HOME", sayingJava().toString());
-        return ChildProcess.run(folder, home, Duration.ofMinutes(1), command);
-    }
-
-    /** A Java that says what it is called with, and refuses one work when only asked about it. */
-    private Path sayingJava() throws IOException {
-        var home = Files.createDirectories(folder.resolve("java/bin")).getParent();
-        for (var program : List.of("java", "javac")) {
-            var file = home.resolve("bin").resolve(program);
-            Files.writeString(
-                    file,
-                    """
-                    #!/bin/sh
-                    echo "$*" | grep -q -e '--arguments-only .*%s' && exit 2
-                    case $1 in
-                        -XshowSettings*) printf '    java.%%s = %%s\\n' specification.version 17 home '%s' ;;
-                        *) echo "$@" ;;
-                    esac
-                    """
-                            .formatted(REFUSED, home));
-            Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
-        }
-        return home;
+        return BuiltLab.in(folder, SAYING).call(words);
     }
 }

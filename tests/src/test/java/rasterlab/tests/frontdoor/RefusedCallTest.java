@@ -67,9 +67,9 @@ class RefusedCallTest {
     @ParameterizedTest(name = "Java complains, not ./lab, where {0} is missing")
     @ValueSource(strings = {"app/java-options", "engine/vector-options"})
     void aMissingFileOfOptionsIsNamed(String name, @TempDir Path folder) throws IOException {
-        FreshCopy.copySources(folder);
+        var lab = BuiltLab.in(folder, "echo started");
         Files.delete(folder.resolve(name));
-        var run = run(folder, FreshCopy.withJava());
+        var run = lab.call(List.of("methods"));
         assertEquals(1, run.exit(), run.err());
         assertEquals(1, run.err().lines().count(), run.err());
         assertTrue(run.err().contains("/" + name + " is missing"), run.err());
