@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.LineMode;
@@ -18,19 +19,17 @@ import rasterlab.app.spline.SplineMode;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Study;
 
-/** Every tab of the window in each language and theme, painted without a display. */
+/** Every tab of the window in each look, painted without a display. */
 final class LabPictures implements TourPart {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 800;
-
-    private static final List<LabTheme> THEMES = List.of(LabTheme.LIGHT, LabTheme.DARK);
 
     private static final String CHECKED = "line-bresenham";
 
     /**
      * A tab.
      *
-     * @param preparation gives once what prepares the tab in each language and theme
+     * @param preparation gives once what prepares the tab in each look
      */
     private record Shot(String name, String tab, Supplier<Consumer<LabModels>> preparation) {
         Shot(String name, String tab, Consumer<LabModels> prepare) {
@@ -38,8 +37,28 @@ final class LabPictures implements TourPart {
         }
     }
 
+    /** How a tab looks. */
+    record Look(LabTheme theme, Language language) {
+        private static final List<LabTheme> THEMES = List.of(LabTheme.LIGHT, LabTheme.DARK);
+
+        /** Each theme in each language. */
+        static List<Look> all() {
+            return THEMES.stream()
+                    .flatMap(
+                            theme ->
+                                    Stream.of(Language.values())
+                                            .map(language -> new Look(theme, language)))
+                    .toList();
+        }
+
+        private String themeName() {
+            return theme.name().toLowerCase(Locale.ROOT);
+        }
+    }
+
     private final Predicate<String> wanted;
     private final Supplier<Study> charted;
+    private final List<Look> looks;
     private final List<Shot> shots =
             List.of(
                     new Shot("coordinates", "coordinates", models -> {}),
@@ -87,10 +106,12 @@ final class LabPictures implements TourPart {
     /**
      * @param wanted tells by their names which pictures are made
      * @param charted the study whose chart is shown; asked only where that picture is made
+     * @param looks of each picture
      */
-    LabPictures(Predicate<String> wanted, Supplier<Study> charted) {
+    LabPictures(Predicate<String> wanted, Supplier<Study> charted, List<Look> looks) {
         this.wanted = wanted;
         this.charted = charted;
+        this.looks = looks;
     }
 
     private static Shot coordinates(String name, CoordinatesMode mode) {
@@ -113,26 +134,24 @@ final class LabPictures implements TourPart {
             page.heading(page.texts().text("labs." + shot.name()));
             Consumer<LabModels> prepare = shot.preparation().get();
             List<TourPage.Figure> figures = new ArrayList<>();
-            for (LabTheme theme : THEMES)
-                for (Language language : Language.values())
-                    figures.add(figure(page, shot, prepare, theme, language));
+            for (Look look : looks) figures.add(figure(page, shot, prepare, look));
             page.gallery(figures);
         }
     }
 
     private static TourPage.Figure figure(
-            TourPage page,
-            Shot shot,
-            Consumer<LabModels> prepare,
-            LabTheme theme,
-            Language language)
+            TourPage page, Shot shot, Consumer<LabModels> prepare, Look look)
             throws InterruptedException {
-        String look = theme.name().toLowerCase(Locale.ROOT);
-        String caption = language.ownName() + ", " + page.texts().text("theme." + look);
+        Language language = look.language();
+        String caption = language.ownName() + ", " + page.texts().text("theme." + look.themeName());
         page.say(page.texts().text("labs." + shot.name()) + ": " + caption);
-        String name = "lab-" + shot.name() + "-" + language.locale().getLanguage() + "-" + look;
+        String name =
+                String.join(
+                        "-", "lab", shot.name(), language.locale().getLanguage(), look.themeName());
         return page.picture(
-                name, LabSnapshot.of(shot.tab(), theme, language, prepare, WIDTH, HEIGHT), caption);
+                name,
+                LabSnapshot.of(shot.tab(), look.theme(), language, prepare, WIDTH, HEIGHT),
+                caption);
     }
 
     /** Faulty methods where they fail, so that wrong pixels and parts are seen. */

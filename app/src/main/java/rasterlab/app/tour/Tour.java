@@ -9,6 +9,8 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.line.LineTopic;
 
 /** Makes the tour: a folder with pictures and one page that shows them. */
@@ -29,14 +31,19 @@ public final class Tour {
     }
 
     /**
-     * Makes every part and the page.
+     * Makes every part and the page, the labs in each language and theme.
      *
      * @param home the folder of the {@code ./lab} script, which starts the server; none if unknown
      * @return whether every part could be made
      * @throws Complaint if the folder cannot be written to
      */
     public boolean make(Optional<Path> home) throws InterruptedException {
-        return make(parts(home));
+        return make(parts(home, Look.all()));
+    }
+
+    /** Makes the same in little time: the labs only in the page's language and light. */
+    public boolean makeQuickly(Optional<Path> home) throws InterruptedException {
+        return make(parts(home, List.of(new Look(LabTheme.LIGHT, language))));
     }
 
     /** Makes those parts and the page; returns and throws the same. */
@@ -56,10 +63,10 @@ public final class Tour {
         return folder.resolve("index.html");
     }
 
-    private List<TourPart> parts(Optional<Path> home) {
+    private List<TourPart> parts(Optional<Path> home, List<Look> looks) {
         var studies = new TourStudies(Texts.of("tour", language), progress::println);
         return List.of(
-                new LabPictures(name -> true, () -> studies.of(new LineTopic())),
+                new LabPictures(name -> true, () -> studies.of(new LineTopic()), looks),
                 new ScenePictures(),
                 new StudySection(studies),
                 new HazardSection(),

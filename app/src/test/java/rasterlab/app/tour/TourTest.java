@@ -30,7 +30,9 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.UsualLook;
+import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Study;
 
@@ -109,7 +111,8 @@ class TourTest {
         var studies = new TourStudies(Texts.of("tour", Language.RUSSIAN), System.err::println);
         Supplier<Study> charted = () -> studies.of(new ShadeTopic());
         List<String> labs = List.of("chart", "checked");
-        assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted))));
+        var looks = List.of(new Look(LabTheme.LIGHT, Language.RUSSIAN));
+        assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, looks))));
         assertTrue(pixels("chart", MethodColours.PURPLE) > 200, "no chart");
         assertTrue(pixels("checked", MethodColours.VERMILLION) > 100, "no wrong pixel is marked");
     }
@@ -131,7 +134,7 @@ class TourTest {
         var tour = new Tour(folder, Language.ENGLISH, System.err);
         List<String> labs = List.of("depth-rows", "texture-rows", "filter-rows");
         Supplier<Study> charted = () -> fail("no chart is wanted");
-        assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted))));
+        assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, Look.all()))));
         String html = Files.readString(tour.index());
         for (String lab : labs)
             for (String look : List.of("en-light", "en-dark", "ru-light", "ru-dark"))

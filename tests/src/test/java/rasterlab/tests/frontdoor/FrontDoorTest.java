@@ -1,6 +1,7 @@
 package rasterlab.tests.frontdoor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -24,9 +25,11 @@ import rasterlab.tests.ChildProcess;
 class FrontDoorTest {
     private static final Duration SOON = Duration.ofMinutes(1);
 
-    /** They open a window, are this very test run, or serve until stopped: tested elsewhere. */
+    private static final String TOUR = "./lab tour --quick --out tour";
+
+    /** They open a window, are this very test run, or serve until stopped; and the tour. */
     private static final Set<String> TRIED_ELSEWHERE =
-            Set.of("./lab", "./mvnw verify", "./lab grader serve --data course");
+            Set.of("./lab", "./mvnw verify", "./lab grader serve --data course", TOUR);
 
     @Test
     void firstCallBuildsAndSaysSo(FreshCopy copy) {
@@ -69,16 +72,32 @@ class FrontDoorTest {
     void everyCommandWorks(FreshCopy copy) {
         var commands = Readme.commands();
         assertTrue(commands.containsAll(TRIED_ELSEWHERE), "README lacks one of " + TRIED_ELSEWHERE);
-        for (var command : commands) {
-            if (TRIED_ELSEWHERE.contains(command)) continue;
-            var run =
-                    ChildProcess.run(
-                            copy.folder(),
-                            FreshCopy.withJava(),
-                            Duration.ofMinutes(8),
-                            List.of("sh", "-c", command));
-            assertEquals(0, run.exit(), command + "\n" + run.out() + run.err());
+        for (var command : commands) if (!TRIED_ELSEWHERE.contains(command)) succeed(copy, command);
+    }
+
+    @Test
+    @Timeout(value = 20, unit = TimeUnit.MINUTES)
+    void quickTourShowsEachLabInOneLanguageAndTheme(FreshCopy copy) throws IOException {
+        succeed(copy, TOUR);
+        var tour = copy.folder().resolve("tour");
+        try (var pictures = Files.list(tour.resolve("pictures"))) {
+            var looks =
+                    pictures.map(each -> each.getFileName().toString())
+                            .filter(name -> name.startsWith("lab-line-"))
+                            .toList();
+            assertEquals(List.of("lab-line-en-light.png"), looks);
         }
+        assertFalse(Files.readString(tour.resolve("index.html")).contains("class=\"failure\""));
+    }
+
+    private static void succeed(FreshCopy copy, String command) {
+        var run =
+                ChildProcess.run(
+                        copy.folder(),
+                        FreshCopy.withJava(),
+                        Duration.ofMinutes(8),
+                        List.of("sh", "-c", command));
+        assertEquals(0, run.exit(), command + "\n" + run.out() + run.err());
     }
 
     @Test
