@@ -6,9 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
@@ -18,7 +16,6 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.StageColours;
@@ -283,15 +280,5 @@ class WindowCoordinatesTest extends WindowHarness {
         assertEquals("coordinates", frame.shownTab());
         assertEquals(mode, labs().mode());
         window.comboBox("mode").requireSelection(mode.ordinal());
-    }
-
-    @ParameterizedTest(name = "the picture leaves the window: {0}×{1}")
-    @CsvSource({"900, 600", "1280, 720", "2560, 1440"})
-    void stageFillsWhatTheWindowLeavesIt(int width, int height) {
-        window.resizeTo(new Dimension(width, height));
-        robot.waitForIdle();
-        Rectangle stage = GuiActionRunner.execute(() -> named("stage").getBounds());
-        assertTrue(stage.width > frame.getWidth() / 3, stage.toString());
-        assertTrue(stage.height > frame.getHeight() / 2, stage.toString());
     }
 }

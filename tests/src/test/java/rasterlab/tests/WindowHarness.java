@@ -49,6 +49,10 @@ abstract class WindowHarness {
     /** So long may a slow machine that does something else besides need for what is awaited. */
     private static final long LIMIT_MILLIS = 100_000;
 
+    /** Of the smallest window, of one on a laptop, and of one on a large screen. */
+    static final List<Dimension> SIZES =
+            List.of(new Dimension(900, 600), new Dimension(1280, 720), new Dimension(2560, 1440));
+
     @TempDir Path folder;
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     final List<String> problems = new CopyOnWriteArrayList<>();

@@ -18,7 +18,6 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
@@ -244,32 +243,35 @@ class WindowKeysTest extends WindowHarness {
                 () -> window.comboBox("language").target().getFont().getSize());
     }
 
-    @ParameterizedTest(name = "{1} keeps the window''s keys to itself")
-    @CsvSource({
-        "study, hazards",
-        "exercises, source",
-        "exercises, statement",
-        "exercises, cases",
-        "opengl, calls",
-        "line, language"
-    })
-    void windowsKeysWorkWhateverHasTheKeyboard(String tab, String name) {
+    @Test
+    void windowsKeysWorkWhateverHasTheKeyboard() {
+        keepsNoKeyOfTheWindow("study", "hazards");
+        keepsNoKeyOfTheWindow("exercises", "source");
+        keepsNoKeyOfTheWindow("exercises", "statement");
+        keepsNoKeyOfTheWindow("exercises", "cases");
+        keepsNoKeyOfTheWindow("opengl", "calls");
+        keepsNoKeyOfTheWindow("line", "language");
+    }
+
+    private void keepsNoKeyOfTheWindow(String tab, String name) {
         show(tab);
         focus(name);
         pressWithControl(KeyEvent.VK_PAGE_DOWN);
         String next = TABS.get((TABS.indexOf(tab) + 1) % TABS.size());
-        await("the next tab", () -> isSeen(next));
+        await(name + ": the next tab", () -> isSeen(next));
         pressWithControl(KeyEvent.VK_PAGE_UP);
-        await("the tab before", () -> isSeen(tab));
+        await(name + ": the tab before", () -> isSeen(tab));
         focus(name);
         pressWithControl(KeyEvent.VK_EQUALS);
-        await("larger type", () -> frame.look().textPercent() == 110);
+        await(name + ": larger type", () -> frame.look().textPercent() == 110);
         focus(name);
         pressWithControl(KeyEvent.VK_0);
-        await("usual type", () -> frame.look().textPercent() == 100);
+        await(name + ": usual type", () -> frame.look().textPercent() == 100);
         focus(name);
         press(KeyEvent.VK_F10);
-        await("the menu of looks", () -> isSeen("look.menu"));
+        await(name + ": the menu of looks", () -> isSeen("look.menu"));
+        press(KeyEvent.VK_ESCAPE);
+        await("no menu of looks", () -> !isSeen("look.menu"));
     }
 
     @Test

@@ -9,7 +9,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -24,8 +23,6 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JFileChooserFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 
@@ -227,15 +224,5 @@ class WindowLightTest extends WindowHarness {
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
         robot.waitForIdle();
         assertEquals(before, text("hex.value"));
-    }
-
-    @ParameterizedTest(name = "the pictures leave the window: {0}×{1}")
-    @CsvSource({"900, 600", "1280, 720", "2560, 1440"})
-    void stageFillsWhatTheWindowLeavesIt(int width, int height) {
-        window.resizeTo(new Dimension(width, height));
-        robot.waitForIdle();
-        Rectangle stage = GuiActionRunner.execute(() -> named("stage").getBounds());
-        assertTrue(stage.width > frame.getWidth() / 3, stage.toString());
-        assertTrue(stage.height > frame.getHeight() / 2, stage.toString());
     }
 }
