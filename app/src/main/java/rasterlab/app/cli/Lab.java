@@ -4,6 +4,7 @@ import java.io.InputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -14,6 +15,25 @@ import rasterlab.app.language.Language;
 
 /** The command line of Rasterlab. */
 public final class Lab {
+    private static final String HELP = "help";
+
+    /** In the order of the help. */
+    private static final List<String> COMMANDS =
+            List.of(
+                    "methods",
+                    "run",
+                    "study",
+                    "chart",
+                    "hazards",
+                    "render",
+                    "opengl",
+                    "check",
+                    "tour",
+                    "grader",
+                    "bench",
+                    "completion",
+                    HELP);
+
     private Lab() {}
 
     /**
@@ -29,7 +49,7 @@ public final class Lab {
         ReportLanguage language = ReportLanguage.asked(args);
         var console = Console.of(in, out, err, language);
         try {
-            return commandLine(console).execute(args);
+            return commandLine(console, wanted(args)).execute(args);
         } catch (OutOfMemoryError e) {
             return new Failures(console.err(), language).outOfMemory();
         } catch (Error e) {
@@ -61,22 +81,46 @@ public final class Lab {
         return Stream.concat(Stream.of("tour"), Stream.of(args)).toArray(String[]::new);
     }
 
+    /** All commands. */
     static CommandLine commandLine(Console console) {
+        return commandLine(console, COMMANDS);
+    }
+
+    private static CommandLine commandLine(Console console, List<String> commands) {
         var lab = new CommandLine(new LabCommand(console));
-        lab.addSubcommand(new MethodsCommand(console));
-        lab.addSubcommand(new RunCommand(console));
-        lab.addSubcommand(new StudyCommand(console));
-        lab.addSubcommand(new ChartCommand(console));
-        lab.addSubcommand(new HazardsCommand(console));
-        lab.addSubcommand(new RenderCommand(console));
-        lab.addSubcommand(OpenGlCommand.commandLine(console));
-        lab.addSubcommand(new CheckCommand(console));
-        lab.addSubcommand(new TourCommand(console));
-        lab.addSubcommand(new GraderCommand(console));
-        lab.addSubcommand(new BenchCommand());
-        lab.addSubcommand(new CompletionCommand(console));
-        lab.addSubcommand(new CommandLine.HelpCommand());
+        for (String command : commands) lab.addSubcommand(command(command, console));
         return configured(lab, console);
+    }
+
+    /** The command that these arguments begin with, alone; every one where they begin with none. */
+    private static List<String> wanted(String... args) {
+        boolean value = false;
+        for (String word : args) {
+            if (COMMANDS.contains(word) && !value && !word.equals(HELP)) return List.of(word);
+            if (!word.startsWith("-") && !value) return COMMANDS;
+            value = word.equals(LabCommand.LANGUAGE);
+        }
+        return COMMANDS;
+    }
+
+    /** Made only when it is called, since each loads what it may need. */
+    private static Object command(String name, Console console) {
+        return switch (name) {
+            case "methods" -> new MethodsCommand(console);
+            case "run" -> new RunCommand(console);
+            case "study" -> new StudyCommand(console);
+            case "chart" -> new ChartCommand(console);
+            case "hazards" -> new HazardsCommand(console);
+            case "render" -> new RenderCommand(console);
+            case "opengl" -> OpenGlCommand.commandLine(console);
+            case "check" -> new CheckCommand(console);
+            case "tour" -> new TourCommand(console);
+            case "grader" -> new GraderCommand(console);
+            case "bench" -> new BenchCommand();
+            case "completion" -> new CompletionCommand(console);
+            case HELP -> new CommandLine.HelpCommand();
+            default -> throw new AssertionError(name + " is no command");
+        };
     }
 
     /** An empty name would stand for the folder that the command is called in. */

@@ -31,6 +31,8 @@ import rasterlab.app.outcome.ExitCode;
             "Example: echo '{\"from\":[0,0],\"to\":[5,2]}' | ./lab run line bresenham"
         })
 final class LabCommand implements Callable<Integer> {
+    static final String LANGUAGE = "--lang";
+
     private final Console console;
     @Spec private CommandSpec spec;
 
@@ -38,7 +40,7 @@ final class LabCommand implements Callable<Integer> {
      * Of every command; what it says is known before the words are read, so this checks it only.
      */
     @Option(
-            names = "--lang",
+            names = LANGUAGE,
             paramLabel = "LANGUAGE",
             scope = ScopeType.INHERIT,
             description =
