@@ -80,7 +80,7 @@ internal class RestoreCommand(
     lateinit var file: Path
 
     override fun call(): Int {
-        DataFolder.take(of.data, of.db).use { folder ->
+        DataFolder.take(of.data, of.db, Reason.USED_RESTORE).use { folder ->
             val former = Backups.restore(file, folder.databaseFile)
             val out = spec.commandLine().out
             out.println(oneLine(words.say("restored", "${folder.databaseFile}", "$file")))

@@ -139,7 +139,7 @@ internal class ServeCommand(
             openDatabase(folder.databaseFile).use { database ->
                 Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
                     if (exam && !judge.isolation().exam()) {
-                        throw CannotStart(Reason.EXAM, judge.isolation().said())
+                        throw CannotStart(Reason.EXAM, judge.isolation().missingForExams())
                     }
                     LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
                     val kept = KeptExercises(database).apply { keep(catalogue) }

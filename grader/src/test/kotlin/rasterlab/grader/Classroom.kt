@@ -126,7 +126,7 @@ class Classroom(
             Isolation(
                 Report.PROCESS_LIMITS,
                 Message.of("isolation.plain"),
-                listOf(Message.of("isolation.no-bwrap")),
+                listOf(Message.of("missing.no-bwrap")),
                 false,
             )
 

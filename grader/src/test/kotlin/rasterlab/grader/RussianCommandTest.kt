@@ -152,8 +152,9 @@ class RussianCommandTest {
     fun `a word in the language of who starts is written to the log`() {
         val isolation = Message.of("isolation.plain")
         val refused = CannotStart(Reason.EXAM, isolation)
-        assertEquals("--exam: ${isolation.`in`("en")}", refused.message)
-        assertEquals("--exam: ${isolation.`in`("ru")}", refused.said(RUSSIAN))
+        assertTrue(refused.message.startsWith("--exam: the server does not start, because layers"), refused.message)
+        assertTrue(refused.message.endsWith(": ${isolation.`in`("en")}"), refused.message)
+        assertTrue(refused.said(RUSSIAN).endsWith(": ${isolation.`in`("ru")}"), refused.said(RUSSIAN))
         assertRussian(refused.said(RUSSIAN))
     }
 

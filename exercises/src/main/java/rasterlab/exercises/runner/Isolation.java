@@ -2,6 +2,7 @@ package rasterlab.exercises.runner;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
@@ -11,13 +12,29 @@ import rasterlab.exercises.score.Report;
  * @param name "bubblewrap" or "process limits only", as stored with a report; {@link
  *     Report#isolationIn} has it in other languages
  * @param said what it holds and what it lacks, for start-up, log and result page
- * @param missing the layers that are not there, one by one
+ * @param missing the layers that are not there, one by one, each by its name
  * @param exam whether it is meant to hold against a determined attacker, so that exams may be
- *     graded
+ *     graded; then nothing is missing but {@link #UNPROMISED}
  */
 public record Isolation(String name, Message said, List<Message> missing, boolean exam) {
+    private static final String PREFIX = "isolation.";
+
+    /** The layers that are nowhere there yet, and that exams are not promised. */
+    private static final List<Message> UNPROMISED =
+            List.of(
+                    Message.of("missing.system-calls"),
+                    Message.of("missing.groups"),
+                    Message.of("missing.image"));
+
     public Isolation {
         missing = List.copyOf(missing);
+    }
+
+    /** The missing layers that an exam is promised; none where exams may be graded. */
+    public Message missingForExams() {
+        Message all = Message.NONE;
+        for (Message one : missing) if (!UNPROMISED.contains(one)) all = all.and(one);
+        return all;
     }
 
     /** What stands between the method and the number of processes that the machine can bear. */
@@ -43,11 +60,13 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
                     case TOO_LOW -> Message.of("isolation.too-low", Programs.MOST_PROCESSES);
                     case ROOT -> Message.of("isolation.root");
                 };
-        List<Message> missing = new ArrayList<>(List.of(Message.of("isolation.without")));
-        if (!unlimited.isEmpty()) missing.add(unlimited);
-        missing.addAll(faults);
-        Message said = Message.of("isolation.box", version);
-        for (Message one : missing) said = said.and(one);
+        List<Message> amiss = new ArrayList<>();
+        if (!unlimited.isEmpty()) amiss.add(unlimited);
+        amiss.addAll(faults);
+        Message said = Message.of("isolation.box", version).and(Message.of("isolation.without"));
+        for (Message one : amiss) said = said.and(one);
+        List<Message> missing = new ArrayList<>(UNPROMISED);
+        for (Message one : amiss) missing.addAll(layers(one));
         boolean exam = limit == ProcessLimit.HOLDS && faults.isEmpty();
         return new Isolation(Report.BUBBLEWRAP, said, missing, exam);
     }
@@ -61,8 +80,21 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
         return new Isolation(
                 Report.PROCESS_LIMITS,
                 Message.of("isolation.plain").and(reason),
-                List.of(Message.of("isolation.no-box"), reason),
+                Stream.of(Message.of("isolation.no-box"), reason)
+                        .flatMap(one -> layers(one).stream())
+                        .toList(),
                 false);
+    }
+
+    /** The names of the layers that a sentence on what is amiss is about. */
+    private static List<Message> layers(Message amiss) {
+        return amiss.sentences().stream()
+                .map(
+                        one ->
+                                Message.of(
+                                        "missing." + one.key().substring(PREFIX.length()),
+                                        one.arguments().toArray()))
+                .toList();
     }
 
     /** One honest line in English. */

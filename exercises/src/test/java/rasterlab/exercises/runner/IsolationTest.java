@@ -23,6 +23,9 @@ class IsolationTest {
         Isolation isolation = Isolation.bubblewrap("bubblewrap 0.8.0", limit, List.of());
         assertEquals(limit == ProcessLimit.HOLDS, isolation.exam());
         assertEquals(!isolation.exam(), isolation.describe().contains("not for exams: "));
+        assertEquals(isolation.exam(), isolation.missingForExams().isEmpty());
+        for (Message one : isolation.missing())
+            assertFalse(one.toString().matches("(without|not for|no) .*"), one::toString);
     }
 
     @Test
@@ -31,7 +34,9 @@ class IsolationTest {
         var fault = Message.of("isolation.limit-fails", "Max file size unlimited");
         Isolation isolation = Isolation.bubblewrap("0.8.0", ProcessLimit.HOLDS, List.of(fault));
         assertFalse(isolation.exam());
-        assertTrue(isolation.missing().contains(fault));
+        Message missing = Message.of("missing.limit-fails", "Max file size unlimited");
+        assertTrue(isolation.missing().contains(missing));
+        assertEquals(missing, isolation.missingForExams());
         assertTrue(isolation.describe().contains("Max file size unlimited"), isolation::describe);
     }
 

@@ -1,6 +1,8 @@
 package rasterlab.grader.storage
 
 import org.sqlite.SQLiteConfig
+import org.sqlite.SQLiteErrorCode
+import org.sqlite.SQLiteException
 import rasterlab.grader.storage.CannotStart.Reason
 import java.io.IOException
 import java.nio.channels.FileChannel
@@ -98,7 +100,10 @@ object Backups {
             try {
                 open(file).use { it.text("PRAGMA quick_check") to it.text(TABLES) }
             } catch (failure: SQLException) {
-                throw CannotStart(Reason.BACKUP_BROKEN, said, "${failure.javaClass.simpleName}: ${failure.message}")
+                if (failure is SQLiteException && failure.resultCode == SQLiteErrorCode.SQLITE_NOTADB) {
+                    throw CannotStart(Reason.BACKUP_NO_DATABASE, said)
+                }
+                throw CannotStart(Reason.BACKUP_BROKEN, said, failure.message.orEmpty())
             }
         if (fault != "ok") throw CannotStart(Reason.BACKUP_BROKEN, said, fault)
         if (tables != "2") throw CannotStart(Reason.BACKUP_FOREIGN, said)

@@ -36,6 +36,7 @@ class CannotStart(
         DATA_FILE("data.file"),
         DATA_MADE("data.made"),
         USED("used"),
+        USED_RESTORE("used.restore"),
         WRITTEN("written"),
         NO_DATABASE("no.database"),
         NO_INSTRUCTOR("no.instructor"),
@@ -44,6 +45,7 @@ class CannotStart(
         BACKUP_FOLDER("backup.folder"),
         BACKUP_NONE("backup.none"),
         BACKUP_BROKEN("backup.broken"),
+        BACKUP_NO_DATABASE("backup.no.database"),
         BACKUP_FOREIGN("backup.foreign"),
         BACKUP_FAILED("backup.failed"),
     }

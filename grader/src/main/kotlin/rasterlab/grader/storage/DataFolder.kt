@@ -32,16 +32,19 @@ class DataFolder private constructor(
         /**
          * @param folder made if missing
          * @param url of the database, or null for the one in the folder
-         * @throws CannotStart if the folder cannot be used or another server uses it
+         * @param used the reason to tell where a server uses it
+         * @throws CannotStart if the folder cannot be used or a server uses it
          */
         fun take(
             folder: Path,
             url: String?,
+            used: Reason = Reason.USED,
         ): DataFolder {
             make(folder.absolute().normalize())
             val data = folder.toRealPath()
             val file = fileIn(data, url)
-            val locks = listOf(data.resolve("server.lock"), file.resolveSibling("${file.fileName}.lock")).map(::lock)
+            val locks =
+                listOf(data.resolve("server.lock"), file.resolveSibling("${file.fileName}.lock")).map { lock(it, used) }
             try {
                 makeOwnerOnly(file)
                 listOf(
@@ -136,18 +139,21 @@ class DataFolder private constructor(
 
         private val OWNER_ONLY = PosixFilePermissions.fromString("rwx------")
 
-        private fun lock(file: Path): FileChannel {
+        private fun lock(
+            file: Path,
+            used: Reason,
+        ): FileChannel {
             try {
                 makeOwnerOnly(file)
                 val channel = FileChannel.open(file, CREATE, WRITE)
                 if (channel.tryLock() != null) return channel
                 channel.close()
             } catch (failure: OverlappingFileLockException) {
-                throw CannotStart(Reason.USED, file.parent)
+                throw CannotStart(used, file.parent)
             } catch (failure: IOException) {
                 throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
             }
-            throw CannotStart(Reason.USED, file.parent)
+            throw CannotStart(used, file.parent)
         }
     }
 }

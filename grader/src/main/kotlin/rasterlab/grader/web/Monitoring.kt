@@ -11,6 +11,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.jsonObject
 import rasterlab.engine.ProductVersion
 import rasterlab.exercises.runner.Isolation
+import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
@@ -24,20 +25,22 @@ fun Route.monitoring(
     get("/readyz") {
         if (!database.hasRoom()) throw Rejection.NoRoom()
         database.write { it.execute("UPDATE secrets SET name = name WHERE 0") }
-        call.respondText(ready(isolation))
+        call.respondText(ready(isolation, call.language()))
     }
     get("/metrics") { call.respondText(metrics(database), PROMETHEUS_TEXT) }
     get("/openapi.json") { call.respondText(openApi, ContentType.Application.Json) }
 }
 
 /** A word for machines, then what people want to know before they trust the results. */
-private fun ready(isolation: Isolation) =
-    buildString {
-        appendLine("ready")
-        appendLine("isolation: ${isolation.name()}")
-        isolation.missing().forEach { appendLine("missing: ${it.`in`("en")}") }
-        appendLine("exam: ${if (isolation.exam()) "yes" else "no"}")
-    }
+private fun ready(
+    isolation: Isolation,
+    language: String,
+) = buildString {
+    appendLine("ready")
+    appendLine("isolation: ${isolation.name()}")
+    isolation.missing().forEach { appendLine("missing: ${it.`in`(language)}") }
+    appendLine("exam: ${if (isolation.exam()) "yes" else "no"}")
+}
 
 private val PROMETHEUS_TEXT = ContentType.parse("text/plain; version=0.0.4; charset=utf-8")
 

@@ -68,7 +68,12 @@ class BackupsTest {
     fun aRunningServerKeepsItsDatabase() =
         serving {
             run("backup", "$copy", "--data", "$data")
-            assertTrue("another server is using it" in run("restore", "$copy", "--data", "$data", exit = 2))
+            val said = run("restore", "$copy", "--data", "$data", exit = 2)
+            assertTrue("a server is running with this database; stop it" in said, said)
+            assertTrue(
+                "с этой базой данных работает сервер" in
+                    run("restore", "$copy", "--data", "$data", "--lang", "ru", exit = 2),
+            )
         }
 
     @Test
@@ -79,9 +84,11 @@ class BackupsTest {
         val half = folder.resolve("half.db").apply { writeBytes(copy.readBytes().copyOf(9000)) }
         val notes = folder.resolve("notes.db").apply { writeText("no database ".repeat(999)) }
         val empty = folder.resolve("empty.db").apply { writeText("") }
-        for ((file, words) in mapOf(half to "whole database", notes to "whole database", empty to "database of a")) {
+        for ((file, words) in mapOf(half to "whole database", notes to "database, or", empty to "database of a")) {
             val said = run("restore", "$file", "--data", "$data", exit = 2)
             assertTrue("$file: is no $words" in said, said)
+            assertEquals(1, said.trim().lines().size, said)
+            assertFalse("Exception" in said, said)
         }
         assertTrue("there is no such file" in run("restore", "$folder/none.db", "--data", "$data", exit = 2))
         assertTrue(before.contentEquals(data.resolve("rasterlab.db").readBytes()), "the database was touched")
@@ -121,7 +128,7 @@ class BackupsTest {
     ): String {
         val printed = StringWriter()
         val commands =
-            commandLine(CommandWords.asked())
+            commandLine(CommandWords.asked(*arguments))
                 .setOut(PrintWriter(printed, true))
                 .setErr(PrintWriter(printed, true))
         assertEquals(exit, commands.execute(*arguments), "$printed")

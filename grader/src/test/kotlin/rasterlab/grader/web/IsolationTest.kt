@@ -26,9 +26,16 @@ class IsolationTest {
             val answer = client.get("/readyz")
             assertEquals(200, answer.status.value)
             assertEquals(
-                listOf("ready", "isolation: process limits only", "missing: bwrap is not on the PATH", "exam: no"),
+                listOf(
+                    "ready",
+                    "isolation: process limits only",
+                    "missing: bubblewrap (bwrap is not on the PATH)",
+                    "exam: no",
+                ),
                 answer.bodyAsText().trim().lines(),
             )
+            val russian = client.get("/readyz?lang=ru").bodyAsText()
+            assertTrue("missing: bubblewrap (bwrap не найден в PATH)" in russian, russian)
         }
 
     @Test

@@ -32,7 +32,8 @@ class RefusedStartTest {
     void noExamIsGradedWithoutIsolationByTheSystem() throws IOException {
         var nothing = Files.createDirectory(folder.resolve("no programs"));
         assertRefused(
-                "--exam: protected against mistakes and common tricks, not against a determined",
+                "missing here: namespaces and a root of its own, and a network that is cut off;"
+                        + " bubblewrap (bwrap is not on the PATH)",
                 Map.of("PATH", nothing.toString()),
                 "--port",
                 "0",
@@ -43,7 +44,12 @@ class RefusedStartTest {
     @Test
     void noExamIsGradedByRoot() throws IOException {
         assumeTrue("0".equals(String.valueOf(uid())), "this account is not root");
-        assertRefused("not for exams: ", Map.of(), "--port", "0", "--exam");
+        assertRefused(
+                "a limit on the number of processes (Rasterlab runs as root",
+                Map.of(),
+                "--port",
+                "0",
+                "--exam");
     }
 
     private static Object uid() throws IOException {
