@@ -39,6 +39,15 @@ final class ReportText {
                         points.accuracy(),
                         points.stability(),
                         points.speed()));
+        int hidden = exercise.points().total() - points.of();
+        if (hidden > 0)
+            say(
+                    "hidden",
+                    String.format(
+                            Locale.ROOT,
+                            texts.text("hidden-line"),
+                            hidden,
+                            exercise.points().total()));
         if (report.nanosPerItem() > 0) say("cost", texts.text("cost-nanos", report.nanosPerItem()));
         say("isolation", report.isolation(language()));
         report.diagnostics().forEach(this::printDiagnostic);

@@ -14,6 +14,8 @@ import rasterlab.exercises.score.Report;
  * @param verdict a code, as in the HTTP API
  * @param isolation how the method was shut in
  * @param nanosPerItem 0 where not measured or not told
+ * @param earlier whether it was graded against an earlier revision of the exercise than the one
+ *     that the server gives now
  */
 record Outcome(
         String source,
@@ -23,7 +25,8 @@ record Outcome(
         List<TriedCase> cases,
         List<Remark> remarks,
         Said isolation,
-        double nanosPerItem) {
+        double nanosPerItem,
+        boolean earlier) {
     /**
      * A message about a place in the source.
      *
@@ -48,7 +51,8 @@ record Outcome(
                         .map(one -> new Remark(one.line(), one.column(), Said.of(one::message)))
                         .toList(),
                 Said.of(report::isolation),
-                report.nanosPerItem());
+                report.nanosPerItem(),
+                false);
     }
 
     /**

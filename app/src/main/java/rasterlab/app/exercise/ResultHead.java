@@ -35,6 +35,7 @@ final class ResultHead extends JPanel {
         verdict.setName("result.verdict");
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");
+        where.setName("result.where");
         where.setForeground(PaleWords.on(getBackground()));
         progress.setName("progress");
         progress.setStringPainted(true);
@@ -137,6 +138,7 @@ final class ResultHead extends JPanel {
                         : texts.text("result.attempt", said.attempt());
         String nanos = String.format(texts.locale(), "%.2f", said.nanosPerItem());
         String cost = said.nanosPerItem() > 0 ? ", " + texts.text("result.cost", nanos) : "";
-        return place + cost + (state.upToDate() ? "" : ", " + texts.text("result.old"));
+        String earlier = said.earlier() ? ", " + texts.text("result.earlier") : "";
+        return place + cost + earlier + (state.upToDate() ? "" : ", " + texts.text("result.old"));
     }
 }

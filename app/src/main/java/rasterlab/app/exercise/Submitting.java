@@ -98,7 +98,8 @@ final class Submitting {
                 cases,
                 remarks(english.path("diagnostics"), russian.path("diagnostics")),
                 Said.of(code -> isolation(english, code)),
-                0);
+                0,
+                !english.path("current").asBoolean(true));
     }
 
     private static String isolation(JsonNode view, String language) {

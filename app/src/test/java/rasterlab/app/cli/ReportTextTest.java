@@ -41,6 +41,16 @@ class ReportTextTest {
         assertTrue(lines.contains(expected), lines.toString());
     }
 
+    @ParameterizedTest(name = "points that hidden cases are for are not told as: {1}")
+    @CsvSource({
+        "ENGLISH, 'Hidden: 99 of the 100 points of the exercise are for hidden cases, which the server alone tries'",
+        "RUSSIAN, 'Скрыто: 99 из 100 баллов задания даются за скрытые тесты, их выполняет только сервер'"
+    })
+    void pointsOfHiddenCasesAreTold(Language language, String expected) {
+        List<String> lines = printed(language, exercise(Map.of()));
+        assertTrue(lines.contains(expected), lines.toString());
+    }
+
     private static List<String> printed(Language language, Exercise exercise) {
         var printed = new ByteArrayOutputStream();
         var out = new PrintStream(printed, false, StandardCharsets.UTF_8);

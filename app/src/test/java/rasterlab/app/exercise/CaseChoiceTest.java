@@ -162,7 +162,8 @@ class CaseChoiceTest {
                         List.of(hidden, hidden, hidden),
                         List.of(),
                         Said.NOTHING,
-                        0);
+                        0,
+                        false);
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
@@ -294,7 +295,15 @@ class CaseChoiceTest {
                         .map(one -> drawn(one, plain.cases().indexOf(one) == SMALLEST ? 1 : 4))
                         .toList();
         return new Outcome(
-                source, 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0);
+                source,
+                0,
+                plain.verdict(),
+                plain.points(),
+                cases,
+                List.of(),
+                Said.NOTHING,
+                0,
+                false);
     }
 
     private static TriedCase drawn(TriedCase one, int pixels) {

@@ -138,7 +138,8 @@ class ExerciseLabModelTest {
                         usual.cases(),
                         usual.remarks(),
                         usual.isolation(),
-                        usual.nanosPerItem());
+                        usual.nanosPerItem(),
+                        false);
         try (var outcomes = new Outcomes(id -> Optional.of(file), Runnable::run)) {
             outcomes.keep(exercise, usual);
             outcomes.settle();

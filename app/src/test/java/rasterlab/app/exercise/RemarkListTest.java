@@ -102,7 +102,8 @@ class RemarkListTest {
                         List.of(),
                         List.of(LONG),
                         Said.NOTHING,
-                        0);
+                        0,
+                        false);
         pane.show(
                 new ExerciseState(
                         ShownResult.EXERCISE,

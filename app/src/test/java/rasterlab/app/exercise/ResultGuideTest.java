@@ -100,6 +100,37 @@ class ResultGuideTest {
                 });
     }
 
+    @ParameterizedTest(name = "the heading does not say that the exercise has changed: {0}")
+    @CsvSource({
+        "ENGLISH, for an earlier version of the exercise",
+        "RUSSIAN, по прежней версии задания"
+    })
+    void headingSaysThatTheExerciseHasChanged(Language language, String words) throws Exception {
+        Outcome now = outcome(GradingVerdict.OK);
+        Outcome earlier =
+                new Outcome(
+                        now.source(),
+                        2,
+                        now.verdict(),
+                        now.points(),
+                        now.cases(),
+                        now.remarks(),
+                        now.isolation(),
+                        now.nanosPerItem(),
+                        true);
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(language, FAILURES::add);
+                    for (Outcome one : List.of(now, earlier)) {
+                        show(pane, Work.NONE, Optional.of(one));
+                        String said = ((JLabel) named(pane, "result.where")).getText();
+                        assertEquals(one.earlier(), said.contains(words), said);
+                    }
+                    pane.close();
+                });
+    }
+
     @ParameterizedTest(name = "a case that is not judged yet is said to be judged: {0}")
     @CsvSource({
         "ENGLISH, '', not judged yet",

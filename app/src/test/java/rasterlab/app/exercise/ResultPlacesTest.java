@@ -135,7 +135,7 @@ class ResultPlacesTest {
                                                 ""))
                         .toList();
         return new Outcome(
-                "", 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0);
+                "", 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0, false);
     }
 
     @Test

@@ -92,7 +92,8 @@ final class ShownResult {
                         .toList(),
                 List.of(),
                 Said.NOTHING,
-                0);
+                0,
+                false);
     }
 
     /**

@@ -89,6 +89,20 @@ class SubmittingTest {
     }
 
     @Test
+    @DisplayName("a result of an exercise that has changed since passes for one of the present one")
+    void anEarlierRevisionIsTakenOver() throws Exception {
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            for (boolean current : List.of(true, false)) {
+                String told = "{\"revision\":\"r0\",\"current\":" + current + ",";
+                server.on(RESULT, 200, DONE.replaceFirst("[{]", told));
+                trial.model.submit();
+                assertEquals(!current, trial.awaitEnd().outcome().orElseThrow().earlier());
+            }
+        }
+    }
+
+    @Test
     @DisplayName("what is said of a hidden case is said of another one in Russian")
     void hiddenCasesAreToldApartInEachLanguage() throws Exception {
         try (var server = server();
