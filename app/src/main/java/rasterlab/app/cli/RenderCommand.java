@@ -3,7 +3,6 @@ package rasterlab.app.cli;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -11,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
+import rasterlab.app.model.EmptyPicture;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.PixelLevels;
@@ -147,7 +147,8 @@ final class RenderCommand implements Callable<Integer> {
         var picture = new Raster(request.width(), request.height());
         Optional<VisibilityWork> work = draw(request, picture, progress);
         double milliseconds = (System.nanoTime() - start) / 1e6;
-        if (shown.isModel() && isEmpty(picture, request)) shown.tellEmpty(console);
+        if (shown.isModel() && EmptyPicture.is(picture, request.scene().backgroundRgb()))
+            shown.tellEmpty(console);
         Optional<PictureDifference> difference =
                 expected.map(image -> PictureDifference.of(copied(image), picture));
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
@@ -156,11 +157,6 @@ final class RenderCommand implements Callable<Integer> {
         new RenderReport(request, milliseconds, work, out, other, difference, shadings)
                 .write(console.out());
         return ExitCode.DONE;
-    }
-
-    private static boolean isEmpty(Raster picture, RenderRequest request) {
-        int background = 0xFF000000 | request.scene().backgroundRgb();
-        return Arrays.stream(picture.argb()).allMatch(argb -> argb == background);
     }
 
     private static Optional<VisibilityWork> draw(

@@ -12,6 +12,7 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SmoothedMesh;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.obj.UpAxis;
 
 /**
  * What is lit.
@@ -24,8 +25,9 @@ import rasterlab.engine.scene.catalogue.Scenes;
 record Body(String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
     /**
      * @param file where it was read from, an absolute path
+     * @param up the axis of a model that points up; empty for a scene file
      */
-    record OpenedScene(Path file, Scene scene) {}
+    record OpenedScene(Path file, Scene scene, Optional<UpAxis> up) {}
 
     /** Normals as the scene has them: those of its surface. */
     static final String OWN = "own";
@@ -44,8 +46,21 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
     }
 
     static Body opened(Path file, Scene scene) {
-        var opened = new OpenedScene(file.toAbsolutePath(), scene);
+        return opened(file, scene, Optional.empty());
+    }
+
+    static Body model(Path file, Scene scene, UpAxis up) {
+        return opened(file, scene, Optional.of(up));
+    }
+
+    private static Body opened(Path file, Scene scene, Optional<UpAxis> up) {
+        var opened = new OpenedScene(file.toAbsolutePath(), scene, up);
         return new Body(String.valueOf(file.getFileName()), COARSEST, OWN, Optional.of(opened));
+    }
+
+    /** The axis of a model that points up; empty where no model is lit. */
+    Optional<UpAxis> up() {
+        return opened.flatMap(OpenedScene::up);
     }
 
     Body withNormals(String other) {

@@ -24,6 +24,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
+import rasterlab.engine.scene.obj.UpAxis;
 
 /** The lighting lab's controls and the formula with live numbers. */
 final class LightInspector {
@@ -35,6 +36,7 @@ final class LightInspector {
     private final Inspector column;
     private final ModeRow mode;
     private final NameChooser body;
+    private final NameChooser up;
     private final NumberSlider detail;
     private final NameChooser normals;
     private final JCheckBox arrows;
@@ -64,6 +66,7 @@ final class LightInspector {
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
         body = bodies();
+        up = names("up", UpAxis.names(), name -> model.stand(UpAxis.named(name)));
         detail =
                 new NumberSlider(
                         "detail",
@@ -271,6 +274,8 @@ final class LightInspector {
         LightChoice choice = state.choice();
         mode.refresh();
         body.showListed(choice.body().name(), Body.NAMES);
+        up.show(choice.body().up().orElse(UpAxis.Y).code());
+        column.showRow(up, choice.body().up().isPresent());
         column.showRow(detail, choice.body().hasDetail());
         detail.show(choice.body().detail(), Integer.toString(choice.body().detail()));
         normals.show(choice.body().normals());

@@ -21,6 +21,7 @@ import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
 /**
@@ -89,6 +90,12 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      */
     public void open(Path file) {
         keptFile.open(LitSceneOpening.reading(file, state.choice()));
+    }
+
+    /** Stands the lit model on another axis; its file is read again, and it can be undone. */
+    void stand(UpAxis up) {
+        if (state.choice().body().up().filter(now -> now != up).isPresent())
+            keptFile.open(LitSceneOpening.standing(state.choice(), up));
     }
 
     /** Says why a file was not opened, or what of it is not shown. */

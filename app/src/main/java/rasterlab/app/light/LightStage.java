@@ -24,6 +24,7 @@ import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
+import rasterlab.app.model.EmptyPicture;
 
 /** Three shadings side by side above the profile; lamps, line and point are dragged. */
 final class LightStage extends SelfDrawn implements Settling {
@@ -133,8 +134,23 @@ final class LightStage extends SelfDrawn implements Settling {
                 state.problem().isEmpty()
                         ? state.note().map(note -> note.in(texts.language())).orElse("")
                         : texts.text("problem", Complaints.said(texts.language(), state.problem()));
+        if (showsNothing(state)) said = (said + " " + texts.text("empty")).strip();
         if (!said.isEmpty())
             Plates.sentenceAbove(g, said, getWidth(), plan().picture(0).height - 12);
+    }
+
+    /** Whether every picture of a model has nothing of it. */
+    private static boolean showsNothing(LightLabState state) {
+        Optional<Body.OpenedScene> model =
+                state.choice().body().opened().filter(one -> one.up().isPresent());
+        return model.isPresent()
+                && state.drawn().isPresent()
+                && state.drawn().get().pictures().stream()
+                        .allMatch(
+                                picture ->
+                                        EmptyPicture.is(
+                                                picture.raster(),
+                                                model.get().scene().backgroundRgb()));
     }
 
     @Override

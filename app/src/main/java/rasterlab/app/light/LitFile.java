@@ -2,6 +2,7 @@ package rasterlab.app.light;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import rasterlab.engine.scene.obj.UpAxis;
 
 /**
  * The file of the body that is lit, as it is kept between runs: by its place, for it may be another
@@ -9,9 +10,10 @@ import java.util.Optional;
  *
  * @param file empty where the body is the lab's
  * @param normals of the body, as in {@link Body}
+ * @param up the axis of a model that points up
  */
-record LitFile(Optional<Path> file, String normals) {
-    static final LitFile NONE = new LitFile(Optional.empty(), Body.OWN);
+record LitFile(Optional<Path> file, String normals, UpAxis up) {
+    static final LitFile NONE = new LitFile(Optional.empty(), Body.OWN, UpAxis.Y);
 
     LitFile {
         if (!Body.NORMALS.contains(normals))
@@ -21,7 +23,12 @@ record LitFile(Optional<Path> file, String normals) {
 
     static LitFile of(Body body) {
         return body.opened()
-                .map(scene -> new LitFile(Optional.of(scene.file()), body.normals()))
+                .map(
+                        scene ->
+                                new LitFile(
+                                        Optional.of(scene.file()),
+                                        body.normals(),
+                                        scene.up().orElse(UpAxis.Y)))
                 .orElse(NONE);
     }
 }

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes in the lab; of an earlier run's only the body. */
 final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpening.Answer> {
@@ -47,10 +48,24 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpeni
         return () -> read(file, scene -> OpenedLitScene.read(scene, before));
     }
 
+    /** Reads the body that is lit again, with another axis up; its normals stay. */
+    static Supplier<Answer> standing(LightChoice before, UpAxis up) {
+        Path file = before.body().opened().orElseThrow().file();
+        return () -> read(file, model -> OpenedLitScene.standing(model, up, before));
+    }
+
     @Override
     public Optional<Supplier<Answer>> reading(LitFile kept, Body before) {
         LightChoice now = model.state().choice();
-        return kept.file().map(file -> () -> read(file, scene -> OpenedLitScene.again(scene, now)));
+        return kept.file()
+                .map(
+                        file ->
+                                () ->
+                                        read(
+                                                file,
+                                                scene ->
+                                                        OpenedLitScene.again(
+                                                                scene, kept.up(), now)));
     }
 
     private static Answer read(Path file, Function<Path, OpenedLitScene> reader) {

@@ -20,6 +20,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.Projection;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
@@ -88,7 +89,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     static OpenedLitScene read(Path file, LightChoice before) {
         if (isModel(file)) {
             ModelNotes model = ModelNotes.read(file);
-            LightChoice shown = before.with(Body.opened(file, model.scene()));
+            LightChoice shown = before.with(Body.model(file, model.scene(), UpAxis.Y));
             return new OpenedLitScene(shown, List.of(model.told()), false);
         }
         SceneView view = view(file);
@@ -111,14 +112,26 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     /**
      * The body of a file alone, in the light of the choice.
      *
+     * @param up the axis of a model that points up
      * @throws Complaint naming the file and the place in it
      */
-    static OpenedLitScene again(Path file, LightChoice before) {
+    static OpenedLitScene again(Path file, UpAxis up, LightChoice before) {
         Body body =
                 isModel(file)
-                        ? Body.opened(file, ModelNotes.read(file).scene())
+                        ? Body.model(file, ModelNotes.read(file, up).scene(), up)
                         : body(file, view(file).source(), before.body().detail());
         return new OpenedLitScene(before.with(body), List.of(), false);
+    }
+
+    /**
+     * The lit model with another axis up, as its file has it now, with the choice's normals.
+     *
+     * @throws Complaint naming the file and the place in it
+     */
+    static OpenedLitScene standing(Path file, UpAxis up, LightChoice before) {
+        Body turned = again(file, up, before).choice().body();
+        LightChoice next = before.with(turned.withNormals(before.body().normals()));
+        return new OpenedLitScene(next, List.of(), false);
     }
 
     /** The notes about the file that stand beside its picture; "" for none. */

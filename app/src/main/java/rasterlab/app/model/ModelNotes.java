@@ -13,18 +13,36 @@ public record ModelNotes(Scene scene, String told) {
     private static final int MOST = 3;
 
     /**
-     * Reads a model with the axis up that models mostly have, y.
+     * Reads a model with the axis up that models mostly have, y, and tells that.
      *
      * @throws rasterlab.app.outcome.Complaint as {@link ModelFile#read}
      */
     public static ModelNotes read(Path file) {
+        return read(
+                file,
+                UpAxis.Y,
+                List.of(
+                        file
+                                + ": y is taken to point up; the chooser of the axis turns the model"));
+    }
+
+    /**
+     * Reads a model with an axis up that was chosen.
+     *
+     * @throws rasterlab.app.outcome.Complaint as {@link ModelFile#read}
+     */
+    public static ModelNotes read(Path file, UpAxis up) {
+        return read(file, up, List.of());
+    }
+
+    private static ModelNotes read(Path file, UpAxis up, List<String> besides) {
         List<String> notes = new ArrayList<>();
         Consumer<String> keep = notes::add;
-        Scene scene = ModelFile.read(file, UpAxis.Y, keep);
+        Scene scene = ModelFile.read(file, up, keep);
         List<String> told = new ArrayList<>(notes.subList(0, Math.min(MOST, notes.size())));
         if (notes.size() > MOST)
             told.add("further notes (%d) are told by ./lab render".formatted(notes.size() - MOST));
-        told.add(file + ": y is taken to point up; ./lab render --up z draws it with z up");
+        told.addAll(besides);
         return new ModelNotes(scene, String.join("; besides, ", told));
     }
 }

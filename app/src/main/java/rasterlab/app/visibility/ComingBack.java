@@ -3,14 +3,16 @@ package rasterlab.app.visibility;
 import java.nio.file.Path;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PictureFile;
+import rasterlab.engine.scene.obj.UpAxis;
 
 /**
  * A scene of the user's files on its way back after a restart.
  *
  * @param view as it was left, which need not be as a scene file says
+ * @param up the axis of a model that points up
  * @param before what was shown in its place when its reading began
  */
-record ComingBack(OpenedFiles.View view, VisibilityChoice before) {
+record ComingBack(OpenedFiles.View view, UpAxis up, VisibilityChoice before) {
     /** A file of it to name. */
     Path file() {
         return view.scene().or(view::picture).orElseThrow();
@@ -27,7 +29,8 @@ record ComingBack(OpenedFiles.View view, VisibilityChoice before) {
      * @throws Complaint naming the file and the place in it, if the scene cannot be read
      */
     SceneFiles.Answer read() {
-        SceneChoice bare = view.scene().map(SceneFiles::scene).orElse(before.shown());
+        SceneChoice bare =
+                view.scene().map(file -> SceneFiles.scene(file, up)).orElse(before.shown());
         if (view.picture().isEmpty()) return shown(bare, "");
         Path picture = view.picture().get();
         try {

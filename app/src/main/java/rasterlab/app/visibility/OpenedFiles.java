@@ -3,6 +3,7 @@ package rasterlab.app.visibility;
 import java.nio.file.Path;
 import java.util.Optional;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
 /**
@@ -10,9 +11,10 @@ import rasterlab.engine.transform.SphericalView;
  * another one by then.
  *
  * @param view empty where no name of the lab's scenes lacks anything
+ * @param up the axis of a model that points up
  */
-record OpenedFiles(Optional<View> view) {
-    static final OpenedFiles NONE = new OpenedFiles(Optional.empty());
+record OpenedFiles(Optional<View> view, UpAxis up) {
+    static final OpenedFiles NONE = new OpenedFiles(Optional.empty(), UpAxis.Y);
 
     /**
      * How a scene was seen, where a scene of the lab in its place is seen otherwise.
@@ -43,6 +45,7 @@ record OpenedFiles(Optional<View> view) {
                                 shown.image().map(Path::toAbsolutePath),
                                 choice.camera(),
                                 choice.zoom(),
-                                choice.look())));
+                                choice.look())),
+                shown.up().orElse(UpAxis.Y));
     }
 }

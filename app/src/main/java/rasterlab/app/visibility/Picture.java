@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.util.Optional;
+import rasterlab.app.model.EmptyPicture;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.raster.Raster;
 
@@ -19,6 +20,11 @@ public record Picture(
         Optional<String> lent) {
     Picture(RenderRequest request, Raster raster, long nanos) {
         this(request, raster, nanos, Optional.empty(), Optional.empty());
+    }
+
+    /** Whether every pixel has the background's colour. */
+    boolean isEmpty() {
+        return EmptyPicture.is(raster, request.scene().backgroundRgb());
     }
 
     Picture refused(String said) {

@@ -7,6 +7,7 @@ import java.util.Optional;
 import rasterlab.app.model.TextureChange;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 
 /**
@@ -15,21 +16,34 @@ import rasterlab.engine.texture.Texture;
  * @param name one of {@link Scenes#names()}, or the file's
  * @param file where it was read from; empty for a scene that the lab has
  * @param image the picture laid on all its faces, where one was opened
+ * @param up the axis of a model that points up; empty where no model is shown
  * @param known whether the name brings the scene back, image and all
  */
 record SceneChoice(
-        String name, Optional<Path> file, Optional<Path> image, Scene scene, boolean known) {
+        String name,
+        Optional<Path> file,
+        Optional<Path> image,
+        Scene scene,
+        Optional<UpAxis> up,
+        boolean known) {
     /**
      * @throws IllegalArgumentException for an unknown name
      */
     @JsonCreator
     static SceneChoice named(String name) {
-        return new SceneChoice(name, Optional.empty(), Optional.empty(), Scenes.named(name), true);
+        return new SceneChoice(
+                name,
+                Optional.empty(),
+                Optional.empty(),
+                Scenes.named(name),
+                Optional.empty(),
+                true);
     }
 
     /** A scene that is neither the lab's nor a file's. */
     static SceneChoice of(Scene scene) {
-        return new SceneChoice(scene.name(), Optional.empty(), Optional.empty(), scene, false);
+        return new SceneChoice(
+                scene.name(), Optional.empty(), Optional.empty(), scene, Optional.empty(), false);
     }
 
     /** What {@link #named} brings back; only scenes that the lab has are kept between runs. */
@@ -51,8 +65,21 @@ record SceneChoice(
     }
 
     static SceneChoice opened(Path file, Scene scene) {
+        return opened(file, scene, Optional.empty());
+    }
+
+    static SceneChoice model(Path file, Scene scene, UpAxis up) {
+        return opened(file, scene, Optional.of(up));
+    }
+
+    private static SceneChoice opened(Path file, Scene scene, Optional<UpAxis> up) {
         return new SceneChoice(
-                file.getFileName().toString(), Optional.of(file), Optional.empty(), scene, false);
+                file.getFileName().toString(),
+                Optional.of(file),
+                Optional.empty(),
+                scene,
+                up,
+                false);
     }
 
     /**
@@ -60,7 +87,7 @@ record SceneChoice(
      */
     SceneChoice covered(Path picture, Texture texture) {
         return new SceneChoice(
-                name, file, Optional.of(picture), TextureChange.covered(scene, texture), false);
+                name, file, Optional.of(picture), TextureChange.covered(scene, texture), up, false);
     }
 
     boolean textured() {

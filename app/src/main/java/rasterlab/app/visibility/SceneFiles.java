@@ -17,6 +17,7 @@ import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
@@ -92,19 +93,38 @@ final class SceneFiles {
 
     private static Answer model(Path file) {
         ModelNotes read = ModelNotes.read(file);
-        SceneChoice model = SceneChoice.opened(file, read.scene());
+        SceneChoice model = SceneChoice.model(file, read.scene(), UpAxis.Y);
         return new Answer(choice -> choice.with(model), "", read.told());
+    }
+
+    /** The model that is shown, with another axis up, as its file has it now; the eye stays. */
+    static Answer standing(SceneChoice shown, UpAxis up) {
+        Path file = shown.file().orElseThrow();
+        return read(
+                file,
+                () -> {
+                    SceneChoice bare = scene(file, up);
+                    SceneChoice next =
+                            shown.image()
+                                    .map(image -> bare.covered(image, PictureFile.texture(image)))
+                                    .orElse(bare);
+                    return new Answer(
+                            now -> now.shown().equals(shown) ? now.with(next, now.camera()) : now,
+                            "");
+                },
+                "");
     }
 
     /**
      * The scene of a scene file, or a model, without what a scene file says besides.
      *
+     * @param up the axis of a model that points up
      * @throws Complaint naming the file and the place in it
      */
-    static SceneChoice scene(Path file) {
+    static SceneChoice scene(Path file, UpAxis up) {
         return isScene(file)
                 ? held(file, SceneText.view(file).source())
-                : SceneChoice.opened(file, ModelNotes.read(file).scene());
+                : SceneChoice.model(file, ModelNotes.read(file, up).scene(), up);
     }
 
     private static SceneChoice held(Path file, SceneSource source) {

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.KeptFile;
+import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes, models and pictures in the lab. */
 final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, SceneFiles.Answer> {
@@ -37,10 +38,18 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
         return () -> SceneFiles.read(file);
     }
 
+    /** Stands the shown model on another axis; its file is read again, and it can be undone. */
+    static void stand(VisibilityLabModel model, UpAxis up) {
+        SceneChoice shown = model.state().choice().shown();
+        if (shown.up().filter(now -> now != up).isPresent())
+            model.keptFiles().open(() -> SceneFiles.standing(shown, up));
+    }
+
     @Override
     public Optional<Supplier<SceneFiles.Answer>> reading(
             OpenedFiles kept, VisibilityChoice before) {
-        return kept.view().map(view -> () -> SceneFiles.read(new ComingBack(view, before)));
+        return kept.view()
+                .map(view -> () -> SceneFiles.read(new ComingBack(view, kept.up(), before)));
     }
 
     @Override

@@ -17,6 +17,7 @@ import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.SphericalView;
@@ -115,6 +116,7 @@ record VisibilityCommand(
             SceneChoice scene = choice.shown();
             words.add(file.map(ShellPath::quoted).orElse(scene.name()));
             if (file.filter(VisibilityCommand::says).isPresent()) words.add("--scene-only");
+            scene.up().filter(up -> up != UpAxis.Y).ifPresent(up -> add("--up", up.code()));
             scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
             SphericalView camera = choice.camera();
             add("--visibility", method);

@@ -20,6 +20,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.study.Method;
 
 /** The hidden-surface lab's choosers, live numbers and the explanation of the chosen method. */
@@ -34,6 +35,7 @@ final class VisibilityInspector {
     private final Inspector column;
     private final NameChooser mode;
     private final NameChooser scene;
+    private final NameChooser up;
     private final MethodChooser visibility;
     private final MethodChooser comparison;
     private NameChooser shading;
@@ -62,6 +64,7 @@ final class VisibilityInspector {
         column = new Inspector(texts);
         mode = modes();
         scene = scenes();
+        up = chooser("up", UpAxis.names(), name -> SceneOpening.stand(model, UpAxis.named(name)));
         column.wide(new SceneRow(model, texts, saving));
         visibility = methods("method", "", VisibilityChoice::withVisibility);
         comparison = methods("comparison", texts.text("none"), VisibilityChoice::withComparison);
@@ -242,6 +245,8 @@ final class VisibilityInspector {
     /** What has no name of its own is in the list as long as it is shown. */
     private void showScene(SceneChoice shown) {
         scene.showListed(shown.name(), Scenes.names());
+        up.show(shown.up().orElse(UpAxis.Y).code());
+        column.showRow(up, shown.up().isPresent());
     }
 
     private void refreshSteps(boolean watched, VisibilityReadings readings) {

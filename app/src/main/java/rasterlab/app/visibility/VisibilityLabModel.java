@@ -309,7 +309,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /** What of the user's files is shown; brought back after the choice itself. */
-    public Kept<OpenedFiles> keptFiles() {
+    public KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> keptFiles() {
         return files;
     }
 

@@ -59,6 +59,16 @@ public record VisibilityLabState(
         return picture.flatMap(Picture::lent).isPresent();
     }
 
+    /** Whether the whole picture of a model, drawn to the end, has nothing of it. */
+    boolean showsNothing() {
+        return choice.view() == StageView.COLOURS
+                && step == Frame.ALL
+                && choice.shown().up().isPresent()
+                && picture.filter(drawn -> drawn.refusal().isEmpty())
+                        .filter(Picture::isEmpty)
+                        .isPresent();
+    }
+
     VisibilityLabState with(VisibilityChoice next) {
         var draft = new Draft(this);
         draft.choice = next;

@@ -285,6 +285,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 problem.isEmpty()
                         ? state.note().map(note -> note.in(texts.language())).orElse("")
                         : texts.text("problem", Complaints.said(texts.language(), problem));
+        if (state.showsNothing()) said = (said + " " + texts.text("empty")).strip();
         if (!said.isEmpty())
             say(
                     new StageOverlay(g, 1),

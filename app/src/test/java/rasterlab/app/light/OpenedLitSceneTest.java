@@ -30,6 +30,7 @@ import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
 @Timeout(120)
@@ -95,9 +96,9 @@ class OpenedLitSceneTest {
         assertEquals(before, opened.choice().with(before.body()));
         assertEquals(4, opened.choice().body().scene().mesh().faceCount());
         assertEquals(
-                file + ": y is taken to point up; ./lab render --up z draws it with z up",
+                file + ": y is taken to point up; the chooser of the axis turns the model",
                 opened.told(file));
-        LightChoice again = OpenedLitScene.again(file, before).choice();
+        LightChoice again = OpenedLitScene.again(file, UpAxis.Y, before).choice();
         assertEquals("Pyramid.OBJ", again.body().name());
     }
 

@@ -19,12 +19,13 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.transform.SphericalView;
 
 class KeptChoiceTest {
     private static final String UP =
-            ": y is taken to point up; ./lab render --up z draws it with z up";
+            ": y is taken to point up; the chooser of the axis turns the model";
 
     private static final double ROUNDING = 1e-9;
 
@@ -291,7 +292,8 @@ class KeptChoiceTest {
                                                 Optional.empty(),
                                                 before.camera(),
                                                 99,
-                                                before.look()))));
+                                                before.look())),
+                                UpAxis.Y));
         thread.settle(model::settle);
         assertEquals(before, model.state().choice());
         String problem = model.state().problem();

@@ -34,7 +34,7 @@ class ModelNotesTest {
                         + ":7: unknown 'bar' was passed over; besides, further notes (1) are told by"
                         + " ./lab render; besides, "
                         + file
-                        + ": y is taken to point up; ./lab render --up z draws it with z up",
+                        + ": y is taken to point up; the chooser of the axis turns the model",
                 answer.notes());
         assertEquals(
                 file
@@ -46,7 +46,7 @@ class ModelNotesTest {
                         + ":7: неизвестное «bar» пропущено; кроме того, другие примечания (1) сообщает"
                         + " ./lab render; кроме того, "
                         + file
-                        + ": осью вверх считается y; ./lab render --up z рисует модель осью z вверх",
+                        + ": осью вверх считается y; другую выбирают в списке «Ось вверх»",
                 Complaints.said(Language.RUSSIAN, answer.notes()));
     }
 }
