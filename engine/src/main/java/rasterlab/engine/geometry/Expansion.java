@@ -43,6 +43,16 @@ public final class Expansion {
         size = kept;
     }
 
+    /** Adds another sum, part by part. */
+    public void add(Expansion other) {
+        for (int i = 0; i < other.size; i++) add(other.parts[i]);
+    }
+
+    /** Subtracts another sum, part by part. */
+    public void subtract(Expansion other) {
+        for (int i = 0; i < other.size; i++) add(-other.parts[i]);
+    }
+
     /** The sum rounded to a double, off by at most one unit in its last place. */
     public double value() {
         double sum = 0;

@@ -3,10 +3,12 @@ package rasterlab.engine.geometry.meeting;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import rasterlab.contract.LinePlane;
+import rasterlab.engine.geometry.Line;
 
 /**
  * The reference: μ in decimal numbers of any length, divided to 40 digits. It answers with the μ
- * nearest to the right one; NaN where there is none, or it is beyond doubles.
+ * nearest to the right one; NaN where there is none, or it is beyond doubles. The common point and
+ * the part of the line that it lies in are found from the undivided numbers.
  */
 final class ExactMeeting implements LinePlane {
     private static final MathContext DIGITS = new MathContext(40);
@@ -22,11 +24,56 @@ final class ExactMeeting implements LinePlane {
     }
 
     private static double mu(double[] normal, BigDecimal c, double[] from, double[] through) {
-        BigDecimal atStart = dot(normal, from);
-        BigDecimal slope = dot(normal, through).subtract(atStart);
-        if (slope.signum() == 0) return Double.NaN;
-        double mu = c.subtract(atStart).divide(slope, DIGITS).doubleValue();
-        return Double.isFinite(mu) ? mu : Double.NaN;
+        return new Ratio(normal, c, from, through).mu();
+    }
+
+    /** What is right of each line of an input. */
+    static Meetings all(PlaneAndLines input) {
+        var mu = new double[input.size()];
+        var parts = new Line.Part[mu.length];
+        var points = new double[mu.length][];
+        for (int i = 0; i < mu.length; i++) {
+            double[] n = input.normal();
+            BigDecimal c =
+                    input.point().length == 0 ? new BigDecimal(input.c()) : dot(n, input.point());
+            var ratio = new Ratio(n, c, input.from()[i], input.through()[i]);
+            mu[i] = ratio.mu();
+            if (Double.isNaN(mu[i])) continue;
+            parts[i] = ratio.part();
+            points[i] = ratio.point(input.from()[i], input.through()[i]);
+        }
+        return new Meetings(mu, parts, points);
+    }
+
+    /** μ = rise / slope, undivided. */
+    private record Ratio(BigDecimal rise, BigDecimal slope) {
+        Ratio(double[] normal, BigDecimal c, double[] from, double[] through) {
+            this(c.subtract(dot(normal, from)), dot(normal, through).subtract(dot(normal, from)));
+        }
+
+        double mu() {
+            if (slope.signum() == 0) return Double.NaN;
+            double mu = rise.divide(slope, DIGITS).doubleValue();
+            return Double.isFinite(mu) ? mu : Double.NaN;
+        }
+
+        Line.Part part() {
+            if (rise.signum() * slope.signum() < 0) return Line.Part.BEHIND;
+            boolean beyond = rise.abs().compareTo(slope.abs()) > 0;
+            return beyond ? Line.Part.BEYOND : Line.Part.BETWEEN;
+        }
+
+        /** The common point, each coordinate rounded once. */
+        double[] point(double[] from, double[] through) {
+            var point = new double[3];
+            for (int axis = 0; axis < 3; axis++) {
+                BigDecimal start = new BigDecimal(from[axis]);
+                BigDecimal way = new BigDecimal(through[axis]).subtract(start);
+                BigDecimal above = start.multiply(slope).add(way.multiply(rise));
+                point[axis] = above.divide(slope, DIGITS).doubleValue();
+            }
+            return point;
+        }
     }
 
     private static BigDecimal dot(double[] a, double[] b) {

@@ -1,5 +1,6 @@
 package rasterlab.engine.geometry.meeting;
 
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
 import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
@@ -78,7 +79,9 @@ final class LinePlaneInputs {
                         new Plane(at(0, 0, 1), 1e200),
                         new Line(O, at(1, 0, 1e-200)),
                         recorded(WRONG, REFUSED, REFUSED)),
-                far());
+                far(),
+                longLine(),
+                atSecondPoint());
     }
 
     private static Hazard<PlaneAndLines> far() {
@@ -90,6 +93,26 @@ final class LinePlaneInputs {
                 "A plane given by a point 10⁸ away: c = n·a keeps too few digits of it.",
                 new PlaneAndLines(plane, Optional.of(point), List.of(line)),
                 recorded(WRONG, WRONG, EXACT));
+    }
+
+    private static Hazard<PlaneAndLines> longLine() {
+        return hazard(
+                "point-near-the-start",
+                "A line of length 10²⁰, met 1 unit from its first point: μ is tiny, the point not.",
+                new Plane(at(1, 0, 0), 1),
+                new Line(O, at(1e20, 0, 0)),
+                recorded(EXACT, EXACT, EXACT));
+    }
+
+    /** Rounded products make 1.0000000000000002 of it, which is beyond. */
+    private static Hazard<PlaneAndLines> atSecondPoint() {
+        Vector end = at(0.7, 0.9, 0.7);
+        Plane plane = Plane.through(end, at(0.5, 0.2, 0.5));
+        return new Hazard<>(
+                "at-the-second-point",
+                "The plane goes through p₂: μ is 1, and the point still between the two.",
+                new PlaneAndLines(plane, Optional.of(end), List.of(new Line(at(0, 0.2, 0.4), end))),
+                recorded(DEGRADED, DEGRADED, EXACT));
     }
 
     private static Hazard<PlaneAndLines> hazard(

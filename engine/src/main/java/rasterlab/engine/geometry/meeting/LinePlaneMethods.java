@@ -21,7 +21,8 @@ final class LinePlaneMethods {
                                 "n·(p₁ + μ·p*) = c",
                                 "6 multiplications, 8 additions and a division per line",
                                 "a parallel line, where n·p* is 0 and μ no number; a nearly"
-                                        + " parallel one; products beyond 10³⁰⁸ or below 10⁻³⁰⁸",
+                                        + " parallel one; products beyond 10³⁰⁸ or below 10⁻³⁰⁸;"
+                                        + " rounding takes a point at p₂ beyond it",
                                 COURSE),
                         new TextbookMeeting()),
                 new Method<>(
@@ -32,7 +33,7 @@ final class LinePlaneMethods {
                                 "6 multiplications, 8 additions and a division per line, and"
                                         + " changes of exponents",
                                 "a nearly parallel line, where the products cancel; a parallel one"
-                                        + " is refused",
+                                        + " is refused; rounding takes a point at p₂ beyond it",
                                 COURSE),
                         new CheckedMeeting()),
                 new Method<>(

@@ -13,8 +13,10 @@ import rasterlab.engine.study.Workload;
 /**
  * Where a line meets a plane.
  *
- * <p>The error is that of μ, over μ itself where it is above 1. Up to 8·2⁻⁵³ counts as exact, as
- * two sums and a quotient are rounded; up to 10⁻⁹ serves.
+ * <p>The error is that of μ, over μ itself where it is above 1, or that of the common point p₁ +
+ * μ·p*, over the larger of p₁ and μ·p*, if that is more. Up to 8·2⁻⁵³ counts as exact, as two sums
+ * and a quotient are rounded; up to 10⁻⁹ serves. An answer that puts the point behind p₁, between
+ * or beyond p₂ where it is not is not exact, however small its error.
  */
 public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Meetings> {
     private static final double CORRECT = 8 * 0x1p-53;
@@ -50,7 +52,7 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     private static Meetings answers(PlaneAndLines input, LinePlane method) {
         var mu = new double[input.size()];
         Arrays.setAll(mu, i -> input.mu(method, i));
-        return new Meetings(mu);
+        return Meetings.of(mu, input);
     }
 
     @Override
@@ -63,17 +65,17 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
 
     @Override
     public Meetings exact(PlaneAndLines input, int limit) {
-        return answers(input, new ExactMeeting()).first(limit);
+        return ExactMeeting.all(input).first(limit);
     }
 
     @Override
     public Deviation compare(PlaneAndLines input, Meetings exact, Meetings actual) {
-        return exact.deviation(actual);
+        return exact.deviation(input, actual);
     }
 
     @Override
     public boolean correct(Deviation deviation) {
-        return deviation.worst() <= CORRECT;
+        return deviation.worst() <= CORRECT && deviation.missing() == 0 && deviation.extra() == 0;
     }
 
     @Override

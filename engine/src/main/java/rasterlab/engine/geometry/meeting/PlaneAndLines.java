@@ -57,6 +57,14 @@ public record PlaneAndLines(
         return new Line(vector(from[index]), vector(through[index]));
     }
 
+    /** The same where its points are no farther apart than a double tells. */
+    Optional<Line> lineWithin(int index) {
+        double apart = 0;
+        for (int axis = 0; axis < 3; axis++)
+            apart += Math.abs(through[index][axis] - from[index][axis]);
+        return apart > 0 && Double.isFinite(apart) ? Optional.of(line(index)) : Optional.empty();
+    }
+
     int size() {
         return from.length;
     }

@@ -9,14 +9,18 @@ import rasterlab.engine.geometry.Finite;
  * n·p₁) / (n·p₂ − n·p₁) where a point a of the plane is known.
  *
  * <p>Only the two sums and their quotient are rounded, so μ is off by at most 4·2⁻⁵³ of itself and
- * n·p* is 0 exactly where the line is parallel. All coordinates of one kind are multiplied by one
- * power of two, which leaves μ as it is; those not 0 have to be within 2⁴⁰⁰ of the largest, so that
- * every product's error is a double.
+ * n·p* is 0 exactly where the line is parallel. Where rounding would take μ across 0 or 1, it stays
+ * on its side: whether the point is behind p₁, between or beyond p₂ is told without error. All
+ * coordinates of one kind are multiplied by one power of two, which leaves μ as it is; those not 0
+ * have to be within 2⁴⁰⁰ of the largest, so that every product's error is a double.
  */
 final class UnroundedMeeting implements LinePlane {
     private static final double SMALLEST_PART = 0x1p-400;
     private static final double SMALLEST_C = 0x1p-900;
     private static final double LARGEST_C = 0x1p900;
+
+    /** More than μ is off by where it is about 1. */
+    private static final double NEAR_1 = 0x1p-50;
 
     @Override
     public double meetsThrough(double[] normal, double[] point, double[] from, double[] through) {
@@ -77,7 +81,13 @@ final class UnroundedMeeting implements LinePlane {
                     "line must not be parallel to the plane, but n·p* is 0");
         double mu = rise.value() / slope.value();
         Finite.require("μ", mu);
-        return mu;
+        int side = rise.sign() * slope.sign();
+        if (side < 0) return Math.min(mu, -Double.MIN_VALUE);
+        if (side == 0 || Math.abs(mu - 1) > NEAR_1) return mu;
+        var beyond = new Expansion(24);
+        beyond.subtract(slope);
+        beyond.add(rise);
+        return beyond.sign() * slope.sign() > 0 ? Math.max(mu, Math.nextUp(1.0)) : Math.min(mu, 1);
     }
 
     private static double largest(double[] xyz) {

@@ -48,7 +48,18 @@ final class LinePlaneMutants implements Mutants<LinePlane> {
                 new Mutant<>(
                         "the plane's point is rounded into c",
                         "plane-far-away",
-                        (n, c, p, q) -> RIGHT.meets(n, c, p, q)));
+                        (n, c, p, q) -> RIGHT.meets(n, c, p, q)),
+                new Mutant<>(
+                        "μ is kept to sixteen places, and with it the point",
+                        "point-near-the-start",
+                        (n, c, p, q) -> {
+                            double mu = RIGHT.meets(n, c, p, q);
+                            return Math.abs(mu) < 1e-16 ? 0 : mu;
+                        }),
+                new Mutant<>(
+                        "the second point counts as beyond",
+                        "at-the-second-point",
+                        new BeyondAtOnce()));
     }
 
     private static double at(double[] n, double[] p) {
@@ -58,5 +69,22 @@ final class LinePlaneMutants implements Mutants<LinePlane> {
     /** n·(q − p). */
     private static double slope(double[] n, double[] p, double[] q) {
         return n[0] * (q[0] - p[0]) + n[1] * (q[1] - p[1]) + n[2] * (q[2] - p[2]);
+    }
+
+    /** What is right but for μ = 1, of which it makes a little more. */
+    private static final class BeyondAtOnce implements LinePlane {
+        @Override
+        public double meets(double[] n, double c, double[] p, double[] q) {
+            return beyond(RIGHT.meets(n, c, p, q));
+        }
+
+        @Override
+        public double meetsThrough(double[] n, double[] a, double[] p, double[] q) {
+            return beyond(RIGHT.meetsThrough(n, a, p, q));
+        }
+
+        private static double beyond(double mu) {
+            return mu == 1 ? Math.nextUp(mu) : mu;
+        }
     }
 }
