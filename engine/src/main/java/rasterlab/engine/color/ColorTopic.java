@@ -9,6 +9,7 @@ import rasterlab.contract.ColorModel;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -67,7 +68,10 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
         for (ColorModel to : ColorModel.values()) {
             var all = new double[count * to.size()];
             for (int i = 0; i < count; i++) {
-                double[] one = method.convert(colors.model(), colors.colour(i), to);
+                double[] given = colors.colour(i);
+                double[] one = method.convert(colors.model(), given, to);
+                double[] again = method.convert(colors.model(), colors.colour(i), to);
+                SharedAnswer.requireNew(one, given, again);
                 if (one.length != to.size())
                     throw new IllegalStateException(
                             "%s has %d numbers, the method gave %d"

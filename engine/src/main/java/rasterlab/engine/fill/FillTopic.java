@@ -2,8 +2,6 @@ package rasterlab.engine.fill;
 
 import java.util.List;
 import java.util.Map;
-import rasterlab.contract.PixelGrid;
-import rasterlab.contract.Pixels;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelPredicate;
@@ -19,9 +17,9 @@ import rasterlab.engine.study.Workload;
 /**
  * Filling a region from a seed; an output is the pixels written, in their order.
  *
- * <p>A fill that leaves pixels out or writes others is wrong; one that writes pixels of the region
- * again is degraded: its picture is right. A pixel that is given another colour than the new one is
- * not filled.
+ * <p>A fill that leaves pixels out or writes others, in whatever colour, is wrong; one that writes
+ * pixels of the region again is degraded: its picture is right. A pixel of the region that is given
+ * another colour than the new one is not filled.
  */
 public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecording> {
     private static final int MOST_ITEMS = 1_000_000;
@@ -52,7 +50,7 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     @Override
     public PixelRecording run(SeedFiller method, FillTask task, int limit) {
         var recording = new PixelRecording(limit);
-        var picture = new OneColour(new TextPicture(task.rows()), task.with(), recording);
+        var picture = new FilledPicture(new TextPicture(task.rows()), task, recording);
         method.fill(picture, task.x(), task.y(), task.with(), task.connectivity());
         return recording;
     }
@@ -65,7 +63,7 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
         long pixels = (long) text.width() * text.height();
         var sample = new SampledPixels(part(task), 2 * pixels, limit);
         method.fill(
-                new OneColour(text, task.with(), sample),
+                new FilledPicture(text, task, sample),
                 task.x(),
                 task.y(),
                 task.with(),
@@ -102,30 +100,6 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     @Override
     public long spend(SeedFiller method, FillTask task) {
         return watched(method, task).writes();
-    }
-
-    /** A picture that reports what is written in one colour. */
-    private record OneColour(PixelGrid picture, int colour, Pixels onWrite) implements PixelGrid {
-        @Override
-        public int width() {
-            return picture.width();
-        }
-
-        @Override
-        public int height() {
-            return picture.height();
-        }
-
-        @Override
-        public int read(int x, int y) {
-            return picture.read(x, y);
-        }
-
-        @Override
-        public void write(int x, int y, int with) {
-            if (with == colour) onWrite.plot(x, y);
-            picture.write(x, y, with);
-        }
     }
 
     private static WatchedPicture watched(SeedFiller method, FillTask task) {

@@ -119,6 +119,11 @@ final class LineHazards {
                         new Segment(20_000_001, 30_000_003, 20_000_041, 30_000_020),
                         Map.of(NAIVE, DEGRADED, FLOAT, WRONG, PASCAL, DEGRADED)),
                 hazard(
+                        "beyond-2-24",
+                        "Twice as many pixels as a float counts; the last are looked at, too.",
+                        new Segment(-20_000_000, -1_000_000, 13_554_432, 11_345_678),
+                        Map.of("naive", REFUSED, FLOAT, WRONG, "dda", REFUSED, "wu", REFUSED)),
+                hazard(
                         "beyond-2-30",
                         "Ends beyond ±2³⁰: differences and their doubles overflow an int.",
                         new Segment(-1_200_000_000, -1_100_000_000, 1_200_000_000, 1_090_000_000),

@@ -9,11 +9,12 @@ import rasterlab.engine.study.LimitReached;
  * The pixels by which a line is judged that has too many to keep: stretches of it, evenly spread
  * from its first pixel to its last, counted as they come.
  *
- * <p>Of a line of more than {@value #MOST_DRAWN} pixels only so many are drawn.
+ * <p>A line of more than {@value #MOST_DRAWN} pixels would take too long: only so many are drawn
+ * from its beginning, and what follows is not judged.
  */
 final class LineSample implements Pixels {
-    /** 2²⁴, which takes some hundredths of a second. */
-    static final long MOST_DRAWN = 1 << 24;
+    /** 2²⁶, which takes some tenths of a second: beyond all whole numbers that a float has. */
+    static final long MOST_DRAWN = 1 << 26;
 
     private static final int STRETCHES = 16;
     private static final int LENGTH = 1_000;

@@ -14,7 +14,7 @@ final class Verdicts {
             Throwable cause = threw.cause();
             if (cause instanceof LimitReached)
                 return verdict(Verdict.Kind.ENDLESS, "it " + cause.getMessage());
-            if (cause instanceof InputChanged)
+            if (cause instanceof InputChanged || cause instanceof SharedAnswer)
                 return verdict(Verdict.Kind.WRONG, cause.getMessage());
             if (cause instanceof IllegalArgumentException && cause.getMessage() != null)
                 return verdict(Verdict.Kind.REFUSED, cause.getMessage());

@@ -7,6 +7,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -17,6 +18,8 @@ import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.geometry.meeting.LinePlaneTopic;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.texture.filter.FilterTopic;
+import rasterlab.engine.texture.filter.FilteredPixels;
 import rasterlab.engine.transform.axis.AxisTopic;
 
 /** Inputs that went wrong once, with answers found by hand. */
@@ -113,6 +116,15 @@ class KnownBordersTest {
         double[] normal = numbers("0.1 0.3 0.7");
         double[] point = {x, 0, 0};
         assertEquals(mu, unrounded.meetsThrough(normal, point, from, through), 1e-9 * mu);
+    }
+
+    /** Half of it shows row 0, half of it row 1, of which a third is white. */
+    @Test
+    void theReferenceOfAFootprintAsThinAsRoundingHalvesIt() {
+        int[] argb = {0, 0, 0, -1, 0, 0};
+        double[] footprint = {0, 0, 3, 0, 0, 5.611686041902098E-14};
+        double[] levels = new FilterTopic().exact(new FilteredPixels(3, 2, argb, footprint), 1);
+        assertArrayEquals(new double[] {42.5, 42.5, 42.5, 42.5}, levels, 1e-9);
     }
 
     static Stream<Arguments> turns() {

@@ -45,7 +45,14 @@ final class LinePlaneBorders {
         int products = Math.getExponent(normal) + Math.getExponent(largest(points));
         return message.startsWith("c must be")
                 && input.point().length == 0
-                && Math.abs(Math.getExponent(input.c()) - products) >= 898;
+                && Math.abs(exponent(input.c()) - products) >= 898;
+    }
+
+    /** That of a subnormal number too. */
+    private static int exponent(double number) {
+        return Math.getExponent(number) < Double.MIN_EXPONENT
+                ? Math.getExponent(number * 0x1p60) - 60
+                : Math.getExponent(number);
     }
 
     private static double largest(double[] numbers) {

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Mutants;
 /** Colours written in another model with one mistake. */
 final class ColorMutants implements Mutants<ColorConverter> {
     private static final ColorConverter RIGHT = new FormulaColors();
+    private static final double[] BLACK = {0, 0, 0};
 
     @Override
     public List<Mutant<ColorConverter>> all() {
@@ -34,7 +35,23 @@ final class ColorMutants implements Mutants<ColorConverter> {
                 new Mutant<>(
                         "what is nearly grey is grey", "nearly-grey", ColorMutants::nearlyGrey),
                 new Mutant<>("0 of 0 inks for black", "black", ColorMutants::blackByDivision),
-                new Mutant<>("shares are cut to bytes", "between-levels", ColorMutants::bytes));
+                new Mutant<>("shares are cut to bytes", "between-levels", ColorMutants::bytes),
+                new Mutant<>(
+                        "black hands out a constant",
+                        "black",
+                        (from, components, to) -> {
+                            double[] right = RIGHT.convert(from, components, to);
+                            return to == ColorModel.RGB && Arrays.equals(right, BLACK)
+                                    ? BLACK
+                                    : right;
+                        }),
+                new Mutant<>(
+                        "what it is asked to leave as it is comes back itself",
+                        "to-itself",
+                        (from, components, to) -> {
+                            double[] right = RIGHT.convert(from, components, to);
+                            return Arrays.equals(right, components) ? components : right;
+                        }));
     }
 
     private static double[] negativeHues(ColorModel from, double[] components, ColorModel to) {

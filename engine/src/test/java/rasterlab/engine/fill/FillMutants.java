@@ -42,7 +42,16 @@ final class FillMutants implements Mutants<SeedFiller> {
                             if (picture.read(x, y) != with)
                                 spread(picture, x, y, with, of(connectivity), true);
                         }),
-                new Mutant<>("the hole is filled, too", "hole", FillMutants::withHoles));
+                new Mutant<>("the hole is filled, too", "hole", FillMutants::withHoles),
+                new Mutant<>(
+                        "the outline gets a colour of its own",
+                        "hole",
+                        (picture, x, y, with, connectivity) -> {
+                            fill(picture, x, y, with, of(connectivity));
+                            for (int v = 0; v < picture.height(); v++)
+                                for (int u = 0; u < picture.width(); u++)
+                                    if (picture.read(u, v) == '#') picture.write(u, v, '+');
+                        }));
     }
 
     private static int[][] of(int connectivity) {

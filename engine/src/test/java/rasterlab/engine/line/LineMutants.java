@@ -37,7 +37,8 @@ final class LineMutants implements Mutants<LineRasterizer> {
                         }),
                 new Mutant<>(
                         "products in 32 bits", "products-beyond-int", LineMutants::productsInInt),
-                new Mutant<>("slope in 16.16 bits", "long", LineMutants::fixedPoint),
+                new Mutant<>(
+                        "steps are counted by a float", "beyond-2-24", LineMutants::countedByFloat),
                 new Mutant<>(
                         "coordinates pass through floats",
                         "far-away",
@@ -84,16 +85,22 @@ final class LineMutants implements Mutants<LineRasterizer> {
             }
     }
 
-    private static void fixedPoint(int x0, int y0, int x1, int y1, Pixels out) {
-        int n = x1 - x0;
-        int b = y1 - y0;
-        if (b < 0 || b > n || n == 0 || n > 1 << 20) {
-            RIGHT.draw(x0, y0, x1, y1, out);
-            return;
-        }
-        long slope = ((long) b << 16) / n;
-        long y = ((long) y0 << 16) + (1 << 15) - 1;
-        for (int i = 0; i <= n; i++, y += slope) out.plot(x0 + i, (int) (y >> 16));
+    /** Beyond 2²⁴ a float plus 1 is itself: the pixel is drawn again and again. */
+    private static void countedByFloat(int x0, int y0, int x1, int y1, Pixels out) {
+        var count = new float[1];
+        var last = new int[2];
+        RIGHT.draw(
+                x0,
+                y0,
+                x1,
+                y1,
+                (x, y) -> {
+                    boolean moves = count[0] + 1 > count[0];
+                    if (moves) last[0] = x;
+                    if (moves) last[1] = y;
+                    out.plot(last[0], last[1]);
+                    count[0]++;
+                });
     }
 
     /** The mirror image of a line's mirror image, whose ties go the other way. */

@@ -1,6 +1,7 @@
 package rasterlab.engine.light.shade;
 
 import java.math.BigDecimal;
+import rasterlab.contract.Attenuation;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.contract.Reflection;
@@ -74,12 +75,18 @@ public final class FormulaShader implements PointShader, TermShader {
     }
 
     private static double attenuation(LitPoint point) {
-        double factor = point.light().attenuation().factor(point.distance());
+        var attenuation = point.light().attenuation();
+        double factor = attenuation.factor(point.distance());
         if (factor == Double.POSITIVE_INFINITY)
             throw new IllegalArgumentException(
-                    "distance must be above 0 where the attenuation has no constant, got "
-                            + point.distance());
+                    "constant + linear·d + quadratic·d² must be above 5.6e-309, got %s at distance %s"
+                            .formatted(divisor(attenuation, point.distance()), point.distance()));
         return factor;
+    }
+
+    /** A divisor that is not above 5.6·10⁻³⁰⁹ makes of 1 more than the largest double. */
+    private static double divisor(Attenuation of, double distance) {
+        return of.constant() + distance * (of.linear() + distance * of.quadratic());
     }
 
     private static double cone(SpotCone cone, double[] l) {

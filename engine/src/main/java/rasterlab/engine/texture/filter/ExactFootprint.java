@@ -87,8 +87,10 @@ final class ExactFootprint {
         double twice = 0;
         for (int k = 0; k < part.length; k += 2) {
             int next = (k + 2) % part.length;
-            // Relative to the texel, or far texels' areas lose their digits.
-            twice += (part[k] - i) * (part[next + 1] - j) - (part[next] - i) * (part[k + 1] - j);
+            // Relative to a corner, or areas far away or as thin as rounding lose their digits.
+            twice +=
+                    (part[k] - part[0]) * (part[next + 1] - part[1])
+                            - (part[next] - part[0]) * (part[k + 1] - part[1]);
         }
         return Math.abs(twice) / 2;
     }

@@ -8,6 +8,7 @@ import rasterlab.contract.MatrixFormula;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -52,7 +53,13 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
 
     @Override
     public double[][] run(MatrixFormula method, MatrixCall call, int limit) {
-        return method.rows(call.name(), call.parameters());
+        double[] given = call.parameters();
+        double[][] rows = method.rows(call.name(), given);
+        double[][] again = method.rows(call.name(), call.parameters());
+        SharedAnswer.requireNew(rows, given, again);
+        for (int i = 0; rows != null && again != null && i < rows.length; i++)
+            SharedAnswer.requireNew(rows[i], given, i < again.length ? again[i] : null);
+        return rows;
     }
 
     @Override

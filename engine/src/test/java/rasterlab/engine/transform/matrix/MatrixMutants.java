@@ -1,6 +1,8 @@
 package rasterlab.engine.transform.matrix;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.MatrixFormula;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Mutants;
@@ -8,6 +10,10 @@ import rasterlab.engine.study.Mutants;
 /** Matrices written down with one mistake. */
 final class MatrixMutants implements Mutants<MatrixFormula> {
     private static final MatrixFormula RIGHT = new NamedFormula();
+
+    /** Matrices without parameters by their names. */
+    private final Map<String, double[][]> kept = new HashMap<>();
+
     private static final MatrixFormula PRINTED = new AppendixFormula();
 
     @Override
@@ -21,7 +27,14 @@ final class MatrixMutants implements Mutants<MatrixFormula> {
                 new Mutant<>("DIMETRIC's angles exchanged", "dimetric", printed("DIMETRIC")),
                 new Mutant<>("ROTAXIS moves its axis", "axis", printed("ROTAXIS")),
                 new Mutant<>("ROTAXIS divides by d = 0", "axis-along-z", MatrixMutants::byZero),
-                new Mutant<>("angles in float", "huge-angle", MatrixMutants::anglesInFloat));
+                new Mutant<>("angles in float", "huge-angle", MatrixMutants::anglesInFloat),
+                new Mutant<>(
+                        "a matrix without parameters is handed out, not copied",
+                        "dimetric",
+                        (name, parameters) ->
+                                parameters.length == 0
+                                        ? kept.computeIfAbsent(name, RIGHT::rows)
+                                        : RIGHT.rows(name, parameters)));
     }
 
     /** One matrix as the appendix of the course's text has it. */
