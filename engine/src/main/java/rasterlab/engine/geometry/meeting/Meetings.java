@@ -1,7 +1,6 @@
 package rasterlab.engine.geometry.meeting;
 
 import java.util.Arrays;
-import java.util.Locale;
 import java.util.Optional;
 import rasterlab.engine.geometry.Line;
 import rasterlab.engine.geometry.Vector;
@@ -100,14 +99,10 @@ public final class Meetings {
     private Optional<String> difference(int line, Meetings actual, double error, boolean both) {
         if (both && parts[line] != actual.parts[line])
             return Optional.of(
-                    "line %d is met %s its points, not %s"
-                            .formatted(line, said(parts[line]), said(actual.parts[line])));
+                    "line %d has μ %s, in another part of the line than %s"
+                            .formatted(line, mu[line], actual.mu[line]));
         if (error == 0) return Optional.empty();
         return Optional.of("line " + line + " has μ " + mu[line] + ", got " + actual.told(line));
-    }
-
-    private static String said(Line.Part part) {
-        return part.name().toLowerCase(Locale.ROOT);
     }
 
     private String told(int line) {
