@@ -14,7 +14,7 @@ public enum SourceEncoding {
                     + " 'Save with Encoding', in IntelliJ IDEA click it and choose 'Convert',"
                     + " in Notepad choose 'Save as' and the encoding UTF-8";
 
-    /** Of ten bytes beyond ASCII, those that stand in words; signs and one-letter words are few. */
+    /** Bytes beyond ASCII, of ten, that stand in words; signs and one-letter words are few. */
     private static final int IN_WORDS_OF_TEN = 7;
 
     public static SourceEncoding of(byte[] bytes) {

@@ -63,7 +63,7 @@ public final class FileDrop extends TransferHandler {
                 : Optional.empty();
     }
 
-    /** Of the nearest component around that one that has any. */
+    /** The one of the nearest component around that has any. */
     private static Optional<FileDrop> around(Component inner) {
         for (Container each = inner.getParent(); each != null; each = each.getParent())
             if (each instanceof JComponent part

@@ -8,7 +8,7 @@ public final class LargeType {
 
     private LargeType() {}
 
-    /** Of components that are made now. On the event thread. */
+    /** Whether components that are made now have large type. On the event thread. */
     public static boolean now() {
         return UIScale.getUserScaleFactor() >= LEAST;
     }

@@ -12,7 +12,7 @@ import javax.swing.UIManager;
  * @param folder empty before a file is chosen
  */
 public record LastChosen(Optional<Path> folder, PictureForm form) {
-    /** Of a first run. */
+    /** The choice of a first run. */
     public static final LastChosen NONE = new LastChosen(Optional.empty(), PictureForm.PNG);
 
     private static final String KEY = "Rasterlab.lastChosen";

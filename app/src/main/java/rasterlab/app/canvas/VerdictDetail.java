@@ -12,7 +12,7 @@ import rasterlab.app.language.Texts;
 public final class VerdictDetail {
     private static final Pattern PLACE = Pattern.compile("\\((-?\\d+), (-?\\d+)\\)");
 
-    /** Of a method that does not end: how many of what it gave, and how many are right. */
+    /** A method does not end: how many of what it gave, and how many are right. */
     private static final Pattern ENDLESS =
             Pattern.compile("still going after (\\d+) (.+) where (\\d+) are right");
 
@@ -63,7 +63,7 @@ public final class VerdictDetail {
                                         .replace("$3", found.group(3)));
     }
 
-    /** Of each place three groups are found: itself and its two numbers. */
+    /** Puts in the places; three groups are found of each: itself and its two numbers. */
     private static String inWords(String text, MatchResult found, BinaryOperator<String> point) {
         String words = text;
         for (int i = 0; 3 * i < found.groupCount(); i++)

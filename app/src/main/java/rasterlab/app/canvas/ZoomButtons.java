@@ -16,7 +16,7 @@ import rasterlab.app.language.Texts;
 public final class ZoomButtons extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Of one press, or of one notch of the wheel. */
+    /** Zoom factor of one press, or of one notch of the wheel. */
     private static final double FACTOR = 1.25;
 
     private static final int EDGE = 8;

@@ -37,7 +37,8 @@ final class LabCommand implements Callable<Integer> {
     @Spec private CommandSpec spec;
 
     /**
-     * Of every command; what it says is known before the words are read, so this checks it only.
+     * The option of every command; what it says is known before the words are read, so this checks
+     * it only.
      */
     @Option(
             names = LANGUAGE,

@@ -54,7 +54,7 @@ final class SceneArgument {
                     "of a scene file: takes the scene, not what the file says about drawing it")
     private boolean sceneOnly;
 
-    /** Of the command that this is an argument of. */
+    /** The command that this is an argument of. */
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
 

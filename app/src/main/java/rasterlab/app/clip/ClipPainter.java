@@ -186,7 +186,9 @@ final class ClipPainter {
         }
     }
 
-    /** Of a region's code: less than the ink, yet to be read on the ground and in the window. */
+    /**
+     * Color of a region's code: less than the ink, yet to be read on the ground and in the window.
+     */
     static Color code(StageColours colours) {
         return MethodColours.mix(colours.axis(), colours.ink(), 0.5);
     }

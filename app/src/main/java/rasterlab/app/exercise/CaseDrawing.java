@@ -84,7 +84,7 @@ record CaseDrawing(
                                 other.getHeight()));
     }
 
-    /** Of the picture for each pixel; 0 where it is no enlargement of these with a frame. */
+    /** Dots of the picture for each pixel; 0 where it is no enlargement of these with a frame. */
     private static int dots(Dimension pixels, BufferedImage picture) {
         int dots = (picture.getWidth() - 1) / Math.max(1, pixels.width);
         boolean enlarged =

@@ -35,7 +35,7 @@ final class CaseTable extends JTable {
     private static final Set<GradingVerdict> SHORTEST =
             EnumSet.of(GradingVerdict.OK, GradingVerdict.WRONG);
 
-    /** Of a whole submission only. */
+    /** Verdicts that only a whole submission has. */
     static final Set<GradingVerdict> OF_NO_CASE =
             EnumSet.of(
                     GradingVerdict.COMPILE_ERROR, GradingVerdict.REFUSED, GradingVerdict.INTERNAL);
@@ -113,7 +113,7 @@ final class CaseTable extends JTable {
         return verdict.isEmpty() ? "–" : GradingVerdict.word(verdict, texts.locale().getLanguage());
     }
 
-    /** Of a column with its head. */
+    /** Width of a column with its head. */
     private int widest(int column) {
         var metrics = getFontMetrics(getFont());
         int widest = metrics.stringWidth(column == 0 ? "✓" : head(column));

@@ -102,7 +102,7 @@ record NamedPictures(List<Rectangle> places, Font type) {
             return Optional.empty();
         }
 
-        /** Of all columns with pictures of that width, without the gaps. */
+        /** Width of all columns with pictures of that width, without the gaps. */
         private int width(int columns, Font worn, int picture) {
             return IntStream.range(0, columns)
                     .map(column -> Math.max(picture, nameWidth(column, columns, worn)))
@@ -151,7 +151,7 @@ record NamedPictures(List<Rectangle> places, Font type) {
             return room.width - wanted.gap() * (columns - 1);
         }
 
-        /** Of a picture. */
+        /** Size of a picture. */
         private Dimension size() {
             int across = wanted.raster().width;
             int down = wanted.raster().height;

@@ -69,7 +69,7 @@ record Outcome(
                 .findFirst();
     }
 
-    /** Of the cases that went wrong and can be drawn, the one with the smallest picture. */
+    /** The case with the smallest picture of those that went wrong and can be drawn. */
     Optional<TriedCase> smallestCounterexample() {
         return cases.stream()
                 .filter(one -> !one.right() && one.pictures().isPresent())

@@ -45,7 +45,7 @@ final class ResultPane extends JPanel {
     private final transient RoomsKept kept;
     private transient Optional<Outcome> shown = Optional.empty();
 
-    /** Of the exercise that is shown; "" before one is. */
+    /** The exercise that is shown; "" before one is. */
     private String exercise = "";
 
     /**

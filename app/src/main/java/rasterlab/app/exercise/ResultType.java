@@ -20,10 +20,10 @@ final class ResultType {
 
     private static final int WIDE_ABOVE = 36;
 
-    /** Of the type of labels: that much smaller it may be for more cases. */
+    /** Share of the size of labels that the type may shrink to for more cases. */
     private static final float NEARLY = 0.85f;
 
-    /** Of the type of labels. */
+    /** Smallest share of the size of labels. */
     private static final float LEAST = 0.6f;
 
     private ResultType() {}

@@ -22,7 +22,7 @@ final class RoomsKept {
         }
     }
 
-    /** Of the room before the divider of that name, from 0 to 1. */
+    /** Share of the room before the divider of that name, from 0 to 1. */
     double share(String divider, double usual) {
         return shares.getOrDefault(divider, usual);
     }

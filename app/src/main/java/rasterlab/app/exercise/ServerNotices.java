@@ -20,12 +20,12 @@ final class ServerNotices {
 
     private ServerNotices() {}
 
-    /** Of handing a source in. */
+    /** The notice of a source that could not be handed in. */
     static Notice of(URI server, IOException failure) {
         return told("server", server, failure);
     }
 
-    /** Of joining a course: what of the form is to be typed anew, and why. */
+    /** The answer to joining a course: what of the form is to be typed anew, and why. */
     static JoinAnswer joining(URI server, IOException failure) {
         String address = server.toString();
         if (failure instanceof ServerRefusal refusal) {

@@ -73,7 +73,7 @@ record Legend(List<Entry> entries) {
         }
     }
 
-    /** Of a curve and of its sample. */
+    /** Stroke of a curve and of its sample. */
     static BasicStroke stroke(boolean dashed) {
         return dashed
                 ? new BasicStroke(1.2f, 1, 1, 10f, new float[] {5f, 4f}, 0f)

@@ -28,12 +28,12 @@ record MarkPlaces(int width, int height) {
         return within(frame().toPixelY((0.5 - mark) * PictureFit.NATURAL_HEIGHT), height);
     }
 
-    /** Of the mark that is shown there; a place beside the picture is its edge. */
+    /** Place of the mark that is shown there; one beside the picture is its edge. */
     double markX(double x) {
         return 0.5 + frame().toPlaneX(within(x, width)) / PictureFit.NATURAL_WIDTH;
     }
 
-    /** Of the mark that is shown there; a place beside the picture is its edge. */
+    /** Place of the mark that is shown there; one beside the picture is its edge. */
     double markY(double y) {
         return 0.5 - frame().toPlaneY(within(y, height)) / PictureFit.NATURAL_HEIGHT;
     }

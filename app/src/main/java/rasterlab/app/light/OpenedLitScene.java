@@ -148,7 +148,10 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
         return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
     }
 
-    /** Of what is no scene by its name, only what stands in a scene's place is told. */
+    /**
+     * The view in a file; where its name is no scene's, only what stands in a scene's place is
+     * told.
+     */
     private static SceneView view(Path file) {
         if (lowerCase(file).endsWith(".json")) return SceneText.view(file);
         try {

@@ -69,7 +69,7 @@ final class FigureReadings {
                 : texts.text("missing.later");
     }
 
-    /** Of the pixels that are lit so far. */
+    /** Counts those extra among the pixels that are lit so far. */
     String extra() {
         if (!compared()) return NONE;
         return texts.text("pixels", drawing.extra().among(state.step()));

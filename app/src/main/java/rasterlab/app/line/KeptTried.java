@@ -16,7 +16,7 @@ import rasterlab.engine.raster.Plotted;
  * @param cut whether the program plotted on
  */
 record KeptTried(Segment segment, String right, boolean wrong, List<Integer> places, boolean cut) {
-    /** Of a program that plotted more, the first are kept. */
+    /** Pixels that are kept; the first of a program that plotted more. */
     static final int MOST = 4 * LineDrawing.LIMIT;
 
     private static final KeptTried NOTHING =

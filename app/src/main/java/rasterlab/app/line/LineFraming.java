@@ -16,7 +16,7 @@ final class LineFraming {
     /** Pixels shown at least, so that a single point does not fill the stage. */
     private static final int LEAST = 14;
 
-    /** Of a segment too long to draw, this many pixels around end A are shown. */
+    /** Pixels around end A that are shown of a segment too long to draw. */
     private static final int NEIGHBOURHOOD = 24;
 
     /** Pixels of a program are shown so far beside the segment, or as far as that is long. */

@@ -109,7 +109,7 @@ final class LineReadings {
         return texts.text("other.later", other.marks().extraCount(step));
     }
 
-    /** Of a program that was cut only the first pixels are compared. */
+    /** Counts what is wrong; only the first pixels of a program that was cut are compared. */
     private String wrong(PixelDifference difference) {
         int missing = difference.missing().size();
         int extra = difference.extra().size();

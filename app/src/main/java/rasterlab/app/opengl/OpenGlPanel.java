@@ -69,7 +69,7 @@ public final class OpenGlPanel extends LabPanel {
         unsubscribe = model.listen(state -> refresh());
     }
 
-    /** Of the software picture; empty before there is one. */
+    /** The command of the software picture; empty before there is one. */
     private Optional<String> command() {
         OpenGlLabState state = model.state();
         return state.pictures()

@@ -28,7 +28,7 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
         return pixels.count();
     }
 
-    /** Of a grey picture, as those of all hazards are. */
+    /** Writes a grey picture, as those of all hazards are. */
     @Override
     String json(FilteredPixels pixels) {
         var rows = new StringJoiner(", ", "[", "]");

@@ -56,7 +56,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     }
 
     /**
-     * Of the depths that buffers store.
+     * The model of the depths that buffers store.
      *
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what an answer threw, on any thread
@@ -66,7 +66,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     }
 
     /**
-     * Of textures: where they are looked up, and how they are filtered.
+     * The model of textures: where they are looked up, and how they are filtered.
      *
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what an answer threw, on any thread

@@ -72,7 +72,7 @@ final class RowPainter {
         scene.image().filter(image -> plan.column() > 0).ifPresent(this::pictures);
     }
 
-    /** Of a band, and of the errors below: all of them and their words fill the stage. */
+    /** Height of a band, and of the errors below: all of them and their words fill the stage. */
     private int high() {
         boolean answered = scene.errors().length > 0;
         int parts = scene.bands().size() + (answered ? 1 : 0);

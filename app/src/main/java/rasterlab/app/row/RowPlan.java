@@ -13,7 +13,7 @@ record RowPlan(int width, int height, boolean pictured) {
     /** The most that the column of pictures takes of the stage. */
     private static final double WIDEST = 0.34;
 
-    /** Of the height, so that two squares and their words fit below each other. */
+    /** Share of the height, so that two squares and their words fit below each other. */
     private static final double HIGHEST = 0.44;
 
     /** Narrower pictures show nothing. */

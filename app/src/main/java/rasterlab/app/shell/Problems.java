@@ -20,7 +20,7 @@ import rasterlab.app.language.Texts;
  * together, as soon as there is one.
  */
 final class Problems implements Consumer<Problem> {
-    /** Of a line that is read easily, and that the smallest window has room for. */
+    /** Length of a line that is read easily, and that the smallest window has room for. */
     private static final int LETTERS = 70;
 
     private final PrintStream err;

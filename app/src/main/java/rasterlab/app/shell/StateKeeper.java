@@ -48,7 +48,7 @@ final class StateKeeper implements AutoCloseable {
 
     private LabSettings lastSettings;
 
-    /** Of the labs that were made by the last look. */
+    /** Choices of the labs that were made by the last look. */
     private Map<String, Object> lastChoices;
 
     /**

@@ -175,7 +175,7 @@ final class CurvePanel extends LabPanel {
             model.remove(number(point));
         }
 
-        /** Of {@code point.N}. */
+        /** The N of {@code point.N}. */
         private static int number(String point) {
             return Integer.parseInt(point.substring(point.indexOf('.') + 1));
         }

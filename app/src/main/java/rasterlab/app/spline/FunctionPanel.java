@@ -187,7 +187,7 @@ final class FunctionPanel extends LabPanel {
             if (!point.equals(LEFT) && !point.equals(RIGHT)) model.remove(number(point));
         }
 
-        /** Of {@code point.N}. */
+        /** The N of {@code point.N}. */
         private static int number(String point) {
             return Integer.parseInt(point.substring(point.indexOf('.') + 1));
         }

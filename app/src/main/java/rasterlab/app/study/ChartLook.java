@@ -22,7 +22,7 @@ public record ChartLook(Color ground, Color ink) {
     public static final int WIDTH = 1000;
     public static final int HEIGHT = 700;
 
-    /** Of files, whatever the window's theme. */
+    /** The look of files, whatever the window's theme. */
     public static final ChartLook PAPER = new ChartLook(Color.WHITE, Color.BLACK);
 
     /** Share of the ink in notes and in grid lines. */
@@ -30,7 +30,7 @@ public record ChartLook(Color ground, Color ink) {
 
     private static final double GRID = 0.25;
 
-    /** Of a stage in those colours. */
+    /** The look of a stage in those colours. */
     public static ChartLook on(StageColours stage) {
         return new ChartLook(stage.ground(), stage.ink());
     }
@@ -69,7 +69,7 @@ public record ChartLook(Color ground, Color ink) {
         chart.accept(graphics);
     }
 
-    /** Of words that explain, and the lines that lead to them. */
+    /** Color of words that explain, and of the lines that lead to them. */
     public Color note() {
         return mixed(NOTE);
     }

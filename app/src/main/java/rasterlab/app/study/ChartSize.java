@@ -8,7 +8,7 @@ package rasterlab.app.study;
  * @param dots of the picture in each unit
  */
 public record ChartSize(int width, int height, double dots) {
-    /** Of files. */
+    /** The size of files. */
     public static final ChartSize USUAL = new ChartSize(ChartLook.WIDTH, ChartLook.HEIGHT, 1);
 
     /** A chart that is smaller, in its own type, is laid out so large and made smaller. */
@@ -17,7 +17,7 @@ public record ChartSize(int width, int height, double dots) {
     private static final int LEAST_HEIGHT = 480;
 
     /**
-     * Of a chart that fills a stage, in type as large as the window's.
+     * The size of a chart that fills a stage, in type as large as the window's.
      *
      * @param width of the stage in view units, at least 1
      * @param height of the stage in view units, at least 1

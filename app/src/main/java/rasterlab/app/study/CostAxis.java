@@ -16,7 +16,7 @@ import rasterlab.engine.study.Measurement;
 record CostAxis(double left, double right) {
     private static final List<Integer> FEW = List.of(1, 2, 5);
 
-    /** Of these many decades on, only powers of ten have a number. */
+    /** Decades from which on only powers of ten have a number. */
     private static final double MANY_DECADES = 3.5;
 
     /** Beyond these many decades, not even each power of ten has one. */

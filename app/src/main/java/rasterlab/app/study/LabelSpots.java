@@ -59,7 +59,7 @@ final class LabelSpots {
     private static final double CROSSES_OVERLAPPING = 60;
     private static final double LEFT_OUT = 3000;
 
-    /** Of a label that is left out. */
+    /** The spot of a label that is left out. */
     static final Spot NOWHERE = new Spot(Optional.empty(), LEFT_OUT, new Rectangle());
 
     private final Rectangle inside;

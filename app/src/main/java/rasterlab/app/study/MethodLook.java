@@ -31,7 +31,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
     private static final List<float[]> DASHES =
             List.of(new float[0], new float[] {8, 4}, new float[] {2, 3}, new float[] {8, 3, 2, 3});
 
-    /** Of lines with a point every 9 pixels, as dashes begin anew at each point. */
+    /** Dashes of lines with a point every 9 pixels, since they begin anew at each point. */
     private static final List<float[]> SHORT_DASHES =
             List.of(new float[0], new float[] {3, 5}, new float[] {2, 2}, new float[] {1, 7});
 

@@ -114,7 +114,7 @@ public final class StudyChart {
         return chart;
     }
 
-    /** Of the methods that have a place on the chart, in teaching order. */
+    /** Looks of the methods that have a place on the chart, in teaching order. */
     private static Map<String, MethodLook> looks(Study study, ChartLook paper) {
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();

@@ -21,7 +21,7 @@ public final class StudyWords {
         workloads = new WorkloadWords(texts);
     }
 
-    /** Of numbers with fractions. */
+    /** The locale of numbers with fractions. */
     Locale locale() {
         return texts.locale();
     }

@@ -43,7 +43,10 @@ final class Html {
         return html.append("</tbody></table></div>\n").toString();
     }
 
-    /** Of the cells of a column of numbers; sentences that reach over several do not count. */
+    /**
+     * The attribute of the cells of a column of numbers; sentences that reach over several do not
+     * count.
+     */
     private static String attribute(List<List<String>> rows, int column) {
         int columns = rows.stream().mapToInt(List::size).max().orElse(0);
         boolean numbers =

@@ -189,7 +189,7 @@ public record TopicView(
         return moved;
     }
 
-    /** Of the corners before the eye; empty where there are none. */
+    /** Mean depth of the corners before the eye; empty where there are none. */
     private static OptionalDouble meanDepth(double[][] polygons) {
         double[] depths =
                 Arrays.stream(polygons)

@@ -20,7 +20,7 @@ public interface ExactSurfaces {
         /** World x; axis 1 is y, 2 is z. */
         double place(int axis);
 
-        /** Of the outward normal, of length 1. */
+        /** A coordinate of the outward normal, of length 1. */
         double normal(int axis);
 
         double textureS();

@@ -6,7 +6,7 @@ public enum VertexQuantity {
     X,
     Y,
     Z,
-    /** Of the outward normal of length 1. */
+    /** Coordinates of the outward normal of length 1. */
     NORMAL_X,
     NORMAL_Y,
     NORMAL_Z,

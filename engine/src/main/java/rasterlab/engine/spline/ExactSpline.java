@@ -30,7 +30,7 @@ final class ExactSpline {
     private final BigDecimal[] secant;
     private final BigDecimal[] curvature;
 
-    /** Of each piece the coefficients of s, s² and s³. */
+    /** Coefficients of s, s² and s³ of each piece. */
     private final BigDecimal[] linear;
 
     private final BigDecimal[] quadratic;

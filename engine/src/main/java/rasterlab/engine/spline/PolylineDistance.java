@@ -17,7 +17,7 @@ final class PolylineDistance {
     private final int last;
     private final double allowed;
 
-    /** Of each run xmin, ymin, xmax, ymax. */
+    /** The xmin, ymin, xmax and ymax of each run. */
     private final double[][] boxes;
 
     private int near;

@@ -14,7 +14,7 @@ interface TexelLoops {
     /** What is left of its bits when they are taken from a sum's is that whole number. */
     int ROUND_BITS = Float.floatToRawIntBits(ROUND);
 
-    /** Of a coordinate's fraction where texels are mixed, as a power of two. */
+    /** Steps of a coordinate's fraction where texels are mixed, as a power of two. */
     int BITS = 22;
 
     /** Where floats are 2⁻²² apart, so that a fraction's whole steps are a sum's lowest bits. */

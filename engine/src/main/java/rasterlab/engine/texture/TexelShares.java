@@ -19,7 +19,7 @@ public final class TexelShares {
         highest = texture.levelCount() - 1;
     }
 
-    /** Of {@link TextureSampler#nearest(double, double)}. */
+    /** Shares of {@link TextureSampler#nearest(double, double)}. */
     public List<TexelShare> nearest(double s, double t) {
         return nearestOf(0, s, t);
     }
@@ -31,7 +31,7 @@ public final class TexelShares {
         return List.of(new TexelShare(number, i, j, 1, level.texel(i, j)));
     }
 
-    /** Of {@link TextureSampler#linear(double, double)}. */
+    /** Shares of {@link TextureSampler#linear(double, double)}. */
     public List<TexelShare> linear(double s, double t) {
         var shares = new ArrayList<TexelShare>();
         addLinear(0, s, t, 1, shares);
@@ -54,12 +54,12 @@ public final class TexelShares {
             }
     }
 
-    /** Of {@link TextureSampler#nearestLevel}. */
+    /** Shares of {@link TextureSampler#nearestLevel}. */
     public List<TexelShare> nearestLevel(double s, double t, double lambda) {
         return nearestOf((int) (within(lambda) + 0.5), s, t);
     }
 
-    /** Of {@link TextureSampler#trilinear(double, double, double)}. */
+    /** Shares of {@link TextureSampler#trilinear(double, double, double)}. */
     public List<TexelShare> trilinear(double s, double t, double lambda) {
         double level = within(lambda);
         int finer = (int) level;

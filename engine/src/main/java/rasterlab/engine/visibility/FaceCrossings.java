@@ -77,7 +77,7 @@ public final class FaceCrossings {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
-    /** Of a vertex from the plane of a face; 0 within the tolerance. */
+    /** Distance of a vertex from the plane of a face; 0 within the tolerance. */
     static double distance(ViewedMesh view, int vertex, int face) {
         double x = view.eyeX[vertex];
         double y = view.eyeY[vertex];

@@ -216,7 +216,7 @@ final class VectorTexels implements TexelLoops {
                     .intoArray(pair, i);
     }
 
-    /** Of two pairs of channels a pair, a share of b and the rest of a. */
+    /** Mixes two pairs of channels into one: a share of b and the rest of a. */
     private static IntVector mixed(IntVector a, IntVector b, IntVector share) {
         return b.sub(a)
                 .mul(share)

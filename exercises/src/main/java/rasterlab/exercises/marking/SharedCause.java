@@ -125,7 +125,7 @@ final class SharedCause {
         return others.stream().noneMatch(call -> call.call().traits().containsAll(traits));
     }
 
-    /** Of a public case: no hidden input may be told. */
+    /** The example of a public case: no hidden input may be told. */
     private Optional<Message> example() {
         return cases.stream()
                 .filter(TriedCase::open)

@@ -33,10 +33,10 @@ data class DoorLimits(
         const val MOST = 1024
         const val LEAST = 16
 
-        /** Of the engine, its storage, the log and the children that grade. */
+        /** Files of the engine, its storage, the log and the children that grade. */
         const val OTHER_FILES = 160
 
-        /** Of one connection: the client's, and both ends of the engine's. */
+        /** Files of one connection: the client's, and both ends of the engine's. */
         const val OWN_FILES = 3
 
         fun mostHere(): Int {

@@ -53,7 +53,7 @@ public record Ink(Role role, String method) {
         return new Ink(Role.METHOD, name);
     }
 
-    /** Of axis 0, 1 or 2. */
+    /** The ink of axis 0, 1 or 2. */
     public static Ink axis(int axis) {
         return new Ink(Role.values()[Role.AXIS_X.ordinal() + axis], "");
     }

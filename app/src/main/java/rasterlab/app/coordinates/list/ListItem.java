@@ -40,7 +40,7 @@ public record ListItem(String name, List<Double> numbers) {
         return name.equals(FREE);
     }
 
-    /** Of the plane 2, of space 3. */
+    /** 2 for a matrix of the plane, 3 for one of space. */
     int dimension() {
         if (free()) return numbers.size() == 9 ? 2 : 3;
         return NamedMatrices.named(name).size() - 1;

@@ -103,7 +103,7 @@ final class DriftChart extends SelfDrawn {
         return getFontMetrics(font).stringWidth(power(LOWEST));
     }
 
-    /** Of the longest of the methods' names. */
+    /** Width of the longest of the methods' names. */
     private int namesWidth(Font font) {
         FontMetrics metrics = getFontMetrics(font.deriveFont(Font.BOLD));
         return drifts.stream().mapToInt(each -> metrics.stringWidth(each.method())).max().orElse(0);

@@ -200,7 +200,7 @@ final class PixelFill {
         batch.slopes.endRun(scan, frame, corners, firstFlat, batch.count);
     }
 
-    /** Of each value what corner a has, and what b and c have more. */
+    /** Finds what corner a has of each value, and what b and c have more. */
     private void findCorners(Scan scan, ScreenVertices v) {
         float qa = v.nearness(scan.a);
         float qb = v.nearness(scan.b);

@@ -13,7 +13,8 @@ final class ScreenVertices {
     static final long X_MASK = 0xFFFFFFFFL;
 
     /**
-     * Of each vertex y and, in the lower half, x, in steps of 1/256 pixel: see {@link Subpixels}.
+     * The y of each vertex and, in the lower half, x, in steps of 1/256 pixel: see {@link
+     * Subpixels}.
      */
     long[] places = new long[0];
 
@@ -21,7 +22,7 @@ final class ScreenVertices {
     short[] code = new short[0];
 
     /**
-     * Of each vertex, {@link #stride} numbers: its depth, 0 at the near plane and 1 at the far
+     * {@link #stride} numbers for each vertex: its depth, 0 at the near plane and 1 at the far
      * plane, and its nearness 1/w, both linear on the picture; then its attributes, what the
      * surface wants, as {@link Frame#attribute} lists it; colours are levels 0 to 255 for surfaces
      * of vertices, else 0 to 1. Those of a mesh are found for needed vertices only.

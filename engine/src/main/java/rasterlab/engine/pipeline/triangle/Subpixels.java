@@ -23,7 +23,7 @@ final class Subpixels {
     /** From the picture's side to its first pixel's centre, in steps, and what rounds to one. */
     static final double ROUND = WholeNumbers.ROUND - ONE / 2.0;
 
-    /** Of the picture, in steps. */
+    /** Half the size of the picture, in steps. */
     final double halfWidth;
 
     final double halfHeight;

@@ -99,7 +99,7 @@ final class TinyBlock {
      */
     final int[] code = new int[SIZE];
 
-    /** Of a box with few pixels, at k·SIZE + i for triangle i: the cell of pixel k. */
+    /** The cell of pixel k of a box with few pixels, at k·SIZE + i for triangle i. */
     final int[] cell = new int[FEW * SIZE];
 
     /** And the weights of b and c, where the pixel is owned. */

@@ -16,7 +16,7 @@ final class VertexStage {
     private final VertexBlock block;
     private final VertexLoops loops;
 
-    /** Of the block's vertices what is transformed: world positions or normals. */
+    /** World positions or normals of the block's vertices, whichever are transformed. */
     private final float[] worldX = new float[VertexBlock.SIZE];
 
     private final float[] worldY = new float[VertexBlock.SIZE];

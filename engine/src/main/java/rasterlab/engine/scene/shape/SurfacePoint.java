@@ -41,7 +41,7 @@ public final class SurfacePoint {
         return z;
     }
 
-    /** Of the outward normal of length 1. */
+    /** Coordinate x of the outward normal of length 1. */
     public double normalX() {
         return normalX;
     }

@@ -135,7 +135,7 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
         return deviation.worst() <= USABLE;
     }
 
-    /** Of a student's method nothing is counted. */
+    /** Operations by name; nothing is counted of a student's method. */
     @Override
     public Map<String, Long> operations(PointTransformer method, Chain chain) {
         return CountingChain.counts(method, chain);

@@ -13,7 +13,7 @@ import org.joml.Matrix4d;
  *     is one
  */
 public record MatrixInverse(String text, Optional<Function<double[], double[]>> cells) {
-    /** Of a matrix that flattens space. */
+    /** The answer for a matrix that flattens space, which has none. */
     static final MatrixInverse NONE = new MatrixInverse("none: it flattens", Optional.empty());
 
     static MatrixInverse space(String text, Function<double[], Matrix4d> formula) {
@@ -21,7 +21,7 @@ public record MatrixInverse(String text, Optional<Function<double[], double[]>> 
                 text, Optional.of(numbers -> formula.apply(numbers).get(new double[16])));
     }
 
-    /** Of turns and reflections: rows and columns exchanged. */
+    /** The inverse of turns and reflections: rows and columns exchanged. */
     static MatrixInverse transpose(Function<double[], Matrix4d> formula) {
         return space("its transpose", numbers -> formula.apply(numbers).transpose());
     }

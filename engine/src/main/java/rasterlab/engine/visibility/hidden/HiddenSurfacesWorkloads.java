@@ -9,7 +9,7 @@ final class HiddenSurfacesWorkloads {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 120;
 
-    /** Of a single triangle: so many cover about as much as the picture has. */
+    /** Reach of a single triangle: so many cover about as much as the picture has. */
     private static final double REACH = 400;
 
     private HiddenSurfacesWorkloads() {}

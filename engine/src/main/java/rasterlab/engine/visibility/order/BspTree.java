@@ -90,7 +90,7 @@ final class BspTree {
         return divider.plane().sides(facet.seen());
     }
 
-    /** Of a few polygons evenly spread over the list the one whose plane cuts the fewest others. */
+    /** The polygon whose plane cuts the fewest others, of a few evenly spread over the list. */
     private Facet chosen(List<Facet> facets) {
         int candidates = Math.min(CANDIDATES, facets.size());
         if (facets.size() <= 2) return facets.get(0);

@@ -30,7 +30,7 @@ final class VectorPlaces {
 
     static final int ROUND_BITS = Float.floatToRawIntBits(ROUND);
 
-    /** Of each place its row and column, {@code row · WIDEST + column}. */
+    /** Row and column of each place, {@code row · WIDEST + column}. */
     private final int[] places = new int[PixelBatch.ROOM];
 
     /** How many are listed. */

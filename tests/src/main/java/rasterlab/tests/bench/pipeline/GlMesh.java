@@ -7,7 +7,7 @@ import rasterlab.engine.scene.VertexQuantity;
 
 /** A mesh in OpenGL's own memory: positions, normals or colours, texture coordinates. */
 final class GlMesh implements AutoCloseable {
-    /** Of each vertex. */
+    /** Numbers of each vertex. */
     private static final int NUMBERS = 8;
 
     private final int array = glGenVertexArrays();
