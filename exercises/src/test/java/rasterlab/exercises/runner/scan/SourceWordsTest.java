@@ -26,6 +26,10 @@ class SourceWordsTest {
                 argumentSet(
                         "a word in a comment counts", "/* exit */ // exit\nexit", List.of("2:1")),
                 argumentSet("a comment ends at a slash", "/*/ exit */ exit", List.of("1:13")),
+                argumentSet(
+                        "any star before a slash ends a comment",
+                        "/* * / exit */ exit",
+                        List.of("1:16")),
                 argumentSet("two stars hide a comment's end", "/***/ exit", List.of("1:7")),
                 argumentSet("a comment sign in a string begins one", "\"/*\" exit", List.of("1:6")),
                 argumentSet(
