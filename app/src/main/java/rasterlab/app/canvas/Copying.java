@@ -45,7 +45,7 @@ public final class Copying {
         this.clipboard = clipboard;
     }
 
-    /** To the clipboard that the system's programs share. */
+    /** The way to the clipboard that the system's programs share. */
     public static Copying toSystem() {
         return SYSTEM;
     }

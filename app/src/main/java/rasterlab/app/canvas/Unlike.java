@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 import rasterlab.app.language.Texts;
 
 /**
- * In what a tab shows a hazard otherwise than it is.
+ * A way in which a tab shows a hazard otherwise than it is.
  *
  * @param parts of the sentence, such as sizes; the texts have them as they are written, and behind
  *     them once more as they are

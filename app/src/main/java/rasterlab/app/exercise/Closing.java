@@ -21,7 +21,7 @@ public final class Closing {
         STAY
     }
 
-    /** Who is asked. */
+    /** The person who is asked. */
     public interface User {
         /**
          * @param unsaved at least one

@@ -218,7 +218,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
         turn(state);
     }
 
-    /** To the result of what begins, and to the words above which it was asked for. */
+    /** Turns to the result of what begins, and to the words above which it was asked for. */
     private void turn(ExerciseState state) {
         if (state.work().running() && !running && !state.joins()) {
             rooms.show(Rooms.Room.RESULT);

@@ -32,7 +32,7 @@ final class StatementFormulas {
         this.language = language;
     }
 
-    /** By the id of the element that has the source. */
+    /** Formulas by the id of the element that has the source. */
     Map<String, Typeset.Drawn> drawn() {
         return Map.copyOf(drawn);
     }

@@ -12,7 +12,7 @@ import rasterlab.engine.scene.SceneLight;
 
 /** The lights of a scene file as lamps of the lab, where they shine the same. */
 final class LampsOfFile {
-    /** By which numbers may differ, as a share, and still be one: they were divided and rounded. */
+    /** Share by which numbers may differ and still be one: they were divided and rounded. */
     private static final double SAME = 1e-9;
 
     private LampsOfFile() {}

@@ -136,7 +136,7 @@ final class LightGrips {
                 });
     }
 
-    /** To whole units, near enough to be found again. */
+    /** Rounds to whole units, near enough to be found again. */
     private static double limited(double world) {
         return Math.rint(Math.max(-LampControls.FAR, Math.min(LampControls.FAR, world)));
     }

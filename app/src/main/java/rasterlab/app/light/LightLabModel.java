@@ -189,7 +189,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         show(new Chosen(state.choice(), shown, state.colour()));
     }
 
-    /** In what the lab shows a hazard's input, of a topic about light, otherwise than it is. */
+    /** How the lab shows a hazard's input, of a topic about light, otherwise than it is. */
     public List<Unlike> unlike(Object input, String method) {
         if (!(input instanceof Colors colors)) return TopicBodies.unlike(input, method);
         return ColourChoice.first().with(colors, "formula").outside()

@@ -56,7 +56,7 @@ final class TopicBodies {
         return body.indexOf('/') > 0;
     }
 
-    /** In what the lab shows that input of a topic otherwise than it is. */
+    /** How the lab shows that input of a topic otherwise than it is. */
     static List<Unlike> unlike(Object input, String method) {
         var unlike = new ArrayList<Unlike>(TopicMesh.of(input, ownNormals(input, method)).unlike());
         if (input instanceof LitPoints points) {

@@ -33,7 +33,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
 
     private static final double BEYOND = 0.7;
 
-    /** By so many lengths of the first edge a corner is moved off it. */
+    /** Lengths of the first edge by which a corner is moved off it. */
     private static final double ASIDE = 2;
 
     private static final double UNIT = 1e-9;

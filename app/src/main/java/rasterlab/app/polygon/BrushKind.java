@@ -5,7 +5,7 @@ import java.util.Locale;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.surface.Brush;
 
-/** With what a polygon's pixels are painted: one colour, a hatch, or a pattern. */
+/** The paint of a polygon's pixels: one colour, a hatch, or a pattern. */
 public enum BrushKind {
     SOLID,
     ROWS,

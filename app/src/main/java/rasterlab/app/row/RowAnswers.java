@@ -19,7 +19,7 @@ import rasterlab.engine.study.Verdict;
 final class RowAnswers<C, I, O> {
     private final Topic<C, I, O> topic;
 
-    /** By the hazards' names; a right answer takes much longer than any method's. */
+    /** Right answers by the hazards' names; a right answer takes much longer than any method's. */
     private final Map<String, O> rights = new ConcurrentHashMap<>();
 
     /**

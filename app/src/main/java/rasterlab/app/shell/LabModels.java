@@ -36,7 +36,7 @@ import rasterlab.exercises.catalogue.Catalogue;
  * when it is first asked for; since that takes long, {@link #make} asks on another thread before.
  */
 public final class LabModels implements AutoCloseable {
-    /** By the names of their tabs. */
+    /** The models by the names of their tabs. */
     private final Map<String, LabModel<?>> labs = new LinkedHashMap<>();
 
     private final Executor events;

@@ -121,7 +121,7 @@ public record VisibilityChoice(
         return with(other, eye).withZoom(zoom).zoomed(usualZoom(other) / usualZoom(shown));
     }
 
-    /** By which the scene is first shown. */
+    /** Zoom by which the scene is first shown. */
     double usualZoom() {
         return usualZoom(shown);
     }

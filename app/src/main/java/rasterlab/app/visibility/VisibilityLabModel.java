@@ -93,7 +93,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return stage.methods();
     }
 
-    /** By which the pictures are drawn: the chosen one, but that two pictures are filled. */
+    /** Zoom by which the pictures are drawn: the chosen one, but that two pictures are filled. */
     double shownZoom() {
         return stage.known() ? stage.filling(state.choice()).zoom() : state.choice().zoom();
     }

@@ -99,7 +99,7 @@ public final class ConvexBody {
         return Optional.empty();
     }
 
-    /** To three digits. */
+    /** Rounds to three digits. */
     private static double rounded(double distance) {
         return Double.isFinite(distance)
                 ? new BigDecimal(distance).round(new MathContext(3)).doubleValue()

@@ -99,7 +99,7 @@ public final class LineJudge {
                 List.of(List.of(thrownCause(answer.exception()))));
     }
 
-    /** By its name where it is the JDK's; the student's own may tell what it was thrown for. */
+    /** Names it where it is the JDK's; the student's own may tell what it was thrown for. */
     private static Cause thrownCause(String exception) {
         return Answer.isOfTheJdk(exception)
                 ? Cause.of("throws", exception)

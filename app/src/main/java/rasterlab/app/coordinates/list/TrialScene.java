@@ -116,7 +116,7 @@ record TrialScene(
         return true;
     }
 
-    /** In what the picture of the end is other than the numbers. */
+    /** How the picture of the end differs from the numbers. */
     List<Unlike> unlike() {
         var unlike = new ArrayList<Unlike>();
         if (any(i -> !exact.has(i) && !isMade(i))) unlike.add(Unlike.of(Unlike.Kind.NO_IMAGE));

@@ -26,7 +26,7 @@ public final class WeightedNormals implements SteppedNormals {
         this.weight = weight;
     }
 
-    /** By the faces' angles at the vertex: the mean that no cut of a flat face changes. */
+    /** Weights by the faces' angles at the vertex: the mean that no cut of a flat face changes. */
     public static VertexNormals byAngle() {
         return new WeightedNormals(Weight.ANGLE);
     }

@@ -6,6 +6,6 @@ public enum Sides {
     SCENE,
     /** As their fronts are, with the same normal. */
     ONE,
-    /** By their own material, with the normal turned round. */
+    /** Back faces are lit by their own material, with the normal turned round. */
     TWO
 }

@@ -25,7 +25,7 @@ public final class DistantLight implements VertexColors, PixelColors {
     private final LightLoops one = LightLoops.of(Lanes.ONE);
     private final LightLoops best = LightLoops.of(Lanes.best());
 
-    /** To the light, of length 1. */
+    /** Direction to the light, of length 1. */
     private final float[] light = new float[3];
 
     private final float[] base = new float[3];

@@ -40,7 +40,7 @@ final class ExactFill {
         for (int row = 0; row < task.height(); row++) fillRow(row, changes(row), out);
     }
 
-    /** By how much the winding number grows at each column; left of the picture counts as 0. */
+    /** Growth of the winding number at each column; left of the picture counts as 0. */
     private int[] changes(int row) {
         var changes = new int[task.width() + 1];
         BigInteger level = pixel.multiply(BigInteger.valueOf(row));

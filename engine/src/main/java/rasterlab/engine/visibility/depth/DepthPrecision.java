@@ -66,7 +66,7 @@ public final class DepthPrecision {
         return DepthCell.of(codes, range, ratio / 2).width() / (ratio / 2);
     }
 
-    /** By the formula: z(w₁) − z(w₀), as a share of z. */
+    /** Error by the formula: z(w₁) − z(w₀), as a share of z. */
     public static double predicted(String format, double ratio) {
         double window = (1 - 2 / ratio) / (1 - 1 / ratio);
         double reversed = (1 / ratio) / (1 - 1 / ratio);
