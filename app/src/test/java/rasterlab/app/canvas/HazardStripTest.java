@@ -138,6 +138,8 @@ class HazardStripTest {
         strip.setSize(600, 300);
         strip.doLayout();
         int alone = strip.getPreferredSize().height;
+        strip.setSize(60, 300);
+        strip.doLayout();
         strip.of(
                 new LabInput(
                         () -> input,
@@ -146,10 +148,8 @@ class HazardStripTest {
                         name -> name,
                         "Both are drawn beside each other. ".repeat(8)));
         strip.tell(HazardCase.unjudged("view", "View", "In a circle.", () -> {}), chips);
-        strip.setSize(40, 300);
-        strip.validate();
-        strip.doLayout();
         strip.setSize(600, 300);
+        strip.doLayout();
         strip.tell(
                 new HazardCase(
                         "steep",
