@@ -24,12 +24,23 @@ public record ServerProcess(Process process, URI address, String token, Path log
     private static final String TOKEN = "instructor token: ";
 
     public static ServerProcess start(Path data) throws IOException {
+        return start(command(data, "--port", "0"), data);
+    }
+
+    /** The same with no more than so many open files, which limits no child that grades. */
+    static ServerProcess withFiles(int most, Path data) throws IOException {
+        var limit = "ulimit -Sn " + most + " && exec \"$@\"";
+        var command = new ArrayList<>(List.of("sh", "-c", limit, "sh"));
+        command.addAll(command(data, "--port", "0"));
+        // Otherwise Java takes as many as it may.
+        command.add(5, "-XX:-MaxFDLimit");
+        return start(command, data);
+    }
+
+    private static ServerProcess start(List<String> command, Path data) throws IOException {
         var isNew = !Files.exists(data);
         var log = Files.createTempFile("rasterlab-server", ".log");
-        var process =
-                new ProcessBuilder(command(data, "--port", "0"))
-                        .redirectError(log.toFile())
-                        .start();
+        var process = new ProcessBuilder(command).redirectError(log.toFile()).start();
         var out = process.inputReader(StandardCharsets.UTF_8);
         try {
             var address = lineAfter(LISTENING, out, log);
