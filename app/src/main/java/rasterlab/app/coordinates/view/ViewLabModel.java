@@ -1,11 +1,15 @@
 package rasterlab.app.coordinates.view;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 import rasterlab.contract.PointTransformer;
+import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.chain.TransformTopic;
 
 /**
@@ -61,6 +65,26 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
             throw new IllegalArgumentException(
                     which.code() + " must be a finite number, got " + value);
         change(choice().with(which, value));
+    }
+
+    /** What each method does with the house in a situation, in teaching order. */
+    Map<String, Verdict.Kind> verdicts(ViewSituation situation) {
+        var verdicts = new LinkedHashMap<String, Verdict.Kind>();
+        for (Method<PointTransformer> each : topic.methods()) {
+            ViewChoice choice = situation.in(choice()).withMethod(each.name());
+            verdicts.put(
+                    each.name(),
+                    ViewScene.of(topic, choice)
+                            .deviation()
+                            .map(this::verdict)
+                            .orElse(Verdict.Kind.REFUSED));
+        }
+        return verdicts;
+    }
+
+    private Verdict.Kind verdict(Deviation deviation) {
+        if (topic.correct(deviation)) return Verdict.Kind.EXACT;
+        return topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
     }
 
     /** Brings several numbers of a kind at once. */

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
@@ -85,16 +87,23 @@ public final class ViewPanel extends LabCard {
         var chips = new Chips(texts, "situations");
         for (ViewSituation each : ViewSituation.values())
             chips.add(
-                    each.code(),
-                    texts.text("situation." + each.code()),
-                    texts.text("situation." + each.code() + ".hint"),
-                    () -> model.show(each));
+                    HazardCase.unjudged(
+                                    each.code(),
+                                    texts.text("situation." + each.code()),
+                                    texts.text("situation." + each.code() + ".hint"),
+                                    () -> model.show(each))
+                            .judged(model.verdicts(each)));
         return chips;
     }
 
+    /** The view that every method is given. */
     @Override
-    protected String unjudged() {
-        return texts.text("unjudged");
+    protected LabInput input() {
+        String any = model.methods().get(0).name();
+        return new LabInput(
+                () -> model.choice().withMethod(any),
+                () -> model.choice().method(),
+                model::chooseMethod);
     }
 
     @Override

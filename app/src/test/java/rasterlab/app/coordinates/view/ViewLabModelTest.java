@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -19,7 +20,10 @@ import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.scene.HouseStages;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.chain.TransformTopic;
 
 class ViewLabModelTest {
     private static final int WORLD = 1;
@@ -226,5 +230,24 @@ class ViewLabModelTest {
         assertEquals(SCREEN, model.step());
         model.goTo(-1);
         assertEquals(0, model.step());
+    }
+
+    @ParameterizedTest(name = "the verdict beside the situation {0} is another than its picture's")
+    @EnumSource(ViewSituation.class)
+    void verdictsAreThoseOfThePictures(ViewSituation situation) {
+        var topic = new TransformTopic();
+        var verdicts = model.verdicts(situation);
+        assertEquals(
+                topic.methods().stream().map(Method::name).toList(),
+                List.copyOf(verdicts.keySet()));
+        model.show(situation);
+        for (var each : verdicts.entrySet()) {
+            model.chooseMethod(each.getKey());
+            boolean exact = model.scene().deviation().filter(topic::correct).isPresent();
+            assertEquals(exact, each.getValue() == Verdict.Kind.EXACT, each.toString());
+        }
+        assertTrue(
+                verdicts.values().stream().anyMatch(kind -> kind != Verdict.Kind.EXACT),
+                verdicts.toString());
     }
 }
