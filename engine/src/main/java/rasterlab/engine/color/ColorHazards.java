@@ -120,6 +120,13 @@ final class ColorHazards {
                         REFUSED,
                         REFUSED),
                 hazard(
+                        "too-dark-for-digits",
+                        "A value of 10⁻³²⁰: shares made of it keep no digits.",
+                        Colors.of(ColorModel.HSV, 20, 0.3, 1e-320),
+                        WRONG,
+                        WRONG,
+                        REFUSED),
+                hazard(
                         "outside-the-cube",
                         "A hue, value and saturation of which each is in range and all are not.",
                         Colors.of(ColorModel.HVS, 0, 1.7, 0.8),

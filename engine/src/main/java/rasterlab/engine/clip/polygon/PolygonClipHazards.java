@@ -159,6 +159,18 @@ final class PolygonClipHazards {
                         recorded(EXACT, EXACT),
                         "1 1, 9 9, 5 5.0000000000001"),
                 hazard(
+                        "minus-zero",
+                        "Corners at −0, which is the side at 0.",
+                        TEN,
+                        recorded(EXACT, EXACT),
+                        "-0.0 -0.0, 7 -0.0, 7 12, -0.0 5"),
+                hazard(
+                        "straight-by-rounding",
+                        "Three corners on a line but for rounding: the rest has no direction.",
+                        PolygonInWindow.rectangle(0, 0, 7, 2),
+                        recorded(EXACT, EXACT),
+                        "8.875 2, 3.8000000000000003 1, 6.3375 1.5"),
+                hazard(
                         "self-intersecting",
                         "Two edges cross: which part is inside has no single answer.",
                         TEN,
