@@ -14,6 +14,11 @@ import org.joml.Vector3d;
  * printed with zeros on the diagonal where ones belong.
  */
 public final class TextbookMatrices {
+    /**
+     * Coordinates beyond it may leave the doubles in a sum of products, of which there are three.
+     */
+    private static final double LARGEST_PRODUCT = 0x1p1020;
+
     private TextbookMatrices() {}
 
     /** ROT3DX, the angle in radians. */
@@ -69,7 +74,15 @@ public final class TextbookMatrices {
                         xy - z, c + yy, yz + x, 0, //
                         zx + y, yz - x, c + zz, 0, //
                         0, 0, 0, 1);
-        return turn.setTranslation(turn.transformPosition(new Vector3d(a)).negate().add(a));
+        // Made smaller where a sum would leave the doubles, though the difference does not.
+        double part = largest(a) > LARGEST_PRODUCT ? 0x1p-4 : 1;
+        Vector3d at = new Vector3d(a).mul(part);
+        Vector3d moved = turn.transformPosition(new Vector3d(at)).negate().add(at);
+        return turn.setTranslation(moved.mul(1 / part));
+    }
+
+    private static double largest(Vector3d v) {
+        return Math.max(Math.abs(v.x), Math.max(Math.abs(v.y), Math.abs(v.z)));
     }
 
     /** All axes alike, by {@code factor}; {@link #uniformScale} is the textbook's way. */

@@ -21,6 +21,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
 import rasterlab.engine.transform.axis.AxisTopic;
+import rasterlab.engine.transform.matrix.MatrixTopic;
 
 /** Inputs that went wrong once, with answers found by hand. */
 class KnownBordersTest {
@@ -125,6 +126,20 @@ class KnownBordersTest {
         double[] footprint = {0, 0, 3, 0, 0, 5.611686041902098E-14};
         double[] levels = new FilterTopic().exact(new FilteredPixels(3, 2, argb, footprint), 1);
         assertArrayEquals(new double[] {42.5, 42.5, 42.5, 42.5}, levels, 1e-9);
+    }
+
+    /** sin of the angle is 10⁻¹⁵, and so much of the largest double its point is moved by. */
+    @Test
+    void anAxisThroughTheLargestDoubleMovesByWhatIsADouble() {
+        double most = Double.MAX_VALUE;
+        double degrees = 5.755166896282639E-14;
+        double[][] rows =
+                new MatrixTopic()
+                        .method("formula")
+                        .implementation()
+                        .rows("ROTAXIS", most, most, 0, 0, 0, 1, degrees);
+        double moved = Math.toRadians(degrees) * most;
+        assertArrayEquals(new double[] {moved, -moved, 0, 1}, rows[3], 1e-15 * most);
     }
 
     static Stream<Arguments> turns() {

@@ -197,7 +197,8 @@ class ArchitectureTest {
                 .resideInAPackage("rasterlab.engine.visibility.exact..")
                 .should()
                 .dependOnClassesThat(
-                        resideInAnyPackage("rasterlab.engine.visibility")
+                        resideInAnyPackage("rasterlab.engine.visibility..")
+                                .and(not(resideInAnyPackage("rasterlab.engine.visibility.exact..")))
                                 .and(
                                         not(
                                                 belongToAnyOf(
