@@ -92,21 +92,7 @@ final class VisibleFacesHazards {
                         "tiny",
                         "Coordinates of 10⁻²⁰⁰, whose products are 0.",
                         Bodies.cube(5, -6, 7).scaled(1e-200),
-                        recorded(WRONG, EXACT)),
-                hazard(
-                        "largest-double",
-                        "All corners at the largest double: rounding takes their mean beyond it.",
-                        farthestFace(),
-                        recorded(WRONG, REFUSED)));
-    }
-
-    /** A triangle at x = 1.8·10³⁰⁸, seen from the origin. */
-    private static Body farthestFace() {
-        double most = Double.MAX_VALUE;
-        return Body.seenFrom(
-                new double[3],
-                new double[] {most, 0, 0, most, 1, 0, most, 0, 1},
-                new int[] {0, 2, 1});
+                        recorded(WRONG, EXACT)));
     }
 
     /** The slanting face of a tetrahedron passes the eye by 3·10⁻¹⁷. */
