@@ -21,6 +21,7 @@ final class PolygonClipHazards {
         var all = new ArrayList<>(shapes());
         all.addAll(touching());
         all.addAll(improper());
+        all.addAll(refused());
         return all;
     }
 
@@ -169,7 +170,11 @@ final class PolygonClipHazards {
                         "Three corners on a line but for rounding: the rest has no direction.",
                         PolygonInWindow.rectangle(0, 0, 7, 2),
                         recorded(EXACT, EXACT),
-                        "8.875 2, 3.8000000000000003 1, 6.3375 1.5"),
+                        "8.875 2, 3.8000000000000003 1, 6.3375 1.5"));
+    }
+
+    private static List<Hazard<PolygonInWindow>> refused() {
+        return List.of(
                 hazard(
                         "self-intersecting",
                         "Two edges cross: which part is inside has no single answer.",

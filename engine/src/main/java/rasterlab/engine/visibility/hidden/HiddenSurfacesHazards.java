@@ -33,7 +33,8 @@ final class HiddenSurfacesHazards {
                         hazards.ofOrder(),
                         hazards.ofOnePlane(),
                         hazards.ofDepths(),
-                        hazards.ofPlaces())
+                        hazards.ofPlaces(),
+                        hazards.aroundTheEye())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -222,7 +223,11 @@ final class HiddenSurfacesHazards {
                                 wallOnFloor(),
                                 new SphericalView(0, Double.MIN_VALUE, Quads.RHO),
                                 Projection.PARALLEL,
-                                SMALL)),
+                                SMALL)));
+    }
+
+    private List<Hazard<SurfaceView>> aroundTheEye() {
+        return List.of(
                 hazard(
                         "eye-in-a-face",
                         "The eye lies in a floor that reaches behind it, before a square.",
