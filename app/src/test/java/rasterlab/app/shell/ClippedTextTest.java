@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -19,63 +19,86 @@ import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.language.Language;
 
 class ClippedTextTest {
+    private static final Dimension SMALLEST = new Dimension(900, 538);
+    private static final Dimension LAPTOP = new Dimension(1280, 680);
+    private static final Dimension LARGE = new Dimension(2560, 1380);
+
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private LabModels models;
+    private LabTabs tabs;
+
     @AfterAll
     static void typeIsOfUsualSizeAgain() throws InterruptedException {
         OffscreenPainter.onEventThread(UsualLook::install);
     }
 
-    static Stream<Arguments> sizes() {
+    static Stream<Arguments> looks() {
         return Stream.of(Language.values())
                 .flatMap(
                         language ->
                                 Stream.of(
-                                        Arguments.of(language, LabTheme.LIGHT, 100, 900, 538),
-                                        Arguments.of(language, LabTheme.LIGHT, 100, 1280, 680),
-                                        Arguments.of(language, LabTheme.LIGHT, 100, 2560, 1380),
-                                        Arguments.of(language, LabTheme.LIGHT, 150, 900, 538),
-                                        Arguments.of(language, LabTheme.LIGHT, 150, 1280, 680),
-                                        Arguments.of(language, LabTheme.PROJECTOR, 100, 900, 538),
                                         Arguments.of(
-                                                language, LabTheme.PROJECTOR, 100, 1280, 680)));
+                                                language,
+                                                LabTheme.LIGHT,
+                                                100,
+                                                List.of(SMALLEST, LAPTOP, LARGE)),
+                                        Arguments.of(
+                                                language,
+                                                LabTheme.LIGHT,
+                                                150,
+                                                List.of(SMALLEST, LAPTOP)),
+                                        Arguments.of(
+                                                language,
+                                                LabTheme.PROJECTOR,
+                                                100,
+                                                List.of(SMALLEST, LAPTOP))));
     }
 
-    @ParameterizedTest(
-            name = "a label is cut off or a picture too small: {0}, {1}, {2} % in {3}×{4}")
-    @MethodSource("sizes")
+    @ParameterizedTest(name = "a label is cut off or a picture too small: {0}, {1}, {2} %")
+    @MethodSource("looks")
     void everyTextAndPictureHasTheRoomItNeeds(
-            Language language, LabTheme theme, int textPercent, int width, int height)
+            Language language, LabTheme theme, int textPercent, List<Dimension> sizes)
             throws InterruptedException {
-        var tabs = new AtomicReference<LabTabs>();
-        var models = new AtomicReference<LabModels>();
-        var failures = new CopyOnWriteArrayList<Throwable>();
+        open(language, theme, textPercent);
+        for (LabTab tab : tabs.all())
+            for (Dimension size : sizes) requireRoom(tab.panel(), size, 1, tab.name());
+        for (LabStates.Other other : LabStates.others()) {
+            OffscreenPainter.onEventThread(() -> other.change().accept(models));
+            JComponent panel = tabs.named(other.tab()).panel();
+            for (Dimension size : sizes)
+                requireRoom(panel, size, 2, other.tab() + ": " + other.name());
+        }
+        OffscreenPainter.onEventThread(
+                () -> {
+                    tabs.close();
+                    models.close();
+                });
+        assertEquals(List.of(), failures, "what a lab could not do");
+    }
+
+    private void open(Language language, LabTheme theme, int textPercent)
+            throws InterruptedException {
         OffscreenPainter.onEventThread(
                 () -> {
                     DesktopType.install(theme, textPercent);
                     LabLayout.showCrowdingInspectors(true);
-                    models.set(LabModels.first(failures::add));
-                    models.get().line().compareWith("naive-textbook");
-                    tabs.set(LabTabs.create(models.get(), language, failures::add));
-                    tabs.get().all().forEach(LabTab::panel);
+                    models = LabModels.first(failures::add);
+                    models.line().compareWith("naive-textbook");
+                    tabs = LabTabs.create(models, language, failures::add);
+                    tabs.all().forEach(LabTab::panel);
                 });
-        for (LabTab tab : tabs.get().all()) {
-            OffscreenPainter.paint(tab.panel(), width, height);
-            assertEquals(List.of(), clipped(tab.panel()), tab.name());
-            assertEquals(List.of(), UsefulSize.faults(tab.panel()), tab.name());
-        }
-        for (LabStates.Other other : LabStates.others()) {
-            JComponent panel = tabs.get().named(other.tab()).panel();
-            OffscreenPainter.onEventThread(() -> other.change().accept(models.get()));
-            for (int round = 0; round < 2; round++) OffscreenPainter.paint(panel, width, height);
-            String where = other.tab() + ": " + other.name();
-            assertEquals(List.of(), clipped(panel), where);
-            assertEquals(List.of(), UsefulSize.faults(panel), where);
-        }
-        OffscreenPainter.onEventThread(
-                () -> {
-                    tabs.get().close();
-                    models.get().close();
-                });
-        assertEquals(List.of(), failures, "what a lab could not do");
+    }
+
+    /**
+     * @param rounds in which the panel is painted before it has settled
+     */
+    private static void requireRoom(JComponent panel, Dimension size, int rounds, String what)
+            throws InterruptedException {
+        for (int round = 0; round < rounds; round++)
+            OffscreenPainter.paint(panel, size.width, size.height);
+        String where = what + " in " + size.width + "×" + size.height;
+        assertEquals(List.of(), clipped(panel), where);
+        assertEquals(List.of(), UsefulSize.faults(panel), where);
     }
 
     private static List<String> clipped(Container container) {
