@@ -20,6 +20,9 @@ public final class StageGuide extends JPanel {
     /** View units between a stage and the sentence below it. */
     private static final int GAP = 6;
 
+    /** Heights of a line of text that a stage needs more than the sentence needs its own place. */
+    private static final int LEAST_LINES = 18;
+
     private final transient Texts texts;
     private final JComponent stage;
     private final HazardStrip strip;
@@ -60,7 +63,10 @@ public final class StageGuide extends JPanel {
         revalidate();
     }
 
-    /** Lays the sentence below a stage that has something to read at its lower edge. */
+    /**
+     * Lays the sentence below a stage that has something to read at its lower edge, as long as that
+     * leaves the stage large enough.
+     */
     public StageGuide dock() {
         docked = true;
         return this;
@@ -111,8 +117,14 @@ public final class StageGuide extends JPanel {
         }
         var rest = new Rectangle(0, high, getWidth(), getHeight() - high);
         hint.place(rest);
-        if (docked && hint.isVisible()) rest.height = Math.max(1, hint.getY() - GAP - rest.y);
+        int above = hint.getY() - GAP - rest.y;
+        if (docked && hint.isVisible() && above >= least()) rest.height = above;
         stage.setBounds(rest);
+    }
+
+    /** The least height of a stage that gives room to the sentence, instead of lying below it. */
+    private int least() {
+        return LEAST_LINES * getFontMetrics(getFont()).getHeight();
     }
 
     @Override

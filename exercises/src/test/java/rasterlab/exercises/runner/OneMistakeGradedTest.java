@@ -3,17 +3,24 @@ package rasterlab.exercises.runner;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /** A source with one mistake is named, loses about one mistake, and is timed. */
 class OneMistakeGradedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
+
+    /** What is said where the lines were taken for right ones, however busy the machine is. */
+    private static final Set<String> TIMED =
+            Set.of("speed.measured", "speed.worthless", "speed.slow", "speed.unsettled");
 
     @DisplayName("one mistake costs the points for speed as well")
     @ParameterizedTest(name = "{2}")
@@ -31,6 +38,14 @@ class OneMistakeGradedTest {
         String all = report.diagnostics().toString();
         assertTrue(all.contains("one mistake explains all that is wrong; " + said), all);
         assertEquals(points, report.points().accuracy() + report.points().stability());
-        assertTrue(report.points().speed() > 0, report.cases()::toString);
+        assertTrue(TIMED.containsAll(saidOfSpeed(report)), report.cases()::toString);
+    }
+
+    private static List<String> saidOfSpeed(Report report) {
+        return report.cases().stream()
+                .filter(one -> one.name().equals("speed"))
+                .flatMap(one -> one.said().sentences().stream())
+                .map(Message.Sentence::key)
+                .toList();
     }
 }
