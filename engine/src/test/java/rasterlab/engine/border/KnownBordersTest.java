@@ -2,6 +2,7 @@ package rasterlab.engine.border;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.ArrayList;
@@ -22,6 +23,8 @@ import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
+import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTopic;
 
 /** Inputs that went wrong once, with answers found by hand. */
 class KnownBordersTest {
@@ -126,6 +129,26 @@ class KnownBordersTest {
         double[] footprint = {0, 0, 3, 0, 0, 5.611686041902098E-14};
         double[] levels = new FilterTopic().exact(new FilteredPixels(3, 2, argb, footprint), 1);
         assertArrayEquals(new double[] {42.5, 42.5, 42.5, 42.5}, levels, 1e-9);
+    }
+
+    /** Half of it shows row 2, which is white, half of it row 0 of the next copy. */
+    @Test
+    void theReferenceOfAThinFootprintOnABorderHalvesIt() {
+        double[] footprint = {0, -1, 1, 0, 0, 1.0862699437302849E-9};
+        int[] argb = {0, 0, -1};
+        double[] levels = new FilterTopic().exact(new FilteredPixels(1, 3, argb, footprint), 1);
+        assertArrayEquals(new double[] {127.5, 127.5, 127.5, 127.5}, levels, 1e-9);
+    }
+
+    /** Some subnormal steps off, which is a quarter of what there is to see. */
+    @Test
+    void aViewOfTheSmallestDoublesMayRoundThem() {
+        var topic = new ViewTopic();
+        var look = new Look(-10, -1, TINY, new double[] {0, 1.5E-323, 2.0E-323});
+        for (var method : promising(topic.methods())) {
+            var seen = topic.record(method.implementation(), look, 1);
+            assertTrue(topic.correct(topic.compare(look, topic.exact(look, 1), seen)));
+        }
     }
 
     /** sin of the angle is 10⁻¹⁵, and so much of the largest double its point is moved by. */

@@ -17,13 +17,25 @@ final class ExactFootprint {
 
     /** Alpha, red, green, blue, 0 to 255, of pixel {@code index}. */
     double[] mean(int index) {
-        double[] corners = corners(index);
+        double[] f =
+                Arrays.copyOfRange(
+                        pixels.footprints(),
+                        index * FilteredPixels.NUMBERS,
+                        (index + 1) * FilteredPixels.NUMBERS);
+        double[] corners = corners(f);
         double[] box = box(corners);
+        double u = pixels.width() * f[0];
+        double v = pixels.height() * f[1];
         var sum = new double[4];
         double area = 0;
-        for (int j = (int) Math.floor(box[1]); j < box[3]; j++)
-            for (int i = (int) Math.floor(box[0]); i < box[2]; i++) {
-                double part = common(corners, i, j);
+        // One texel more on each side: the middle is rounded here.
+        for (int j = (int) Math.floor(v + box[1]) - 1; j <= v + box[3] + 1; j++)
+            for (int i = (int) Math.floor(u + box[0]) - 1; i <= u + box[2] + 1; i++) {
+                double part =
+                        common(
+                                corners,
+                                fromMiddle(i, pixels.width(), f[0]),
+                                fromMiddle(j, pixels.height(), f[1]));
                 area += part;
                 int argb = texel(i, j);
                 for (int c = 0; c < 4; c++) sum[c] += part * (argb >>> 24 - 8 * c & 255);
@@ -31,6 +43,16 @@ final class ExactFootprint {
         if (area < SMALLEST) return point(index);
         for (int c = 0; c < 4; c++) sum[c] /= area;
         return sum;
+    }
+
+    /**
+     * How far a texel's lower and upper border lie from the middle of the footprint, in texels: the
+     * product is not rounded, for a footprint may be narrower than its rounding.
+     */
+    private static double[] fromMiddle(int texel, int size, double middle) {
+        double rounded = size * middle;
+        double rest = Math.fma(size, middle, -rounded);
+        return new double[] {texel - rounded - rest, texel + 1 - rounded - rest};
     }
 
     /** A footprint without an area shows the texel it lies in. */
@@ -49,20 +71,13 @@ final class ExactFootprint {
                         + Math.floorMod(i, pixels.width())];
     }
 
-    /** The four corners in texels. */
-    private double[] corners(int index) {
-        double[] f =
-                Arrays.copyOfRange(
-                        pixels.footprints(),
-                        index * FilteredPixels.NUMBERS,
-                        (index + 1) * FilteredPixels.NUMBERS);
+    /** The four corners in texels, from the middle of the footprint. */
+    private double[] corners(double[] f) {
         var corners = new double[8];
         int[][] signs = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
         for (int k = 0; k < 4; k++) {
-            corners[2 * k] =
-                    pixels.width() * (f[0] + (signs[k][0] * f[2] + signs[k][1] * f[4]) / 2);
-            corners[2 * k + 1] =
-                    pixels.height() * (f[1] + (signs[k][0] * f[3] + signs[k][1] * f[5]) / 2);
+            corners[2 * k] = pixels.width() * (signs[k][0] * f[2] + signs[k][1] * f[4]) / 2;
+            corners[2 * k + 1] = pixels.height() * (signs[k][0] * f[3] + signs[k][1] * f[5]) / 2;
         }
         return corners;
     }
@@ -77,13 +92,18 @@ final class ExactFootprint {
         return box;
     }
 
-    /** The area that the parallelogram has in common with texel (i, j). */
-    private static double common(double[] corners, int i, int j) {
+    /**
+     * The area that the parallelogram has in common with a texel.
+     *
+     * @param columns where the texel begins and ends, from the middle of the parallelogram
+     * @param rows the same downwards
+     */
+    private static double common(double[] corners, double[] columns, double[] rows) {
         double[] part = corners;
-        part = cut(part, 0, i, 1);
-        part = cut(part, 0, i + 1, -1);
-        part = cut(part, 1, j, 1);
-        part = cut(part, 1, j + 1, -1);
+        part = cut(part, 0, columns[0], 1);
+        part = cut(part, 0, columns[1], -1);
+        part = cut(part, 1, rows[0], 1);
+        part = cut(part, 1, rows[1], -1);
         double twice = 0;
         for (int k = 0; k < part.length; k += 2) {
             int next = (k + 2) % part.length;

@@ -116,7 +116,8 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     public Deviation compare(Look look, Images exact, Images actual) {
         var scales = new double[exact.size()];
         for (int i = 0; i < scales.length; i++) {
-            scales[i] = look.rho();
+            // Below the normal numbers rounding does not shrink with what is rounded.
+            scales[i] = Math.max(look.rho(), Double.MIN_NORMAL);
             for (int j = 0; j < 3; j++)
                 scales[i] = Math.max(scales[i], Math.abs(look.points()[3 * i + j]));
         }
