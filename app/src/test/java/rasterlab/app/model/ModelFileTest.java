@@ -206,9 +206,9 @@ class ModelFileTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "-o 1,5 0 0 tex.png | tex.png | '-o' has a decimal comma in '1,5'; instead stands 0",
-                "-o nan 0 0 tex.png | tex.png | '-o' has no number in 'nan'; instead stands 0",
-                "-o x 0 0 tex.png | tex.png | '-o' has no number in 'x'; instead stands 0",
+                "-o 1,5 0 0 tex.png | tex.png | '-o' has a decimal comma in '1,5'; 0 is used instead",
+                "-o nan 0 0 tex.png | tex.png | '-o' has no number in 'nan'; 0 is used instead",
+                "-o x 0 0 tex.png | tex.png | '-o' has no number in 'x'; 0 is used instead",
                 "-o 0 0 x tex.png | tex.png | there is no texture 'x tex.png'; 'tex.png' was taken",
                 "-o 0 0 x in/tex.png | in/tex.png | there is no texture 'x in/tex.png'; 'in/tex.png' was taken",
                 "-o 0 0 x tex.png | x tex.png | ",

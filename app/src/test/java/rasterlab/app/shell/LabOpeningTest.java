@@ -95,6 +95,7 @@ class LabOpeningTest {
                     Map.entry("shade light-in-the-point", EnumSet.of(LAMP_BESIDE)),
                     Map.entry("shade outside-the-cone", EnumSet.of(POINT_ASIDE)),
                     Map.entry("color brighter-than-white", EnumSet.of(COLOUR_CUT)),
+                    Map.entry("color too-dark-for-digits", EnumSet.of(COLOUR_CUT)),
                     Map.entry("color outside-the-cube", EnumSet.of(COLOUR_CUT)));
 
     /** What is drawn in the background comes to nobody: an older answer would undo a choice. */

@@ -130,23 +130,23 @@ class ForgivenMaterialsTest {
                         "a decimal comma of an offset is the file's name",
                         "map_Kd -o 1,5 0 0 tex.png",
                         List.of(tex, none, whole),
-                        "m.mtl:2: '-o' has a decimal comma in '1,5'; instead stands 0"),
+                        "m.mtl:2: '-o' has a decimal comma in '1,5'; 0 is used instead"),
                 option(
                         "the last decimal comma is the file's name",
                         "map_Kd -s 2 2 0,5 tex.png",
                         List.of(tex, none, List.of(2.0, 2.0)),
-                        "m.mtl:2: '-s' has a decimal comma in '0,5'; instead stands 1"),
+                        "m.mtl:2: '-s' has a decimal comma in '0,5'; 1 is used instead"),
                 option(
                         "no number of a scale is the file's name",
                         "map_Kd -s nan 3 -o -1.#IND00 inf tex.png",
                         List.of(tex, none, List.of(1.0, 3.0)),
-                        "m.mtl:2: '-s' has no number in 'nan'; instead stands 1",
-                        "m.mtl:2: '-o' has no number in '-1.#IND00'; instead stands 0, 2 times"),
+                        "m.mtl:2: '-s' has no number in 'nan'; 1 is used instead",
+                        "m.mtl:2: '-o' has no number in '-1.#IND00'; 0 is used instead, 2 times"),
                 option(
                         "a word before numbers is the file's name",
                         "map_Kd -o x 2 tex.png",
                         List.of(tex, List.of(0.0, 2.0), whole),
-                        "m.mtl:2: '-o' has no number in 'x'; instead stands 0"),
+                        "m.mtl:2: '-o' has no number in 'x'; 0 is used instead"),
                 option(
                         "a word behind numbers is surely the file's name, or surely none",
                         "map_Kd -o 1 2 x tex.png",

@@ -23,11 +23,21 @@ class MatrixVerdictTest {
         var topic = new MatrixTopic();
         var method =
                 new Method<MatrixFormula>(
-                        "own", new Method.About("", "", "", "", ""), (name, parameters) -> answer);
+                        "own",
+                        new Method.About("", "", "", "", ""),
+                        (name, parameters) -> anew(answer));
         var hazard = new Hazard<>("one", "", MatrixCall.of("IDENTITY"), Map.of());
         Verdict verdict = HazardTrial.judge(topic, method, hazard, Duration.ofSeconds(20));
         assertEquals(Verdict.Kind.WRONG, verdict.kind());
         assertEquals(detail, verdict.detail());
+    }
+
+    private static double[][] anew(double[][] rows) {
+        return rows == null
+                ? null
+                : Stream.of(rows)
+                        .map(row -> row == null ? null : row.clone())
+                        .toArray(double[][]::new);
     }
 
     static Stream<Arguments> shapes() {
