@@ -8,6 +8,7 @@ import rasterlab.contract.Reflection;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -47,8 +48,11 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
         var rgb = new EnumMap<Reflection, double[]>(Reflection.class);
         List<LitPoint> all = points.first(limit);
         var intensities = new double[3 * all.size()];
+        double[] before = all.isEmpty() ? null : method.intensity(all.get(0));
         for (int i = 0; i < all.size(); i++) {
             double[] one = method.intensity(all.get(i));
+            SharedAnswer.requireNew(one, null, before);
+            before = one;
             if (one.length != 3)
                 throw new IllegalStateException("3 shares were asked for, got " + one.length);
             System.arraycopy(one, 0, intensities, 3 * i, 3);

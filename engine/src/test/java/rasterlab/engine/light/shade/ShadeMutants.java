@@ -13,6 +13,7 @@ import rasterlab.engine.study.Mutants;
 /** Points shaded with one mistake. */
 final class ShadeMutants implements Mutants<PointShader> {
     private static final FormulaShader RIGHT = new FormulaShader(Reflection.PHONG);
+    private static final double[] HANDED_OUT = new double[3];
 
     @Override
     public List<Mutant<PointShader>> all() {
@@ -50,7 +51,16 @@ final class ShadeMutants implements Mutants<PointShader> {
                 new Mutant<>(
                         "distance does not weaken the light's ambient part",
                         "own-ambient-and-distance",
-                        ShadeMutants::ambientAnyway));
+                        ShadeMutants::ambientAnyway),
+                new Mutant<>(
+                        "a face turned away hands out one array",
+                        "light-behind",
+                        point -> {
+                            double[] right = RIGHT.intensity(point);
+                            if (cosine(point) >= 0) return right;
+                            System.arraycopy(right, 0, HANDED_OUT, 0, 3);
+                            return HANDED_OUT;
+                        }));
     }
 
     private static List<Mutant<PointShader>> ofSizes() {
