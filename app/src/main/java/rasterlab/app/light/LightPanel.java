@@ -1,9 +1,12 @@
 package rasterlab.app.light;
 
 import java.awt.CardLayout;
+import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -22,6 +25,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.row.RowCard;
 import rasterlab.app.row.RowPanel;
 import rasterlab.contract.ColorModel;
+import rasterlab.engine.study.Verdict;
 
 /** The lighting lab as the window shows it, in one language: light, colour models, or textures. */
 public final class LightPanel extends LabPanel {
@@ -30,6 +34,7 @@ public final class LightPanel extends LabPanel {
     private final transient LightLabModel model;
     private final transient Texts texts;
     private final transient Consumer<Throwable> onFailure;
+    private final transient LightVerdicts verdicts;
     private final CardLayout cards = new CardLayout();
     private final JPanel shown = new JPanel(cards);
     private final LightStage stage;
@@ -52,6 +57,7 @@ public final class LightPanel extends LabPanel {
     public LightPanel(LightLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
         this.onFailure = onFailure;
+        verdicts = new LightVerdicts(EventQueue::invokeLater, onFailure);
         setName("light");
         texts = Texts.of("light", language);
         light = new LightInspector(model, texts);
@@ -187,10 +193,25 @@ public final class LightPanel extends LabPanel {
                             hazard.code(),
                             texts.text("hazard." + hazard.code()),
                             texts.text("hazard." + hazard.code() + ".hint"),
-                            () -> model.choose(choice -> hazard.shown()));
-            chips.add(hazard.ofNormals() ? shown.judged(LightVerdicts.ofNormals(hazard)) : shown);
+                            () -> show(hazard));
+            chips.add(shown);
         }
         return chips;
+    }
+
+    private void show(LightHazard hazard) {
+        model.choose(choice -> hazard.shown());
+        if (hazard.ofNormals())
+            judge(lightGuide, hazard.code(), () -> LightVerdicts.ofNormals(hazard));
+    }
+
+    /**
+     * Says that verdicts are being found once the click has shown the hazard, then the verdicts.
+     */
+    private void judge(
+            StageGuide guide, String hazard, Supplier<Map<String, Verdict.Kind>> finding) {
+        verdicts.ask(finding, found -> guide.judge(hazard, found));
+        EventQueue.invokeLater(guide::judging);
     }
 
     /** Colours on which models or methods fail. */
@@ -206,20 +227,21 @@ public final class LightPanel extends LabPanel {
 
     private void chip(Chips chips, String name, double red, double green, double blue) {
         double[] rgb = {red, green, blue};
-        HazardCase shown =
+        chips.add(
                 HazardCase.unjudged(
                         name,
                         texts.text("colour." + name),
                         texts.text("colour." + name + ".hint"),
-                        () ->
-                                model.colour(
-                                        colour -> {
-                                            ColourChoice next = colour;
-                                            for (int i = 0; i < 3; i++)
-                                                next = next.with(ColorModel.RGB, i, rgb[i]);
-                                            return next;
-                                        }));
-        chips.add(shown.judged(LightVerdicts.ofColour(rgb)));
+                        () -> {
+                            model.colour(colour -> withRgb(colour, rgb));
+                            judge(colourGuide, name, () -> LightVerdicts.ofColour(rgb));
+                        }));
+    }
+
+    private static ColourChoice withRgb(ColourChoice colour, double... rgb) {
+        ColourChoice next = colour;
+        for (int i = 0; i < 3; i++) next = next.with(ColorModel.RGB, i, rgb[i]);
+        return next;
     }
 
     /** Gives the keyboard to the picture, whose arrow keys turn the scene or the cube. */
@@ -236,6 +258,7 @@ public final class LightPanel extends LabPanel {
         orbit.stop();
         turning.stop();
         unsubscribe.run();
+        verdicts.close();
         rows.close();
     }
 

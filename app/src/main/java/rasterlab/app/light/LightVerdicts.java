@@ -2,6 +2,10 @@ package rasterlab.app.light;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import rasterlab.app.canvas.LatestOnly;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorTopic;
@@ -16,9 +20,41 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.Images;
 
-/** Verdicts of the methods that the lab lets one choose, for its own hazards. */
-final class LightVerdicts {
-    private LightVerdicts() {}
+/**
+ * Finds in the background the verdicts of the methods that the lab lets one choose, for its own
+ * hazards.
+ */
+final class LightVerdicts implements AutoCloseable {
+    private final LatestOnly<Asked, Map<String, Verdict.Kind>> verdicts;
+
+    private record Asked(
+            Supplier<Map<String, Verdict.Kind>> finding,
+            Consumer<Map<String, Verdict.Kind>> told) {}
+
+    /**
+     * @param events runs what it is given on the one thread that is told the verdicts
+     * @param onFailure told what a method threw, on any thread
+     */
+    LightVerdicts(Executor events, Consumer<Throwable> onFailure) {
+        verdicts =
+                new LatestOnly<>(
+                        "verdicts of light",
+                        (asked, cancelled) -> asked.finding().get(),
+                        (asked, found) -> events.execute(() -> asked.told().accept(found)),
+                        onFailure);
+    }
+
+    /** Tells the verdicts that {@code finding} gives, unless others are asked for. */
+    void ask(
+            Supplier<Map<String, Verdict.Kind>> finding, Consumer<Map<String, Verdict.Kind>> told) {
+        verdicts.ask(new Asked(finding, told));
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        verdicts.close();
+    }
 
     /**
      * The verdicts of normals where a body is lit: right are those of its surface, and what counts
