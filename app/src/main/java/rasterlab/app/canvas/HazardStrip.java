@@ -171,7 +171,11 @@ final class HazardStrip extends JPanel {
         for (String failing : hazard.failing())
             if (!failing.equals(method)) row.add(choice(failing, hazard));
         boolean back = !before.equals(method) && !hazard.failing().contains(before);
-        if (back && hazard.recorded().containsKey(before)) row.add(choice(before, hazard));
+        if (!back || !hazard.recorded().containsKey(before)) return;
+        var words = new JLabel(texts.text("hazard.back"));
+        words.setName("hazard.back");
+        row.add(words);
+        row.add(choice(before, hazard));
     }
 
     private JButton choice(String method, HazardCase hazard) {

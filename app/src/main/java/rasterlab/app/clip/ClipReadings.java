@@ -162,7 +162,13 @@ final class ClipReadings {
         return count(state.results().clipping().deviation().extra());
     }
 
+    /** Nothing is told of how right an answer is that never came. */
+    private static boolean unanswered(Clipping clipping) {
+        return clipping.ending() != Clipping.Ending.ENDED;
+    }
+
     private String count(long parts) {
+        if (unanswered(state.results().clipping())) return NONE;
         if (!state.finished()) return texts.text("known.later");
         return texts.text("parts." + scene.mode().code(), parts);
     }
@@ -172,7 +178,7 @@ final class ClipReadings {
     }
 
     private String worst(Clipping clipping) {
-        if (clipping.ending() == Clipping.Ending.REFUSED) return NONE;
+        if (unanswered(clipping)) return NONE;
         if (!state.finished()) return texts.text("known.later");
         double worst = clipping.deviation().worst();
         return texts.text("worst." + scene.mode().code(), small(worst));
@@ -194,6 +200,7 @@ final class ClipReadings {
     }
 
     private String other(Clipping second) {
+        if (unanswered(second)) return NONE;
         if (!state.finished()) return texts.text("known.later");
         return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
     }

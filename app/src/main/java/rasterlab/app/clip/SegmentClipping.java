@@ -15,6 +15,7 @@ import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.clip.segment.SegmentWalk;
 import rasterlab.engine.clip.segment.SegmentsInWindow;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
+import rasterlab.engine.study.Deviation;
 
 /** Clips the segments of a scene, each step by step. */
 final class SegmentClipping {
@@ -74,8 +75,15 @@ final class SegmentClipping {
         if (!scene.window().upright() && !(clipper instanceof CyrusBeck)) run.refuse(UPRIGHT_ONLY);
         else if (clipper instanceof SteppedSegmentClipper stepped)
             run.attempt(() -> new SegmentClipping(scene, stepped).clipAll(run));
-        return run.clipping(
-                exact, parts -> EndComparison.compare(exact, parts, unit(scene)), unit(scene));
+        return run.clipping(exact, parts -> compare(topic, scene, exact, parts), unit(scene));
+    }
+
+    /** The topic's own comparison; an oblique border's new ends may lie outside by a rounding. */
+    private static Deviation compare(
+            SegmentClipTopic topic, SegmentScene scene, ClippedEnds exact, ClippedEnds parts) {
+        SegmentsInWindow input = input(scene);
+        if (scene.window().upright()) return topic.compare(input, exact, parts);
+        return EndComparison.compare(exact, parts, unit(scene), input.segments(), point -> true);
     }
 
     /** Told by the formula of its decision: a code or t. */

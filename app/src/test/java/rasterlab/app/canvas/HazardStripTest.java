@@ -71,6 +71,33 @@ class HazardStripTest {
     }
 
     @Test
+    @DisplayName("the way back to an exact method is listed among those that fail")
+    void theWayBackHasWordsOfItsOwn() {
+        assertFalse(said().contains("Back to:"), said().toString());
+        button("hazard.method.endless").doClick();
+        assertEquals(
+                List.of(
+                        "endless: endless",
+                        "Not exact here:",
+                        "wrong: wrong",
+                        "Back to:",
+                        "right: exact"),
+                said());
+    }
+
+    /** What the row says, in its order. */
+    private List<String> said() {
+        Container row = named("hazard.verdict").orElseThrow().getParent();
+        return Stream.of(row.getComponents())
+                .map(
+                        part ->
+                                part instanceof JLabel label
+                                        ? label.getText()
+                                        : ((JButton) part).getText())
+                .toList();
+    }
+
+    @Test
     @DisplayName("verdicts stay beside an input that was changed")
     void changedInputHasNoVerdicts() {
         input = "moved";

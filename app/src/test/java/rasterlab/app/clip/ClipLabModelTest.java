@@ -73,6 +73,25 @@ class ClipLabModelTest {
         assertFalse(wrong(Language.ENGLISH).contains("known at the end"));
     }
 
+    @Test
+    void smallErrorOfTheFirstSceneIsNotRaised() {
+        assertTrue(clipping().deviation().worst() < 1e-12, clipping().deviation().toString());
+    }
+
+    @Test
+    void nothingIsToldOfAnAnswerThatNeverCame() {
+        model.chooseMethod("cohen-sutherland-nested-textbook");
+        assertEquals(Clipping.Ending.ENDLESS, clipping().ending());
+        model.goTo(model.last());
+        assertEquals(List.of("–", ""), wrong(Language.ENGLISH));
+        assertEquals(List.of("–", ""), wrong(Language.RUSSIAN));
+        model.chooseMethod("liang-barsky");
+        model.compareWith("cohen-sutherland-nested-textbook");
+        settle();
+        model.goTo(model.last());
+        assertTrue(wrong(Language.ENGLISH).contains("–"), wrong(Language.ENGLISH).toString());
+    }
+
     private List<String> wrong(Language language) {
         var readings = new ClipReadings(model.state(), Texts.of("clip", language));
         return Stream.of(readings.missing(), readings.extra(), readings.worst(), readings.other())

@@ -18,7 +18,6 @@ import rasterlab.engine.study.Deviation;
  */
 public final class EndComparison {
     private static final double LEAST_BREACH = 1e-9;
-    private static final double[] NONE = {};
 
     private final double unit;
     private final List<double[]> given;
@@ -32,16 +31,6 @@ public final class EndComparison {
         this.unit = unit;
         this.given = given;
         this.inside = inside;
-    }
-
-    /** The largest error, wherever ends may lie. */
-    public static Deviation compare(ClippedEnds exact, ClippedEnds actual, double unit) {
-        return compare(
-                exact,
-                actual,
-                unit,
-                exact.parts().stream().map(p -> p.orElse(NONE)).toList(),
-                point -> true);
     }
 
     /**
