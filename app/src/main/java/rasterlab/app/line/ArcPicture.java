@@ -59,7 +59,7 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
             marks(g, map, drawing.difference().missing(), PixelMark.MISSING, size);
         alone(g, map, colours, size);
         if (step > 0 && step < drawing.steps()) {
-            g.setColor(colours.focus());
+            g.setColor(colours.ink());
             g.setStroke(new BasicStroke(2.5f));
             g.draw(pixel(map, drawing.pixels().x(step - 1), drawing.pixels().y(step - 1), size));
         }

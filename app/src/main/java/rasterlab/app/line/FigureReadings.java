@@ -48,9 +48,9 @@ final class FigureReadings {
         return new Spot(Math.abs(x - arc.centreX()), Math.abs(y - arc.centreY()));
     }
 
-    /** What decided the pixel, or its mirror image across the diagonal. */
+    /** What decides the pixel after that one, or after its mirror image across the diagonal. */
     String decision() {
-        if (state.step() == 0) return NONE;
+        if (state.step() == 0 || state.finished()) return NONE;
         Spot offset = fromCentre();
         Double own = drawing.decisions().get(offset);
         if (own == null) own = drawing.decisions().get(new Spot(offset.y(), offset.x()));
@@ -59,7 +59,7 @@ final class FigureReadings {
 
     /** Whether the pixels were held against the exact figure. */
     private boolean compared() {
-        return drawing.judged() && drawing.ending() != LineTrace.Ending.REFUSED;
+        return drawing.judged() && drawing.ending().answered();
     }
 
     String missing() {
@@ -93,7 +93,7 @@ final class FigureReadings {
 
     private String other(FigureDrawing second) {
         if (!second.brightness().isEmpty()) return light(second.brightness());
-        if (!second.judged()) return NONE;
+        if (!second.judged() || !second.ending().answered()) return NONE;
         if (!state.finished()) {
             int step = Math.min(state.step(), second.steps());
             return texts.text("other.later", second.extra().among(step));

@@ -66,12 +66,18 @@ final class LineReadings {
         return "x " + signed(dx) + ", y " + signed(dy);
     }
 
+    private static boolean answered(LineDrawing drawing) {
+        return drawing.trace().ending().answered();
+    }
+
     String missing() {
+        if (!answered(drawing())) return NONE;
         if (!state.finished()) return texts.text("missing.later");
         return texts.text("pixels", drawing().marks().missingCount(state.step()));
     }
 
     String extra() {
+        if (!answered(drawing())) return NONE;
         return texts.text("pixels", drawing().marks().extraCount(state.step()));
     }
 
@@ -104,6 +110,7 @@ final class LineReadings {
     }
 
     private String other(LineDrawing other) {
+        if (!answered(other)) return NONE;
         if (state.finished()) return wrong(other.difference());
         int step = Math.min(state.step(), other.pixels());
         return texts.text("other.later", other.marks().extraCount(step));
@@ -120,7 +127,7 @@ final class LineReadings {
     }
 
     private String worst(LineDrawing drawing) {
-        if (drawing.pixels() == 0) return NONE;
+        if (drawing.pixels() == 0 || !answered(drawing)) return NONE;
         if (!state.finished()) return texts.text("missing.later");
         if (drawing.coverage().isPresent())
             return texts.text("worst.levels", drawing.coverage().get().worst());

@@ -35,7 +35,12 @@ public record LineTrace(
         /** The method said that it cannot draw this segment. */
         REFUSED,
         /** The method failed. */
-        CRASHED
+        CRASHED;
+
+        /** Whether there is an answer, of which it can be told how right it is. */
+        boolean answered() {
+            return this == ENDED || this == CUT;
+        }
     }
 
     public LineTrace {

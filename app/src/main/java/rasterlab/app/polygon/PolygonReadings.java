@@ -155,7 +155,7 @@ final class PolygonReadings {
     }
 
     private String count(long items) {
-        if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        if (outcome.ending() != Outcome.Ending.ENDED) return NONE;
         if (!state.finished()) return texts.text("known.later");
         if (outcome.answer() instanceof InsideAnswer answer)
             return judged("items.at", "items.points", items, answer);
@@ -169,7 +169,7 @@ final class PolygonReadings {
     }
 
     String worst() {
-        if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        if (outcome.ending() != Outcome.Ending.ENDED) return NONE;
         if (!state.finished()) return texts.text("known.later");
         return texts.text(
                 "worst." + scene.mode().code(),

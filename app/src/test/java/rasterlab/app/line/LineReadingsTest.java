@@ -99,6 +99,22 @@ class LineReadingsTest {
     }
 
     @Test
+    void nothingIsToldOfAnAnswerThatNeverCame() throws InterruptedException {
+        int last = Integer.MAX_VALUE;
+        model.chooseMethod("bresenham-textbook");
+        model.compareWith("bresenham-textbook");
+        model.show(new Segment(last - 7, 5, last, 8));
+        model.settle();
+        model.goTo(model.last());
+        assertEquals(LineTrace.Ending.ENDLESS, model.state().drawing().trace().ending());
+        var readings = new LineReadings(model.state(), Texts.of("line", Language.ENGLISH));
+        assertEquals("–", readings.missing());
+        assertEquals("–", readings.extra());
+        assertEquals("–", readings.worst());
+        assertEquals("–", readings.other());
+    }
+
+    @Test
     void largestErrorIsKnownAtTheEnd() throws InterruptedException {
         model.chooseMethod("naive-textbook");
         model.show(new Segment(0, 0, 4, 10));

@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
@@ -284,6 +287,28 @@ class PolygonLabModelTest {
             assertEquals("known at the end", said);
         model.goTo(model.last());
         assertFalse(numbers(Language.ENGLISH).contains("known at the end"));
+    }
+
+    @Test
+    @DisplayName("an answer that never came has numbers")
+    void nothingIsToldOfAnAnswerThatNeverCame() {
+        var read = new HashSet<String>();
+        for (PolygonMode mode : PolygonMode.values()) {
+            var kinds = EnumSet.of(Verdict.Kind.ENDLESS, Verdict.Kind.CRASHED);
+            for (Hazard<?> hazard : model.hazards(mode))
+                for (String method : model.methods(mode)) {
+                    if (!kinds.remove(hazard.recorded().get(method))) continue;
+                    model.chooseMode(mode);
+                    model.chooseMethod(method);
+                    model.show(mode, hazard.name());
+                    settle();
+                    var shown =
+                            new PolygonReadings(
+                                    model.state(), Texts.of("polygon", Language.ENGLISH));
+                    read.add(shown.missing() + shown.extra() + shown.worst());
+                }
+        }
+        assertEquals(Set.of("–––"), read);
     }
 
     private List<String> numbers(Language language) {
