@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -110,7 +109,14 @@ public record Message(List<Sentence> sentences) {
      */
     public String in(String language) {
         ResourceBundle texts = texts(language);
-        return sentences.stream().map(one -> one.in(texts)).collect(Collectors.joining("; "));
+        StringBuilder text = new StringBuilder();
+        Joints joints = new Joints(sentences.stream().map(Sentence::key).toList());
+        for (int i = 0; i < sentences.size(); i++) {
+            joints.before(i).map(texts::getString).ifPresent(text::append);
+            text.append(sentences.get(i).in(texts));
+        }
+        joints.end().map(texts::getString).ifPresent(text::append);
+        return text.toString();
     }
 
     private static ResourceBundle texts(String language) {

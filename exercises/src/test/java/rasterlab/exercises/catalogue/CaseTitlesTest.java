@@ -34,6 +34,16 @@ class CaseTitlesTest {
     }
 
     @Test
+    @DisplayName("a title is a thing, such as “random points”, and asks for nothing")
+    void titlesHaveAVerb() {
+        Pattern verb =
+                Pattern.compile(
+                        ".* (is|are|go|goes|has|have|lie|lies|come|keep|ends|stays) .*|no overflow.*");
+        for (Case one : Catalogue.builtIn().named("line-bresenham").cases())
+            assertTrue(verb.matcher(one.title("en") + " ").matches(), one.title("en"));
+    }
+
+    @Test
     @DisplayName("a case's group asks for something else than the exercise's groups")
     void everyCaseBelongsToAGroup() {
         Exercise exercise = Catalogue.builtIn().named("line-bresenham");

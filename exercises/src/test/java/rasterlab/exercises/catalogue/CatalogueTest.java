@@ -122,8 +122,12 @@ class CatalogueTest {
     @Test
     void whatAReportNamesIsCalledInTheReadersLanguage() {
         Exercise exercise = Catalogue.builtIn().named("line-bresenham");
-        assertEquals("октант 1", exercise.caseTitle("octant-1", "ru"));
-        assertEquals("octant 1", exercise.caseTitle("octant-1", "de"), "no such language");
+        assertEquals(
+                "пологие отрезки вправо и вниз нарисованы", exercise.caseTitle("octant-1", "ru"));
+        assertEquals(
+                "gentle lines right and down are drawn",
+                exercise.caseTitle("octant-1", "de"),
+                "no such language");
         assertEquals("скорость", exercise.caseTitle("speed", "ru"));
         assertEquals("скрытый", exercise.caseTitle("hidden", "ru"));
         assertEquals("case-of-a-server", exercise.caseTitle("case-of-a-server", "ru"));

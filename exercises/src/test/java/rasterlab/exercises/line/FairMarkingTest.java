@@ -87,7 +87,7 @@ class FairMarkingTest {
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(x, -y))),
                 mistake(
-                        "up and down are exchanged; only on lines upwards",
+                        "up and down are exchanged. This shows only on lines upwards",
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(
                                         x0,
@@ -96,7 +96,7 @@ class FairMarkingTest {
                                         y1,
                                         (x, y) -> out.plot(x, y1 < y0 ? 2 * y0 - y : y))),
                 mistake(
-                        "reverse order, from the last end to the first; only on lines to the left",
+                        "reverse order, from the last end to the first. This shows only on lines to the left",
                         (x0, y0, x1, y1, out) -> {
                             if (x0 <= x1) RIGHT.draw(x0, y0, x1, y1, out);
                             else RIGHT.draw(x1, y1, x0, y0, out);
@@ -105,6 +105,45 @@ class FairMarkingTest {
 
     private static Arguments mistake(String said, LineRasterizer method) {
         return argumentSet(said, said, method);
+    }
+
+    @Test
+    @DisplayName("a title says that the ends matter, where it is the ties that do")
+    void casesOnTiesAskForTheSmallerCoordinate() {
+        List<Case> failed = cases(marked(LineMutants::tiesToTheLarger, 1).failed());
+        for (Case one : failed) {
+            assertTrue(one.title("en").contains("to the smaller coordinate"), one.title("en"));
+            assertTrue(one.title("ru").contains("меньшая координата"), one.title("ru"));
+        }
+        assertTrue(failed.size() > 1, failed::toString);
+    }
+
+    private static List<Case> cases(List<String> names) {
+        return EXERCISE.cases().stream().filter(one -> names.contains(one.name())).toList();
+    }
+
+    @Test
+    @DisplayName("a mistake at ties costs other points than the statement says")
+    void theStatementSaysWhatTiesCost() {
+        int lost = ALL - marked(LineMutants::tiesToTheLarger, 1).points();
+        String english = EXERCISE.statement().get("en");
+        String russian = EXERCISE.statement().get("ru");
+        assertTrue(english.contains("one at ties " + lost + "."), english);
+        assertTrue(russian.contains("при равенстве — " + lost + "."), russian);
+    }
+
+    @Test
+    @DisplayName("what all failures share is a chain of semicolons")
+    void theSharedMistakeIsReadAsSentences() {
+        MarkedMethod marked =
+                marked(
+                        (x0, y0, x1, y1, out) ->
+                                RIGHT.draw(x0, y0, x1, y1, (x, y) -> out.plot(y, x)),
+                        1);
+        assertEquals(
+                "One mistake explains all that is wrong – x and y are exchanged. This shows on"
+                        + " every line, for example on the line from (0, 0) to (7, 3).",
+                marked.shared());
     }
 
     @Test
@@ -191,7 +230,8 @@ class FairMarkingTest {
                         && LineCaseReader.read(one, 0).segments().stream()
                                 .allMatch(segment -> segment.x1() >= segment.x0()))
                     assertTrue(!failed.contains(one.name()), () -> one.name() + " in " + failed);
-            String shared = "it throws java.lang.ArithmeticException; only on lines to the left";
+            String shared =
+                    "it throws java.lang.ArithmeticException. This shows only on lines to the left";
             assertTrue(marked.shared().contains(shared), marked::shared);
         }
     }

@@ -21,8 +21,8 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                     by(
                             "both ends missing",
                             87,
-                            "two mistakes explain all that is wrong;"
-                                    + " the first pixel is missing; the last pixel is missing",
+                            "Two mistakes explain all that is wrong –"
+                                    + " the first pixel is missing, and the last pixel is missing",
                             (k, n) -> k > 0 && k < n ? 1 : 0),
                     by(
                             "one beyond the last end",
@@ -52,12 +52,12 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                     of(
                             "backwards",
                             94,
-                            "the pixels come in reverse order, from the last end to the first; on every line",
+                            "the pixels come in reverse order, from the last end to the first. This shows on every line",
                             (x0, y0, x1, y1, out) -> RIGHT.draw(x1, y1, x0, y0, out)),
                     of(
                             "backwards to the left",
                             94,
-                            "from the last end to the first; only on lines to the left",
+                            "from the last end to the first. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) -> {
                                 if (x1 < x0) RIGHT.draw(x1, y1, x0, y0, out);
                                 else RIGHT.draw(x0, y0, x1, y1, out);
@@ -80,7 +80,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                     of(
                             "no sign in y",
                             88,
-                            "it goes the wrong way in y: up and down are exchanged; only on lines upwards",
+                            "it goes the wrong way in y: up and down are exchanged. This shows only on lines upwards",
                             (x0, y0, x1, y1, out) ->
                                     RIGHT.draw(
                                             x0,
@@ -91,7 +91,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                     of(
                             "no sign in x",
                             90,
-                            "it goes the wrong way in x: left and right are exchanged; only on lines to the left",
+                            "it goes the wrong way in x: left and right are exchanged. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) ->
                                     RIGHT.draw(
                                             x0,
@@ -107,7 +107,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                     of(
                             "first missing to the left",
                             96,
-                            "the first pixel is missing; only on lines to the left",
+                            "the first pixel is missing. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) -> {
                                 if (x1 < x0) LineMutants.withoutFirstPixel(x0, y0, x1, y1, out);
                                 else RIGHT.draw(x0, y0, x1, y1, out);
@@ -140,14 +140,14 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
         return of(
                 name,
                 points,
-                said + "; on every line",
+                said + ". This shows on every line",
                 (x0, y0, x1, y1, out) ->
                         RIGHT.draw(x0, y0, x1, y1, (x, y) -> move.plot(x, y, out)));
     }
 
     /** Without pixels beyond the ends. */
     private static OneMistake by(String name, int points, String said, Times times) {
-        return of(name, points, said + "; on every line", walk(0, 0, times));
+        return of(name, points, said + ". This shows on every line", walk(0, 0, times));
     }
 
     /** With pixel −1 where {@code times} has it, and those up to n + {@code beyond}. */

@@ -36,7 +36,7 @@ class OneMistakeGradedTest {
         String source = Sources.RIGHT.replace(right, wrong);
         Report report = JUDGE.grade(source, CaseSelection.all(7));
         String all = report.diagnostics().toString();
-        assertTrue(all.contains("one mistake explains all that is wrong; " + said), all);
+        assertTrue(all.contains("One mistake explains all that is wrong – " + said), all);
         assertEquals(points, report.points().accuracy() + report.points().stability());
         assertTrue(TIMED.containsAll(saidOfSpeed(report)), report.cases()::toString);
     }

@@ -29,7 +29,8 @@ class MessageTest {
     private static final String TITLED = "printed.case";
 
     /** What other sentences only stand in. */
-    private static final Set<String> SAME = Set.of("quoted", "folder.at");
+    private static final Set<String> SAME =
+            Set.of("join.list", "join.example", "join.end", "quoted", "folder.at");
 
     private static final Message TWO =
             Message.of("pixel.missing", "(1, 2)").and(Message.of("known-fault", "naive"));
