@@ -87,9 +87,10 @@ final class CheckCommand implements Callable<Integer> {
         }
     }
 
+    /** Tells no verdict: a mistake that all cases share is known, and paid for once, at the end. */
     private void showProgress(Exercise chosen, CaseReport done) {
         String title = chosen.caseTitle(done.name(), language());
-        console.err().println(title + ": " + done.verdict().word(language()));
+        console.err().println(console.language().texts().text("tried", title));
     }
 
     private String language() {

@@ -233,7 +233,6 @@ final class ResultPane extends JPanel {
         if (chosen.get().verdict().isEmpty())
             return texts.text(head.works() ? "hint.notYet" : "hint.untried");
         if (chosen.get().right()) return texts.text("hint.right");
-        if (head.works()) return texts.text("hint.coming");
         return texts.text("hint.noPicture");
     }
 

@@ -12,7 +12,8 @@ import rasterlab.exercises.score.GradingVerdict;
 /**
  * One case of a result.
  *
- * @param verdict a code, as in the HTTP API; "" for a case that was not tried yet
+ * @param verdict a code, as in the HTTP API; "" for a case that was not tried yet, or whose verdict
+ *     may still change
  * @param said why points were lost
  * @param scene the case as a scene file; "" where it is hidden
  */
@@ -59,6 +60,10 @@ record TriedCase(
 
     private TriedCase called(String next) {
         return new TriedCase(next, verdict, points, of, said, pictures, scene);
+    }
+
+    TriedCase withoutVerdict() {
+        return new TriedCase(name, "", 0, of, Said.NOTHING, Optional.empty(), scene);
     }
 
     /** Pixels that its pictures show; 0 where it has none. */

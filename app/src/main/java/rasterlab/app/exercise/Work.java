@@ -8,7 +8,8 @@ import java.util.List;
  * @param done cases judged so far; in the queue of a server, the place in it, 0 when its turn has
  *     come
  * @param of cases in all; 0 where that is not known
- * @param cases those judged so far
+ * @param cases those judged so far, without their verdicts: a mistake that all share is known only
+ *     at the end, and is then paid for in the cases that ask for it alone
  */
 record Work(Phase phase, int done, int of, List<TriedCase> cases) {
     enum Phase {
@@ -21,7 +22,7 @@ record Work(Phase phase, int done, int of, List<TriedCase> cases) {
     }
 
     Work {
-        cases = TriedCase.toldApart(cases);
+        cases = TriedCase.toldApart(cases.stream().map(TriedCase::withoutVerdict).toList());
     }
 
     static final Work NONE = of(Phase.NONE);

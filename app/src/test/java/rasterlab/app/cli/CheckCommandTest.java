@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -31,13 +32,32 @@ class CheckCommandTest {
         assertTrue(ran.out().contains("нет пикселя ("), ran.out());
         assertFalse(ran.out().contains("missing"), ran.out());
         assertTrue(ran.out().contains("крутой отрезок без разрывов, steep-line-leaves"), ran.out());
-        assertTrue(ran.err().contains("крутой отрезок без разрывов: неверно"), ran.err());
+        assertTrue(ran.err().contains("выполнен тест: крутой отрезок без разрывов"), ran.err());
         Path picture = folder.resolve("pictures/steep-line-leaves-gaps-difference.png");
         assertTrue(Files.exists(picture), ran.out());
         String scene = folder.resolve("pictures/steep-line-leaves-gaps.scene.json").toString();
         Ran right = Ran.lab("run", "--scene", scene);
         right.assertDone();
         assertTrue(right.out().startsWith("{\"pixels\":[["), right.out());
+        assertEquals(1, ran.exitCode());
+    }
+
+    /** With x and y exchanged each case is wrong at first, and most are right in the end. */
+    @Test
+    void progressTellsNoVerdictThatTheReportTakesBack() throws Exception {
+        Path file = folder.resolve("MyLine.java");
+        try (InputStream in = Tour.class.getResourceAsStream("solution-right.java.txt")) {
+            String right = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            String plotted = "out.plot(x, y)";
+            assertTrue(right.contains(plotted), right);
+            Files.writeString(file, right.replace(plotted, "out.plot(y, x)"));
+        }
+        String pictures = folder.resolve("pictures").toString();
+        Ran ran = Ran.lab("check", "line-bresenham", file.toString(), "--out", pictures);
+        assertTrue(ran.out().contains("the first pixel is drawn"), ran.out());
+        List<String> progress = ran.err().lines().skip(1).toList();
+        assertTrue(progress.contains("tried: the first pixel is drawn"), ran.err());
+        for (String line : progress) assertFalse(line.matches(".*: (right|wrong)"), line);
         assertEquals(1, ran.exitCode());
     }
 

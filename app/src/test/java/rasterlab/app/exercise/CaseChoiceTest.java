@@ -269,6 +269,21 @@ class CaseChoiceTest {
                 });
     }
 
+    @Test
+    @DisplayName("a verdict that may still change is shown while the check runs")
+    void noVerdictIsShownBeforeAllAreKnown() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, judged(4), Optional.empty());
+                    assertEquals("–", cases(pane).getValueAt(3, 3));
+                    show(pane, Work.NONE, Optional.of(wrong()));
+                    assertEquals("wrong", cases(pane).getValueAt(3, 3));
+                    pane.close();
+                });
+    }
+
     private static Work judged(int cases) {
         List<TriedCase> all = wrong().cases();
         return new Work(Work.Phase.CHECKING, cases, all.size(), all.subList(0, cases));

@@ -135,8 +135,8 @@ class ResultGuideTest {
     @CsvSource({
         "ENGLISH, '', not judged yet",
         "RUSSIAN, '', ещё не проверен",
-        "ENGLISH, wrong, when all cases are judged",
-        "RUSSIAN, wrong, когда будут проверены все"
+        "ENGLISH, wrong, not judged yet",
+        "RUSSIAN, wrong, ещё не проверен"
     })
     void saysWhatIsStillToComeOfACase(Language language, String verdict, String words)
             throws Exception {
@@ -177,10 +177,19 @@ class ResultGuideTest {
                                     Said.of(said::in),
                                     Optional.empty(),
                                     "");
-                    show(
-                            pane,
-                            new Work(Work.Phase.CHECKING, 1, 2, List.of(wrong)),
-                            Optional.empty());
+                    Outcome plain = outcome(GradingVerdict.WRONG);
+                    var result =
+                            new Outcome(
+                                    plain.source(),
+                                    0,
+                                    plain.verdict(),
+                                    plain.points(),
+                                    List.of(wrong),
+                                    List.of(),
+                                    plain.isolation(),
+                                    0,
+                                    false);
+                    show(pane, Work.NONE, Optional.of(result));
                     ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
                     assertEquals(
                             words + "; x (-1, 2)", ((JTextArea) named(pane, "reason")).getText());
