@@ -44,7 +44,8 @@ fun DIV.result(
         if (view.verdict == "internal") p { +texts.say("result.internal") }
     }
     if (view.diagnostics.isNotEmpty()) diagnostics(texts, view.diagnostics, source)
-    if (view.cases.isNotEmpty()) {
+    // Until all are judged, a verdict may still change: a mistake that all share is paid for once.
+    if (view.verdict != null && view.cases.isNotEmpty()) {
         h2 { +texts.say("result.cases") }
         if (view.cases.any { it.pictures != null }) p("legend") { +texts.say("result.legend") }
         view.cases.forEach { case(texts, it) }

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.Grading
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Points
@@ -26,6 +27,7 @@ import rasterlab.grader.bearer
 import rasterlab.grader.report.view
 import java.nio.file.Path
 import java.util.Properties
+import java.util.concurrent.CountDownLatch
 
 class PagesTest {
     @TempDir
@@ -83,6 +85,37 @@ class PagesTest {
             eventsToTheEnd(token(joined), idOf(id))
             assertTrue("</span>не запускался" in page("$id?lang=ru", cookie), page("$id?lang=ru", cookie))
         }
+
+    /** A mistake that all cases share is known, and paid for once, only when all were tried. */
+    @Test
+    fun showsNoVerdictOfACaseBeforeAllAreKnown() {
+        val judged = CountDownLatch(1)
+        val seen = CountDownLatch(1)
+        val slow =
+            Grading { _, _, _, progress ->
+                Classroom.wrongReport().also {
+                    it.cases().forEach(progress::accept)
+                    judged.countDown()
+                    seen.await()
+                }
+            }
+        Classroom(folder, slow).open {
+            try {
+                val joined = form("/join", "course" to newCourse(), "name" to "Ada")
+                val cookie = session(joined)
+                val id = checkNotNull(handIn(cookie, "class Dot {}").headers[HttpHeaders.Location])
+                judged.await()
+                val running = page(id, cookie)
+                assertTrue("2 cases judged so far" in running, running)
+                assertFalse("secret of open-case" in running, "a verdict that may change is shown: $running")
+                seen.countDown()
+                eventsToTheEnd(token(joined), idOf(id))
+                assertTrue("secret of open-case" in page(id, cookie), "no case is shown")
+            } finally {
+                seen.countDown()
+            }
+        }
+    }
 
     private fun stopped(): Report {
         val cases = Classroom.report(GradingVerdict.NOT_RUN, Points(0, 0, 0, 10)).cases()
