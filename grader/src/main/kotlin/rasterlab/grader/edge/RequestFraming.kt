@@ -137,28 +137,44 @@ internal class RequestFraming {
             headers.getOrPut(name.lowercase(), ::mutableListOf) += line.substringAfter(':').trim(' ', '\t')
         }
         asker = Asker.of(head)
+        val version = lines.first().substringAfterLast(' ')
         val lengths = headers["content-length"].orEmpty()
         val encodings = headers["transfer-encoding"].orEmpty()
-        if (lengths.isNotEmpty() && encodings.isNotEmpty()) return TWO_LENGTHS
-        if (encodings.isNotEmpty()) {
-            val chunked = encodings.singleOrNull().equals("chunked", ignoreCase = true)
-            if (!chunked || !lines.first().endsWith(" HTTP/1.1")) return BAD_ENCODING
-            state = State.CHUNK_SIZE
-            return null
-        }
-        if (lengths.any {
-                it.isEmpty() || it.length > LENGTH_DIGITS ||
-                    it.any { digit ->
-                        digit !in '0'..'9'
-                    }
-            }
-        ) {
-            return BAD_LENGTH
-        }
-        if (lengths.size > 1) return BAD_LENGTH
+        val fault = faultOfLength(version, lengths, encodings) ?: faultOfHost(version, headers["host"].orEmpty())
+        if (fault != null) return fault
         left = lengths.firstOrNull()?.toLong() ?: 0
-        state = if (left > 0) State.BODY else afterNoBody(lines.first(), headers, lengths.isEmpty())
+        state =
+            when {
+                encodings.isNotEmpty() -> State.CHUNK_SIZE
+                left > 0 -> State.BODY
+                else -> afterNoBody(lines.first(), headers, lengths.isEmpty())
+            }
         return null
+    }
+
+    private fun faultOfLength(
+        version: String,
+        lengths: List<String>,
+        encodings: List<String>,
+    ): Refusal? {
+        val chunked = encodings.singleOrNull().equals("chunked", ignoreCase = true)
+        val number = lengths.all { it.length in 1..LENGTH_DIGITS && it.all { digit -> digit in '0'..'9' } }
+        return when {
+            lengths.isNotEmpty() && encodings.isNotEmpty() -> TWO_LENGTHS
+            encodings.isNotEmpty() && (!chunked || version != HTTP_1_1) -> BAD_ENCODING
+            lengths.size > 1 || !number -> BAD_LENGTH
+            else -> null
+        }
+    }
+
+    /** Section 3.2 asks for one, and for this answer. */
+    private fun faultOfHost(
+        version: String,
+        hosts: List<String>,
+    ): Refusal? {
+        val least = if (version == HTTP_1_1) 1 else 0
+        val plain = hosts.all { host -> host.none { it <= ' ' || it in "/?#@,\\" || it == DELETE } }
+        return if (hosts.size in least..1 && plain) null else BAD_HOST
     }
 
     /** The engine takes all that comes for the body where nothing tells a length and the connection is to end. */
@@ -174,6 +190,7 @@ internal class RequestFraming {
 
     companion object {
         const val MOST_HEAD = 16 * 1024
+        private const val HTTP_1_1 = "HTTP/1.1"
         private const val EMPTY_LINE = 2
         private const val CHUNK_DIGITS = 8
         private const val LENGTH_DIGITS = 18
@@ -196,6 +213,8 @@ internal class RequestFraming {
         private val CUT_OFF = malformed("the body ends before its length")
         private val TWO_LENGTHS = malformed("Content-Length stands together with Transfer-Encoding")
         private val BAD_ENCODING = malformed("Transfer-Encoding may only be 'chunked', once, in HTTP/1.1")
+        private val BAD_HOST =
+            malformed("a request of HTTP/1.1 must have one Host header, with a host and perhaps a port")
         private val BAD_LENGTH = malformed("Content-Length must be one whole number of bytes")
     }
 }

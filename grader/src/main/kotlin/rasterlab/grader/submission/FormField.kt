@@ -44,6 +44,7 @@ private class FormReader(
     private var at = 0
 
     fun fields(): List<FormField> {
+        if (body.isEmpty()) throw Rejection.Malformed("the form is empty: its first boundary is missing")
         val fields = mutableListOf<FormField>()
         at = delimiterFrom(0, first = true) ?: wrong("the form's first boundary is missing")
         while (!atLastBoundary()) {
@@ -65,6 +66,8 @@ private class FormReader(
         while (true) {
             val line = line()
             if (line.isEmpty()) break
+            val goesOn = at < body.size && (body[at] == SPACE || body[at] == TAB)
+            if (goesOn) wrong("a line of a field's head is folded: it goes on in the next line")
             head.add(line)
         }
         val start = at
@@ -126,7 +129,10 @@ private class FormReader(
         return (skip until part.size).all { body[place + it - skip] == part[it] }
     }
 
-    private fun wrong(what: String): Nothing = throw Rejection.Malformed("$what, at byte ${at + 1} of ${body.size}")
+    private fun wrong(what: String): Nothing {
+        val place = if (at < body.size) "at byte ${at + 1} of ${body.size}" else "at the end of its ${body.size} bytes"
+        throw Rejection.Malformed("$what, $place")
+    }
 
     private companion object {
         val DASHES = "--".toByteArray()

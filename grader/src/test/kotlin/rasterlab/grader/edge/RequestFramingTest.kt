@@ -41,7 +41,7 @@ class RequestFramingTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("brokenBodies")
     fun endsAtABrokenBody(body: String) {
-        val head = "POST / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n"
+        val head = "POST / HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n"
         assertNotNull(feed(head + body + "\r\n\r\nGET /smuggled HTTP/1.1\r\n\r\n", Random(1)))
         assertTrue(framing.isWithinRequest)
         assertFalse("smuggled" in text(), text())
@@ -86,10 +86,10 @@ class RequestFramingTest {
         private val WELL_MADE =
             listOf(
                 "GET /a HTTP/1.1\r\nHost: x\r\n\r\n",
-                "POST /b HTTP/1.1\r\nContent-Length: 5\r\n\r\nab\r\n\r",
-                "POST /c HTTP/1.1\r\ncontent-length:0\r\n\r\n",
-                "PUT /d HTTP/1.1\r\nTransfer-Encoding: Chunked\r\n\r\n3;x=y\r\na\r\n\r\n0\r\nX: y\r\n\r\n",
-                "POST /e HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n",
+                "POST /b HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\n\r\nab\r\n\r",
+                "POST /c HTTP/1.1\r\nHost:\r\ncontent-length:0\r\n\r\n",
+                "PUT /d HTTP/1.1\r\nHost: [::1]:8080\r\nTransfer-Encoding: Chunked\r\n\r\n3;x=y\r\na\r\n\r\n0\r\nX: y\r\n\r\n",
+                "POST /e HTTP/1.1\r\nhost: x:1\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n",
                 "DELETE /f HTTP/1.0\r\nX: \u00e9\r\n\r\n",
             )
 
@@ -99,6 +99,10 @@ class RequestFramingTest {
         @JvmStatic
         fun ambiguous() =
             listOf(
+                argumentSet("no host", "one Host", post("X: y")),
+                argumentSet("two hosts", "one Host", post("Host: x", "host: x")),
+                argumentSet("a host with a path", "one Host", post("Host: x/y")),
+                argumentSet("two hosts in HTTP/1.0", "one Host", "GET / HTTP/1.0\r\nHost: x\r\nHost: y\r\n\r\n"),
                 argumentSet("two kinds of length", "together", post("Content-Length: 5", "Transfer-Encoding: chunked")),
                 argumentSet("the other way round", "together", post("transfer-encoding: chunked", "content-length: 5")),
                 argumentSet(

@@ -189,6 +189,12 @@ class FormFieldTest {
                     form("Content-Disposition : form-data; name=source"),
                 ),
                 argumentSet(
+                    "a parameter in the next line",
+                    "is folded",
+                    form("Content-Disposition: form-data;\r\n name=source"),
+                ),
+                argumentSet("a form without bytes", "the form is empty", ""),
+                argumentSet(
                     "a folded header",
                     "is folded",
                     form("$NAMED\r\nX-Note: a\r\n b"),
