@@ -80,6 +80,7 @@ internal class RestoreCommand(
     lateinit var file: Path
 
     override fun call(): Int {
+        Backups.refuseUnlessWhole(file)
         DataFolder.take(of.data, of.db, Reason.USED_RESTORE).use { folder ->
             val former = Backups.restore(file, folder.databaseFile)
             val out = spec.commandLine().out

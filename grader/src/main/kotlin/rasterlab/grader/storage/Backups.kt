@@ -52,6 +52,12 @@ object Backups {
         }
     }
 
+    /** Looks at a copy where it lies, and leaves nothing beside it. */
+    fun refuseUnlessWhole(copy: Path) {
+        if (!copy.isRegularFile()) throw CannotStart(Reason.BACKUP_NONE, copy)
+        checkedDatabase(copy, look = ::openUntouched)
+    }
+
     /**
      * Puts a copy in the place of a database that no server uses.
      *
@@ -95,10 +101,11 @@ object Backups {
     private fun checkedDatabase(
         file: Path,
         said: Path = file,
+        look: (Path) -> Connection = ::open,
     ) {
         val (fault, tables) =
             try {
-                open(file).use { it.text("PRAGMA quick_check") to it.text(TABLES) }
+                look(file).use { it.text("PRAGMA quick_check") to it.text(TABLES) }
             } catch (failure: SQLException) {
                 if (failure is SQLiteException && failure.resultCode == SQLiteErrorCode.SQLITE_NOTADB) {
                     throw CannotStart(Reason.BACKUP_NO_DATABASE, said)
@@ -133,6 +140,17 @@ object Backups {
     private fun files(database: Path) = listOf("", "-wal", "-shm").map { database.resolveSibling(database.name + it) }
 
     private fun onDisk(file: Path) = FileChannel.open(file, WRITE).use { it.force(true) }
+
+    /** No journal of it is read or made; see https://www.sqlite.org/uri.html on "immutable". */
+    private fun openUntouched(file: Path): Connection {
+        val name =
+            file
+                .absolute()
+                .normalize()
+                .toUri()
+                .rawPath
+        return SQLiteConfig().createConnection("jdbc:sqlite:file:$name?immutable=1")
+    }
 
     private fun open(file: Path): Connection =
         SQLiteConfig().apply { setBusyTimeout(PATIENCE_MILLIS) }.createConnection("jdbc:sqlite:$file")

@@ -40,11 +40,13 @@ class DataFolder private constructor(
             url: String?,
             used: Reason = Reason.USED,
         ): DataFolder {
-            make(folder.absolute().normalize())
+            val whole = folder.absolute().normalize()
+            if (url != null) refuseEarly(whole, url, used)
+            make(whole)
             val data = folder.toRealPath()
             val file = fileIn(data, url)
             val locks =
-                listOf(data.resolve("server.lock"), file.resolveSibling("${file.fileName}.lock")).map { lock(it, used) }
+                listOf(data.resolve("server.lock"), lockOf(file)).map { lock(it, used) }
             try {
                 makeOwnerOnly(file)
                 listOf(
@@ -71,6 +73,22 @@ class DataFolder private constructor(
             if (!file.isRegularFile()) throw CannotStart(Reason.NO_DATABASE, file)
             return file
         }
+
+        /** Refuses a database that cannot be one, or that a server uses, while nothing is made yet. */
+        private fun refuseEarly(
+            folder: Path,
+            url: String,
+            used: Reason,
+        ) {
+            val named = named(url)
+            // Its folder may be the one that is still to be made.
+            if (named.parent == folder && !folder.exists()) return
+            val file = fileIn(folder, url)
+            val lock = lockOf(file)
+            if (lock.exists()) lock(lock, used).close()
+        }
+
+        private fun lockOf(file: Path) = file.resolveSibling("${file.fileName}.lock")
 
         /** Under its one name, whatever links and spellings lead there, so that all who use it meet at one lock. */
         private fun fileIn(
@@ -108,13 +126,18 @@ class DataFolder private constructor(
         }
 
         private fun fileOf(url: String): Path {
+            val file = named(url)
+            if (!file.parent.isDirectory()) throw CannotStart(Reason.DB_NONE, url, file.parent)
+            return file
+        }
+
+        private fun named(url: String): Path {
             val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
             if (name == null) throw CannotStart(Reason.DB_KIND, url)
             val plain = name.isNotEmpty() && name.none { it in "?:" }
             if (!plain) throw CannotStart(Reason.DB_NAME, url)
             val file = Path.of(name).absolute().normalize()
             if (file.isDirectory()) throw CannotStart(Reason.DB_FOLDER, url)
-            if (!file.parent.isDirectory()) throw CannotStart(Reason.DB_NONE, url, file.parent)
             return file
         }
 

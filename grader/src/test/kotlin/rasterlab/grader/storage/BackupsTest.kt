@@ -95,6 +95,14 @@ class BackupsTest {
     }
 
     @Test
+    @DisplayName("a refused file leaves an empty database and locks in a new folder, or a journal beside itself")
+    fun aRefusedRestoreMakesNothing() {
+        val notes = folder.resolve("notes.db").apply { writeText("no database ".repeat(999)) }
+        for (file in listOf("$notes", "$folder/none.db")) run("restore", file, "--data", "$folder/new", exit = 2)
+        assertEquals(listOf(notes), folder.listDirectoryEntries())
+    }
+
+    @Test
     @DisplayName("a file is written over, or a database made where there was none")
     fun aBackupNeedsANewFileAndADatabase() {
         assertTrue("there is no database" in run("backup", "$copy", "--data", "$data", exit = 2))

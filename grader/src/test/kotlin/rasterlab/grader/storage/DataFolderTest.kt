@@ -1,6 +1,7 @@
 package rasterlab.grader.storage
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
@@ -13,6 +14,7 @@ import java.nio.file.attribute.PosixFilePermissions
 import kotlin.io.path.createDirectory
 import kotlin.io.path.createLinkPointingTo
 import kotlin.io.path.createSymbolicLinkPointingTo
+import kotlin.io.path.exists
 import kotlin.io.path.getPosixFilePermissions
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
@@ -37,6 +39,7 @@ class DataFolderTest {
         DataFolder.take(folder.resolve("one"), url).use { one ->
             assertEquals(folder.resolve("shared.db"), one.databaseFile)
             refuses("another server is using it") { DataFolder.take(folder.resolve("two"), url) }
+            assertFalse(folder.resolve("two").exists(), "a refused server leaves its folder")
         }
     }
 
