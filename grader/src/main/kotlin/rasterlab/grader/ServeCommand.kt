@@ -117,8 +117,15 @@ internal class ServeCommand(
         tellOtherHeap()
         val address = address()
         val catalogue = catalogue()
+        if (exam) refuseExamsWithoutIsolation()
         StopSignal().use { stop -> run(catalogue, address, stop) }
         return 0
+    }
+
+    /** Before anything is made: a refused start leaves no folder behind. */
+    private fun refuseExamsWithoutIsolation() {
+        val isolation = Judge.start(JudgeSettings.defaults()).use { it.isolation() }
+        if (!isolation.exam()) throw CannotStart(Reason.EXAM, isolation.missingForExams())
     }
 
     /** An option that somebody gave, and that changes nothing, is not passed over in silence. */
@@ -138,10 +145,9 @@ internal class ServeCommand(
             logTo(folder.logFile)
             openDatabase(folder.databaseFile).use { database ->
                 Judge.start(JudgeSettings.defaults(), SpeedBands(database)).use { judge ->
-                    if (exam && !judge.isolation().exam()) {
-                        throw CannotStart(Reason.EXAM, judge.isolation().missingForExams())
-                    }
-                    LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
+                    val log = LoggerFactory.getLogger(javaClass)
+                    log.info("isolation: {}", judge.isolation().holds("en"))
+                    judge.isolation().missing().forEach { log.info("isolation lacks {}", it) }
                     val kept = KeptExercises(database).apply { keep(catalogue) }
                     Server(
                         database,
@@ -202,7 +208,7 @@ internal class ServeCommand(
         Listening(address) { server.install(this, it) }.use { listening ->
             server.startGrading()
             announce(server, listening.port)
-            spec.commandLine().out.println(oneLine(words.say("isolation", isolation.describe(words.language.language))))
+            isolationLines(words, isolation).forEach { spec.commandLine().out.println(oneLine(it)) }
             stop.await()
         }
     }
@@ -227,6 +233,16 @@ internal class ServeCommand(
         const val MOST_HEAP = 65_536
         const val MIB_BITS = 20
     }
+}
+
+/** A line on what there is, and one for each layer that is missing. */
+internal fun isolationLines(
+    words: CommandWords,
+    isolation: Isolation,
+): List<String> {
+    val language = words.language.language
+    return listOf(words.say("isolation", isolation.holds(language))) +
+        isolation.missing().map { words.say("isolation.missing", it.`in`(language)) }
 }
 
 /** @throws CannotStart with the reason that lies deepest, as those above it say only that opening failed */

@@ -97,6 +97,11 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
                 .toList();
     }
 
+    /** What there is, in that language, without what is missing of it. */
+    public String holds(String language) {
+        return new Message(said.sentences().subList(0, 1)).in(language);
+    }
+
     /** One honest line in English. */
     public String describe() {
         return describe("en");

@@ -31,7 +31,10 @@ fun Route.monitoring(
     get("/openapi.json") { call.respondText(openApi, ContentType.Application.Json) }
 }
 
-/** A word for machines, then what people want to know before they trust the results. */
+/**
+ * A word for machines, then what people want to know before they trust the results. The keys are for machines too, and
+ * English in every language; what is missing is for people.
+ */
 private fun ready(
     isolation: Isolation,
     language: String,

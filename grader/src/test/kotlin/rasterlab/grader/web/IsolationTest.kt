@@ -1,5 +1,8 @@
 package rasterlab.grader.web
 
+import ch.qos.logback.classic.Logger
+import ch.qos.logback.classic.spi.ILoggingEvent
+import ch.qos.logback.core.read.ListAppender
 import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.statement.bodyAsText
@@ -9,8 +12,11 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import org.slf4j.LoggerFactory
 import rasterlab.grader.Classroom
+import rasterlab.grader.CommandWords
 import rasterlab.grader.course.Accounts
+import rasterlab.grader.isolationLines
 import java.nio.file.Path
 import java.time.InstantSource
 
@@ -34,9 +40,34 @@ class IsolationTest {
                 ),
                 answer.bodyAsText().trim().lines(),
             )
+            val described = client.get("/openapi.json").bodyAsText()
+            assertTrue("keys are English in both languages" in described, "who reads the lines is not told so")
             val russian = client.get("/readyz?lang=ru").bodyAsText()
             assertTrue("missing: bubblewrap (bwrap не найден в PATH)" in russian, russian)
         }
+
+    @Test
+    @DisplayName("one long line tells at the start what is missing")
+    fun theStartTellsEachMissingLayerInALineOfItsOwn() {
+        val lines = isolationLines(CommandWords.asked("--lang", "ru"), Classroom.ISOLATION)
+        assertEquals("изоляции не хватает: bubblewrap (bwrap не найден в PATH)", lines.last())
+        assertEquals(2, lines.size)
+    }
+
+    @Test
+    @DisplayName("the log tells the address of the engine behind the door")
+    fun theLogTellsNoInnerPort() {
+        val seen = ListAppender<ILoggingEvent>().apply { start() }
+        val root = LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME) as Logger
+        root.addAppender(seen)
+        try {
+            Classroom(folder).listen { }
+        } finally {
+            root.detachAppender(seen)
+        }
+        val told = seen.list.map { it.formattedMessage }.filter { "Responding at" in it }
+        assertEquals(emptyList<String>(), told)
+    }
 
     @Test
     @DisplayName("the instructor is not told on the page what shuts the students' methods in")

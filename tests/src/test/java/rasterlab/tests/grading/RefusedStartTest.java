@@ -1,6 +1,7 @@
 package rasterlab.tests.grading;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -102,5 +103,6 @@ class RefusedStartTest {
         assertEquals("", run.out());
         assertEquals(1, run.err().lines().count(), run.err());
         assertTrue(run.err().contains(words), run.err());
+        assertFalse(Files.exists(folder.resolve("course")), "a refused start leaves a folder");
     }
 }
