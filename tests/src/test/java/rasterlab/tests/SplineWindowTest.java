@@ -39,8 +39,7 @@ class SplineWindowTest extends WindowHarness {
         assertTrue(after.get(1).y() > before.get(1).y() + 20, after.toString());
         assertEquals(before.get(2), after.get(2));
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, points());
+        await("what was before is back", () -> points().equals(before));
     }
 
     @Test

@@ -66,8 +66,7 @@ class WindowClipTest extends WindowHarness {
                 "the answer is that of the new window",
                 () -> state().results().scene().equals(choice().scene()));
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, choice());
+        await("what was before is back", () -> choice().equals(before));
     }
 
     @Test

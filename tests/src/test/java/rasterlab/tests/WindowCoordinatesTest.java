@@ -91,8 +91,7 @@ class WindowCoordinatesTest extends WindowHarness {
         drag("handle.vertex", 60, 20);
         assertNotEquals(before, view());
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, view());
+        await("what was before is back", () -> view().equals(before));
     }
 
     @Test

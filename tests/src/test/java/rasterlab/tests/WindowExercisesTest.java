@@ -178,8 +178,7 @@ class WindowExercisesTest extends ExercisesHarness {
         }
         assertEquals(place, place());
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(text, source());
+        await("what was before is back", () -> source().equals(text));
         assertTrue(window.button("redo").isEnabled(), "nothing can be done again");
     }
 
@@ -193,8 +192,7 @@ class WindowExercisesTest extends ExercisesHarness {
         assertEquals(place, place());
         assertTrue(window.button("cancel").isEnabled(), "the check is given up");
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(text, source());
+        await("what was before is back", () -> source().equals(text));
         window.button("cancel").click();
         await("it is given up", () -> window.button("check").isEnabled());
     }
@@ -209,8 +207,7 @@ class WindowExercisesTest extends ExercisesHarness {
         restoreStarter("Replace");
         assertEquals(starter, source());
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals("x" + starter, source());
+        await("what was before is back", () -> source().equals("x" + starter));
         await("that is kept too", () -> drafted().equals("x" + starter));
         window.button("redo").click();
         robot.waitForIdle();

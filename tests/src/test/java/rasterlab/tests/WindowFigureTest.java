@@ -66,8 +66,7 @@ class WindowFigureTest extends WindowHarness {
         assertEquals(before.centreX() + 1, figure(ArcFigure.class).centreX());
         window.button("undo").click();
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, figure(ArcFigure.class));
+        await("what was before is back", () -> figure(ArcFigure.class).equals(before));
     }
 
     @Test

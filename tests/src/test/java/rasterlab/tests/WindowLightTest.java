@@ -81,8 +81,7 @@ class WindowLightTest extends WindowHarness {
         GuiActionRunner.execute(() -> window.slider("x").target().setValue(20));
         await("other light", () -> !colours("stage").equals(before));
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(x, number("x"));
+        await("what was before is back", () -> number("x") == x);
         focus("stage");
         int z = number("z");
         robot.pressKey(KeyEvent.VK_SHIFT);

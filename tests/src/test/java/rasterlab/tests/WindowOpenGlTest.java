@@ -111,8 +111,7 @@ class WindowOpenGlTest extends WindowHarness {
         assertNotEquals(before.turn(), choice().turn());
         assertNotEquals(before.tilt(), choice().tilt());
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, choice());
+        await("what was before is back", () -> choice().equals(before));
     }
 
     @Test

@@ -74,8 +74,7 @@ class WindowPolygonTest extends WindowHarness {
                 "the answer is that of the new triangle",
                 () -> state().results().scene().equals(choice().scene()));
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, choice());
+        await("what was before is back", () -> choice().equals(before));
     }
 
     @Test

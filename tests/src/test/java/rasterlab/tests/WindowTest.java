@@ -58,8 +58,7 @@ class WindowTest extends WindowHarness {
         assertNotEquals(before, segment());
         assertEquals(before.x0(), segment().x0());
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, segment());
+        await("what was before is back", () -> segment().equals(before));
     }
 
     @Test

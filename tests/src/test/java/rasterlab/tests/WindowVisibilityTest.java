@@ -81,8 +81,7 @@ class WindowVisibilityTest extends WindowHarness {
         robot.waitForIdle();
         assertNotEquals(before.camera(), state().choice().camera());
         window.button("undo").click();
-        robot.waitForIdle();
-        assertEquals(before, state().choice());
+        await("what was before is back", () -> state().choice().equals(before));
     }
 
     @Test
