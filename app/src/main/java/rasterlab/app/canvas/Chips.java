@@ -5,6 +5,8 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -89,6 +91,61 @@ public final class Chips extends JPanel {
             lab.guide().clicked(hazard, this);
     }
 
+    /** What is told over the stage of the lab that is seen there. */
+    public static Optional<HazardTold> toldIn(Container place) {
+        return Stream.of(place.getComponents())
+                .filter(Component::isVisible)
+                .flatMap(
+                        child ->
+                                child instanceof LabLayout lab
+                                        ? lab.guide().told().stream()
+                                        : child instanceof Container inner
+                                                ? toldIn(inner).stream()
+                                                : Stream.empty())
+                .findFirst();
+    }
+
+    /** Tells it again over the same lab, made again, in the language of its chips. */
+    public static void tellAgain(HazardTold told, Container place) {
+        for (Component child : place.getComponents())
+            if (child.isVisible() && child instanceof Chips chips) chips.tellAgain(told);
+            else if (child.isVisible() && child instanceof Container inner) tellAgain(told, inner);
+    }
+
+    /** A hazard whose verdicts were not found yet is shown again, which looks for them. */
+    private void tellAgain(HazardTold told) {
+        for (HazardCase each : List.copyOf(cases)) {
+            if (!each.name().equals(told.hazard().name())) continue;
+            if (told.judging()) choose(each);
+            else if (SwingUtilities.getAncestorOfClass(LabLayout.class, this)
+                    instanceof LabLayout lab) lab.guide().tellAgain(told, each, this);
+        }
+    }
+
+    /**
+     * Marks the chip of the hazard that is told over the stage, wherever the keyboard is.
+     *
+     * @param name "" for none
+     */
+    void mark(String name) {
+        for (Component each : getComponents())
+            if (each instanceof JButton chip && chip != more)
+                chip.setSelected(chip.getName().equals("chip." + name));
+        markMore();
+    }
+
+    /** The chip that is marked may be in the menu. */
+    private void markMore() {
+        more.setSelected(
+                Stream.of(getComponents())
+                        .anyMatch(
+                                each ->
+                                        each instanceof JButton chip
+                                                && chip != more
+                                                && chip.isSelected()
+                                                && !chip.isVisible()));
+    }
+
     static JButton chip(String name, String text, Runnable action) {
         var chip = new JButton(text);
         chip.setName(name);
@@ -130,6 +187,7 @@ public final class Chips extends JPanel {
     @Override
     public void doLayout() {
         super.doLayout();
+        markMore();
         if (getComponentCount() > 2) {
             Component title = getComponent(0);
             title.setSize(title.getWidth(), getComponent(1).getHeight());

@@ -81,7 +81,7 @@ final class HazardStrip extends JPanel {
         setBackground(colours.margin());
         setBorder(
                 BorderFactory.createMatteBorder(
-                        1, 1, 0, 1, UIManager.getColor("Component.borderColor")));
+                        1, 1, 1, 1, UIManager.getColor("Component.borderColor")));
     }
 
     /** Whose input and method the verdicts are compared with. */
@@ -95,13 +95,29 @@ final class HazardStrip extends JPanel {
      * @param chips among which it was chosen: the strip goes when they are hidden
      */
     void tell(HazardCase hazard, Component chips) {
-        shown = Optional.of(hazard);
+        Object now = lab.<Object>map(one -> one.input().get()).orElse("");
+        tellAgain(new HazardTold(hazard, now, method(), false), chips);
+    }
+
+    /** Goes on telling what was told over the same stage before it was made again. */
+    void tellAgain(HazardTold told, Component chips) {
+        if (source instanceof Chips others && others != chips) others.mark("");
+        shown = Optional.of(told.hazard());
         source = chips;
-        input = lab.<Object>map(one -> one.input().get()).orElse("");
-        before = method();
+        input = told.input();
+        before = told.before();
         tallest = 0;
         judging = false;
         refresh();
+    }
+
+    /** What is told now. */
+    Optional<HazardTold> told() {
+        return shown.map(hazard -> new HazardTold(hazard, input, before, judging && !changed()));
+    }
+
+    private boolean changed() {
+        return lab.isPresent() && !lab.get().input().get().equals(input);
     }
 
     /** Adds verdicts to the hazard of that name, if it is still told. */
@@ -125,9 +141,10 @@ final class HazardStrip extends JPanel {
     void refresh() {
         if (shown.isPresent() && !source.isVisible()) shown = Optional.empty();
         setVisible(shown.isPresent());
+        if (source instanceof Chips chips) chips.mark(shown.map(HazardCase::name).orElse(""));
         if (shown.isEmpty()) return;
         HazardCase hazard = shown.get();
-        boolean changed = lab.isPresent() && !lab.get().input().get().equals(input);
+        boolean changed = changed();
         special.show(texts.text("hazard.special", hazard.label(), hazard.special()));
         special.setEnabled(!changed);
         row.removeAll();

@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.util.Map;
@@ -27,6 +28,7 @@ public final class StageGuide extends JPanel {
     private final JComponent stage;
     private final HazardStrip strip;
     private final StageHint hint;
+    private String key = "";
     private boolean docked;
 
     /**
@@ -59,6 +61,7 @@ public final class StageGuide extends JPanel {
      * @param sentence "" for none
      */
     public void hint(String key, String sentence) {
+        this.key = key;
         hint.show(key, sentence.isEmpty() ? "" : texts.text("hint.help", sentence));
         revalidate();
     }
@@ -79,6 +82,26 @@ public final class StageGuide extends JPanel {
 
     void clicked(HazardCase hazard, Component chips) {
         strip.tell(hazard, chips);
+        revalidate();
+    }
+
+    /** The key of the stage that is seen there; "" where it has none. */
+    public static String stageSeenIn(Container place) {
+        for (Component child : place.getComponents()) {
+            if (!child.isVisible()) continue;
+            if (child instanceof StageGuide guide) return guide.key;
+            String found = child instanceof Container inner ? stageSeenIn(inner) : "";
+            if (!found.isEmpty()) return found;
+        }
+        return "";
+    }
+
+    Optional<HazardTold> told() {
+        return strip.told();
+    }
+
+    void tellAgain(HazardTold told, HazardCase words, Component chips) {
+        strip.tellAgain(new HazardTold(told.in(words), told.input(), told.before(), false), chips);
         revalidate();
     }
 

@@ -62,6 +62,7 @@ public final class PolygonPanel extends LabPanel {
         var layout = new LabLayout(chips, stage, inspector.column(), actions, player);
         guide =
                 layout.guide()
+                        .dock()
                         .of(
                                 new LabInput(
                                         () -> model.state().choice().scene().figure(),

@@ -30,11 +30,17 @@ record HelpText(String title, List<Section> sections) {
     /** A key or a movement of the mouse, and what it does. */
     record Way(String by, String does) {}
 
-    static HelpText of(String tab, Language language) {
+    /**
+     * @param stage key of the stage that is seen in the tab; one that has no ways of its own has
+     *     those of the tab
+     */
+    static HelpText of(String tab, String stage, Language language) {
         Texts texts = Texts.of("shell", "help", language);
         String name = Texts.of("shell", language).text("tab." + tab);
+        List<Way> own = ways(texts, stage);
+        List<Way> ofTab = own.isEmpty() ? ways(texts, tab) : own;
         var sections = new ArrayList<Section>();
-        sections.add(new Section(texts.text("heading.tab"), ways(texts, tab)));
+        sections.add(new Section(texts.text("heading.tab"), ofTab));
         if (!WITHOUT_STEPS.contains(tab))
             sections.add(new Section(texts.text("heading.player"), ways(texts, "player")));
         sections.add(new Section(texts.text("heading.window"), ways(texts, "window")));

@@ -13,6 +13,7 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -119,7 +120,9 @@ public final class LabContent extends JPanel {
     /** Says what can be done in the tab that is shown. */
     private void help(Language language) {
         Window window = SwingUtilities.getWindowAncestor(this);
-        new HelpDialog(window, HelpText.of(pane.seen().name(), language)).setVisible(true);
+        String stage = StageGuide.stageSeenIn(pane.seen().panel());
+        HelpText help = HelpText.of(pane.seen().name(), stage, language);
+        new HelpDialog(window, help).setVisible(true);
     }
 
     private static JLabel brand() {

@@ -189,7 +189,7 @@ public final class LabFrame extends JFrame {
         String focus = focused();
         String seen = content.seen();
         String chosen = content.shown();
-        List<LabTabs.Playing> playing = tabs.playing();
+        List<LabTabs.Doing> doing = tabs.doing();
         // What is thrown away need not learn the new look first.
         place.removeAll();
         tabs.close();
@@ -198,7 +198,7 @@ public final class LabFrame extends JFrame {
             FlatLaf.updateUI();
         }
         fill(next.get(), seen);
-        tabs.goOnAs(playing);
+        tabs.goOnAs(doing);
         content.show(chosen);
         giveFocus(focus);
         EventQueue.invokeLater(() -> giveFocus(focus));

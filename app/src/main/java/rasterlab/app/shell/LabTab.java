@@ -8,6 +8,8 @@ import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JEditorPane;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.HazardTold;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 
@@ -20,6 +22,7 @@ public final class LabTab implements AutoCloseable {
     private final Deque<Runnable> parts = new ArrayDeque<>();
     private Optional<LabPanel> panel = Optional.empty();
     private Optional<StepPlayer.Playing> playing = Optional.empty();
+    private Optional<HazardTold> told = Optional.empty();
     private boolean closed;
 
     /**
@@ -101,6 +104,7 @@ public final class LabTab implements AutoCloseable {
                     first.refresh();
                     measurePages(first);
                     playing.ifPresent(before -> goOn(first, before));
+                    told.ifPresent(before -> Chips.tellAgain(before, first));
                 });
         // What takes long when it is measured first is quick when the window lays it out.
         parts.add(first::getPreferredSize);
@@ -132,6 +136,17 @@ public final class LabTab implements AutoCloseable {
 
     private static void goOn(LabPanel lab, StepPlayer.Playing before) {
         StepPlayer.seenIn(lab).ifPresent(player -> player.goOn(before));
+    }
+
+    /** The hazard that is told over the lab's stage, or will once the lab is made. */
+    Optional<HazardTold> told() {
+        return isWhole() ? panel.flatMap(Chips::toldIn) : told;
+    }
+
+    /** Lets the lab, once it is made, tell what another in its place told. */
+    void tellAgain(HazardTold before) {
+        told = Optional.of(before);
+        if (isWhole()) panel.ifPresent(lab -> Chips.tellAgain(before, lab));
     }
 
     /** The lab; the same one every time. */

@@ -3,7 +3,9 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.HazardTold;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.clip.ClipPanel;
@@ -152,20 +154,26 @@ public final class LabTabs implements AutoCloseable {
         return Named.find("tab", name, tabs, LabTab::name);
     }
 
-    /** Lets each tab, once it is made, play as the one of its name did. */
-    void goOnAs(List<Playing> before) {
-        before.forEach(was -> named(was.tab()).goOn(was.playing()));
+    /** Lets each tab, once it is made, play and tell what the one of its name did. */
+    void goOnAs(List<Doing> before) {
+        for (Doing was : before) {
+            was.playing().ifPresent(named(was.tab())::goOn);
+            was.told().ifPresent(named(was.tab())::tellAgain);
+        }
     }
 
-    /** What plays in which tab, seen or not. */
-    List<Playing> playing() {
-        return tabs.stream()
-                .flatMap(tab -> tab.playing().map(how -> new Playing(tab.name(), how)).stream())
-                .toList();
+    /** What each tab does, seen or not. */
+    List<Doing> doing() {
+        return tabs.stream().map(tab -> new Doing(tab.name(), tab.playing(), tab.told())).toList();
     }
 
-    /** How the lab of a tab plays. */
-    record Playing(String tab, StepPlayer.Playing playing) {}
+    /**
+     * What the lab of a tab does that its model does not know.
+     *
+     * @param playing how it plays
+     * @param told the hazard that is told over its stage
+     */
+    record Doing(String tab, Optional<StepPlayer.Playing> playing, Optional<HazardTold> told) {}
 
     /** The tab of that name, or the first. */
     LabTab namedOrFirst(String name) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -31,7 +32,7 @@ class HazardStripTest {
     @BeforeEach
     void tell() {
         LabTheme.LIGHT.install();
-        strip = new HazardStrip(Texts.of("canvas", Language.ENGLISH));
+        if (strip == null) strip = new HazardStrip(Texts.of("canvas", Language.ENGLISH));
         strip.of(new LabInput(() -> input, () -> method, chosen -> method = chosen));
         var hazard =
                 new HazardCase(
@@ -83,6 +84,38 @@ class HazardStripTest {
                         "Back to:",
                         "right: exact"),
                 said());
+    }
+
+    @Test
+    @DisplayName("the clicked chip is marked only while it has the keyboard, or for ever")
+    void itsChipIsMarkedAsLongAsItIsTold() {
+        var row = new Chips(Texts.of("line", Language.ENGLISH), "hazards");
+        for (String name : List.of("steep", "flat")) row.add(name, name, "", () -> {});
+        strip.tell(HazardCase.unjudged("steep", "steep", "", () -> {}), row);
+        assertEquals(List.of("chip.steep"), marked(row));
+        strip.tell(HazardCase.unjudged("flat", "flat", "", () -> {}), row);
+        assertEquals(List.of("chip.flat"), marked(row));
+        input = "moved";
+        strip.refresh();
+        assertEquals(List.of("chip.flat"), marked(row));
+        button("hazard.close").doClick();
+        assertEquals(List.of(), marked(row));
+        strip.tell(HazardCase.unjudged("flat", "flat", "", () -> {}), row);
+        tell();
+        assertEquals(List.of(), marked(row), "another row's hazard is told");
+    }
+
+    private static List<String> marked(Chips row) {
+        return Stream.of(row.getComponents())
+                .filter(each -> each instanceof JButton chip && chip.isSelected())
+                .filter(each -> !"chips.more".equals(each.getName()))
+                .map(Component::getName)
+                .toList();
+    }
+
+    @Test
+    void hasAnEdgeAllAround() {
+        assertEquals(new Insets(1, 1, 1, 1), strip.getBorder().getBorderInsets(strip));
     }
 
     /** What the row says, in its order. */

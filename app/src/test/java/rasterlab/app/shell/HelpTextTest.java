@@ -11,6 +11,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 
@@ -23,7 +24,7 @@ class HelpTextTest {
     @MethodSource("tabs")
     void everyTabHasItsWays(String tab) {
         for (Language language : Language.values()) {
-            HelpText help = HelpText.of(tab, language);
+            HelpText help = HelpText.of(tab, "", language);
             assertTrue(help.sections().get(0).ways().size() >= 4, help.toString());
             for (HelpText.Section section : help.sections())
                 for (HelpText.Way way : section.ways()) {
@@ -36,21 +37,33 @@ class HelpTextTest {
     @Test
     void bothLanguagesHaveTheSameRows() {
         for (String tab : LabTabs.NAMES)
-            assertEquals(sizes(HelpText.of(tab, Language.ENGLISH)), sizes(of(tab)), tab);
+            assertEquals(sizes(HelpText.of(tab, "", Language.ENGLISH)), sizes(of(tab)), tab);
     }
 
     private static HelpText of(String tab) {
-        return HelpText.of(tab, Language.RUSSIAN);
+        return HelpText.of(tab, "", Language.RUSSIAN);
     }
 
     private static List<Integer> sizes(HelpText help) {
         return help.sections().stream().map(section -> section.ways().size()).toList();
     }
 
+    @ParameterizedTest(name = "help speaks of a lamp that is not there: {0}")
+    @ValueSource(strings = {"light.colours", "coordinates.rows"})
+    void stageWithoutALampHasWaysOfItsOwn(String stage) {
+        for (Language language : Language.values()) {
+            HelpText.Section ways = HelpText.of("light", stage, language).sections().get(0);
+            assertTrue(ways.ways().size() >= 4, ways.toString());
+            assertFalse(ways.toString().matches("(?s).*(lamp|источник).*"), ways.toString());
+            String lit = HelpText.of("light", "light", language).toString();
+            assertTrue(lit.matches("(?s).*(lamp|источник).*"), lit);
+        }
+    }
+
     @Test
     @DisplayName("help leaves out a key of the player")
     void everyKeyOfThePlayerIsNamed() {
-        String said = HelpText.of("line", Language.ENGLISH).toString();
+        String said = HelpText.of("line", "line.segment", Language.ENGLISH).toString();
         for (KeyStroke key : StepPlayer.keys()) {
             String name = java.awt.event.KeyEvent.getKeyText(key.getKeyCode());
             assertTrue(said.contains(name), name + " in " + said);
