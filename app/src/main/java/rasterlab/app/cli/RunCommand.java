@@ -14,7 +14,6 @@ import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.run.Runs;
 import rasterlab.app.cli.run.TopicRun;
 import rasterlab.app.language.Complaints;
-import rasterlab.app.language.Language;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
@@ -155,7 +154,7 @@ final class RunCommand implements Callable<Integer> {
                 throw Complaint.badInput("the line is empty; expected a JSON object");
             return run.answer(method, input.bytes(), input.length(), steps);
         } catch (Complaint complaint) {
-            String said = Complaints.saidToTypist(Language.ENGLISH, complaint.getMessage());
+            String said = Complaints.saidToProgram(complaint.getMessage());
             String error = Failures.oneLine(said);
             return json -> json.writeStringField("error", error);
         }

@@ -31,6 +31,7 @@ public final class Complaints {
 
     private final Texts translations;
     private final UnaryOperator<String> numbers;
+    private final UnaryOperator<String> computed;
 
     /**
      * @param pattern with a group for each place, in the order of {@code places}
@@ -82,9 +83,11 @@ public final class Complaints {
         }
     }
 
-    private Complaints(Language language, UnaryOperator<String> numbers) {
+    private Complaints(
+            Language language, UnaryOperator<String> numbers, UnaryOperator<String> computed) {
         translations = Texts.of("language", "complaints", language);
         this.numbers = numbers;
+        this.computed = computed;
     }
 
     private static List<Sentence> sentences() {
@@ -102,23 +105,38 @@ public final class Complaints {
     /** The sentence in that language. */
     public static String said(Language language, String english) {
         UnaryOperator<String> numbers = number -> NumberForm.of(number, language);
-        return new Complaints(language, numbers).inQuotes(english);
+        return new Complaints(language, numbers, rounded(language)).inQuotes(english);
     }
 
     /**
      * The same on a terminal: numbers keep the point that one types there, whole ones without a
-     * fraction. English stays as it is, for scripts that read it, but for Java's powers of ten:
-     * 1e-8 for 1.0E-8.
+     * fraction. English keeps its quotation marks and the digits of what was computed.
      */
     public static String saidToTypist(Language language, String english) {
+        UnaryOperator<String> typed = NumberForm::typed;
         return language == Language.ENGLISH
-                ? NumberForm.powers(english, NumberForm::typed)
-                : new Complaints(language, NumberForm::typed).inQuotes(english);
+                ? new Complaints(language, typed, typed).inSentence(english)
+                : new Complaints(language, typed, rounded(language)).inQuotes(english);
+    }
+
+    /**
+     * The English sentence in JSON, as it always was for programs that read it, but for Java's
+     * powers of ten: 1e-8 for 1.0E-8.
+     */
+    public static String saidToProgram(String english) {
+        return NumberForm.powers(english, NumberForm::typed);
+    }
+
+    private static UnaryOperator<String> rounded(Language language) {
+        return number -> NumberForm.rounded(number, language);
     }
 
     private String inQuotes(String english) {
-        String said = NumberForm.powers(said(english).orElse(english), numbers);
-        return Quotes.of(translations.language(), said);
+        return Quotes.of(translations.language(), inSentence(english));
+    }
+
+    private String inSentence(String english) {
+        return NumberForm.powers(said(english).orElse(english), numbers);
     }
 
     private Optional<String> said(String english) {
@@ -149,8 +167,7 @@ public final class Complaints {
                         place -> {
                             int number = Integer.parseInt(place.group(2));
                             String value = found.group(sentence.places.indexOf(number) + 1);
-                            if (sentence.computed.contains(number))
-                                value = NumberForm.rounded(value, translations.language());
+                            if (sentence.computed.contains(number)) value = computed.apply(value);
                             else if (!sentence.names.contains(number))
                                 value = said(value).orElse(numbers.apply(value));
                             return Matcher.quoteReplacement(place.group(1) + value);

@@ -53,15 +53,15 @@ class RunDepthBufferTest {
                 argumentSet(
                         "planes in the wrong order",
                         "{\"near\":9,\"far\":8,\"depths\":[8.5]}",
-                        "/far: must be at least 1.000001·near and at most 1e100, or infinite, got 8.0 with near 9.0"),
+                        "/far: must be at least 1.000001·near and at most 1e100, or infinite, got 8 with near 9"),
                 argumentSet(
                         "near plane in the eye",
                         "{\"near\":0,\"far\":8,\"depths\":[5]}",
-                        "/near: must be from 1e-100 to 1e100, got 0.0"),
+                        "/near: must be from 1e-100 to 1e100, got 0"),
                 argumentSet(
                         "depth behind the far plane",
                         "{\"near\":1,\"far\":8,\"depths\":[5,9]}",
-                        "/depths/1: must be finite and from near to far, 1.0 to 8.0, got 9.0"),
+                        "/depths/1: must be finite and from near to far, 1 to 8, got 9"),
                 argumentSet(
                         "row without its length",
                         "{\"near\":1,\"far\":8,\"depths\":[5],\"to\":[6]}",

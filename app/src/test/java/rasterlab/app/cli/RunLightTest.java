@@ -96,14 +96,14 @@ class RunLightTest {
                         "color",
                         "formula",
                         "{\"rgb\":[0,1.5,0]}",
-                        "/rgb/1: expected a number from 0.0 to 1.0, got 1.5"),
+                        "/rgb/1: expected a number from 0 to 1, got 1.5"),
                 argumentSet(
                         "a missing share",
                         2,
                         "color",
                         "formula",
                         "{\"rgb\":[0,null,0]}",
-                        "/rgb/1: expected a number from 0.0 to 1.0, got null"),
+                        "/rgb/1: expected a number from 0 to 1, got null"),
                 argumentSet(
                         "two models at once",
                         2,
@@ -133,7 +133,7 @@ class RunLightTest {
                         "shade",
                         "phong",
                         POINT + "{\"diffuse\":[0,2,0]}}",
-                        "/material: diffuse must have shares from 0 to 1, got (0.0, 2.0, 0.0)"),
+                        "/material: diffuse must have shares from 0 to 1, got (0, 2, 0)"),
                 argumentSet(
                         "an attenuation of 1/0",
                         2,
@@ -147,15 +147,15 @@ class RunLightTest {
                         "shade-face",
                         "phong",
                         FACE + "[[2,-1,0]]}",
-                        "/: weights of point 0 must be 0 or more with the sum 1, got (2.0, -1.0,"
-                                + " 0.0)"),
+                        "/: weights of point 0 must be 0 or more with the sum 1, got (2, -1,"
+                                + " 0)"),
                 argumentSet(
                         "a depth behind the eye",
                         2,
                         "texture-mapping",
                         "perspective",
                         "{\"from\":[0,0,-1],\"to\":[1,2,3],\"pixels\":3}",
-                        "/: depth of the first pixel must be from 1e-6 to 1000000.0, got -1.0"),
+                        "/: depth of the first pixel must be from 1e-6 to 1000000, got -1"),
                 argumentSet(
                         "a short row",
                         2,
@@ -170,7 +170,7 @@ class RunLightTest {
                         "summed-area",
                         "{\"picture\":[[10]],\"pixels\":[[0,0,1,1,-1,1]]}",
                         "summed-area refuses: footprint must not be turned: dt/dx and ds/dy must be"
-                                + " 0, got 1.0 and -1.0"),
+                                + " 0, got 1 and -1"),
                 argumentSet(
                         "no field is named where all may be left out",
                         2,

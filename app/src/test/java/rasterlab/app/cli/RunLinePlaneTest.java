@@ -79,7 +79,7 @@ class RunLinePlaneTest {
                         3,
                         "{\"line\":[[0,0,1],[1,0,1]]," + LEVEL + "}",
                         "formula refuses: line must not be parallel to the plane, but n·p* is"
-                                + " 0.0"),
+                                + " 0"),
                 argumentSet(
                         "normal without a point is a plane",
                         2,
@@ -89,11 +89,11 @@ class RunLinePlaneTest {
                         "one point twice is a line",
                         2,
                         "{\"line\":[[1,2,3],[1,2,3]]," + LEVEL + "}",
-                        "/line: a line needs two different points, got (1.0, 2.0, 3.0)" + " twice"),
+                        "/line: a line needs two different points, got (1, 2, 3)" + " twice"),
                 argumentSet(
                         "normal of no length has a direction",
                         2,
                         "{\"line\":[[0,0,1],[1,0,2]],\"normal\":[0,0,0],\"point\":[1,1,1]}",
-                        "/normal: a plane's normal must not be (0.0, 0.0, 0.0)"));
+                        "/normal: a plane's normal must not be (0, 0, 0)"));
     }
 }

@@ -124,7 +124,7 @@ class RunPolygonTest {
                         "fan",
                         "{\"polygon\":[[0,0],[9,4],[0,8],[3,4]]}",
                         "fan refuses: a fan needs a convex polygon without corners on the sides at"
-                                + " corner 0, but corner 3 (3.0, 4.0) is in the way"));
+                                + " corner 0, but corner 3 (3, 4) is in the way"));
     }
 
     @Test

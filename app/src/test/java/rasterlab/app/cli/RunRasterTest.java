@@ -104,7 +104,7 @@ class RunRasterTest {
                         "one-matrix",
                         "{\"points\":[],\"theta\":0,\"phi\":0,\"rho\":-1}",
                         2,
-                        "/rho: expected a number above 0.0, up to 1.0715086071862673e301, got -1"),
+                        "/rho: expected a number above 0, up to 1.0715086071862673e301, got -1"),
                 argumentSet(
                         "the circle has more pixels than an answer",
                         "circle",

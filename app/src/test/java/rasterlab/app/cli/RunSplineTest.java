@@ -101,8 +101,7 @@ class RunSplineTest {
     void refusalHasTheMethodsMessage() {
         String json = "{\"x\":[0,1,1],\"y\":[0,1,0],\"at\":[],\"ends\":{\"kind\":\"natural\"}}";
         Ran.labReading(json, "run", "spline-function", "cubic")
-                .assertComplains(
-                        3, "./lab run: cubic refuses: x[2] must be above x[1] = 1.0, got 1.0");
+                .assertComplains(3, "./lab run: cubic refuses: x[2] must be above x[1] = 1, got 1");
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -132,7 +131,7 @@ class RunSplineTest {
                         spline,
                         "cubic",
                         HAT + "{\"kind\":\"natural\",\"left\":1}}",
-                        "/ends/left: only ends of kind slopes have one, got 1.0"),
+                        "/ends/left: only ends of kind slopes have one, got 1"),
                 argumentSet(
                         "value without a knot is ignored",
                         spline,
@@ -168,7 +167,7 @@ class RunSplineTest {
                         "curve",
                         "adaptive",
                         ARCH + "\"flatness\":0}",
-                        "/flatness: expected a number of pixels from 1e-100 to 1e100, got 0.0"),
+                        "/flatness: expected a number of pixels from 1e-100 to 1e100, got 0"),
                 argumentSet(
                         "three points make no Hermite curve",
                         "curve",

@@ -80,7 +80,7 @@ class RunVisibleFacesTest {
                         3,
                         FACES + ",\"eye\":[1,2,3],\"inside\":[0.25,0.25,-1]",
                         "convex-segment refuses: inside must be behind every face, but [0.25, 0.25,"
-                                + " -1.0] lies in front of face 0; give an inner point of a convex"
+                                + " -1] lies in front of face 0; give an inner point of a convex"
                                 + " body, its faces counter-clockwise seen from outside"));
     }
 }

@@ -194,7 +194,7 @@ class SceneFileCommandTest {
                 "'near': 0, 'far': 9 | $.near: near must be above 0 in perspective",
                 "'far': 1e-9 | $.far: near must be below far",
                 "'camera': {'theta': NaN, 'phi': 1, 'rho': 9} | $.camera.theta: must be a number from"
-                        + " -1000000.0 to 1000000.0, got NaN",
+                        + " -1000000 to 1000000, got NaN",
                 "'detail': 0 | $.detail: must be a whole number from 3 to 1024, got 0",
                 "'look': {'textureImage': '../x.png'} | $.look.textureImage: '../x.png' leads out",
                 "'look': {'textureImage': '.'} | $.look.textureImage: FOLDER: is a folder, not a picture",
@@ -350,7 +350,7 @@ class SceneFileCommandTest {
                         2,
                         "./lab render: "
                                 + file
-                                + ": $.camera.rho: must be a number from 0.001 to 1000000.0, got"
+                                + ": $.camera.rho: must be a number from 0.001 to 1000000, got"
                                 + " -3");
         Ran.lab("run", "--scene", written(VIEW))
                 .assertComplains(

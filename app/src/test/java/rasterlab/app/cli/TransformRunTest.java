@@ -180,14 +180,14 @@ class TransformRunTest {
                         "formula",
                         "{\"name\":\"LOOKAT\",\"eye\":[10,38,2],\"center\":[10,8,2.000000001],\"up\":[0,1,0]}",
                         "formula refuses: up must lie at least 1e-8 radians off the line of sight, got"
-                                + " (0.0, 1.0, 0.0) along (0.0, -1.0, 3.33333360913457e-11)"),
+                                + " (0, 1, 0) along (0, -1, 3.33333360913457e-11)"),
                 argumentSet(
                         "a value out of range",
                         2,
                         "matrix",
                         "formula",
                         "{\"name\":\"CANONICAL\",\"zmin\":1}",
-                        "/zmin: zmin must be a number above 0 and below 1, got 1.0"),
+                        "/zmin: zmin must be a number above 0 and below 1, got 1"),
                 argumentSet(
                         "a flat point",
                         2,
@@ -201,7 +201,7 @@ class TransformRunTest {
                         "matrix",
                         "formula",
                         "{\"name\":\"GL_ORTHO\",\"left\":1,\"right\":1,\"bottom\":0,\"top\":1,\"near\":0,\"far\":1}",
-                        "formula refuses: right must differ from left, got both 1.0"),
+                        "formula refuses: right must differ from left, got both 1"),
                 argumentSet(
                         "a number in place of a matrix might have been rows only",
                         2,
@@ -216,7 +216,7 @@ class TransformRunTest {
                         "view",
                         "taken-apart",
                         "{\"points\":[],\"theta\":1,\"phi\":2,\"rho\":\"far\"}",
-                        "/rho: expected a number above 0.0, up to 1.0715086071862673e301, got the"
+                        "/rho: expected a number above 0, up to 1.0715086071862673e301, got the"
                                 + " string \"far\""),
                 argumentSet(
                         "a bad matrix in a list has no place",
@@ -224,7 +224,7 @@ class TransformRunTest {
                         "transform",
                         "double",
                         "{\"matrices\":[{\"name\":\"IDENTITY\"},{\"name\":\"SCALE3D\",\"s\":0}],\"points\":[]}",
-                        "/matrices/1/s: s must be a finite number other than 0, got 0.0"),
+                        "/matrices/1/s: s must be a finite number other than 0, got 0"),
                 argumentSet(
                         "a list crashes on what a matrix refuses",
                         2,

@@ -33,6 +33,9 @@ class ComplaintsTest {
                 "RUSSIAN | direction to the light must be finite and not zero, got (0.0, -0.5, NaN)"
                         + " | направление на источник должно быть конечным и не нулевым,"
                         + " получено (0; −0,5; NaN)",
+                "RUSSIAN | numbers of a clip plane must be from -1.0E30 to 1.0E30, got 1.0E300"
+                        + " | числа плоскости отсечения должны быть от −10³⁰ до 10³⁰,"
+                        + " получено 10³⁰⁰",
                 "RUSSIAN | no result within 5 s | результата нет за 5 с",
                 "RUSSIAN | the server did not say its address; its last words: no folder a"
                         + " | сервер не сообщил свой адрес; его последние слова: no folder a",
@@ -69,7 +72,7 @@ class ComplaintsTest {
         assertEquals(said, Complaints.said(language, english));
     }
 
-    @ParameterizedTest(name = "a number has Java''s capital E, or a name loses its own: {1}")
+    @ParameterizedTest(name = "a number has Java''s capital E or .0, or a name loses its own: {1}")
     @CsvSource(
             delimiter = '|',
             value = {
@@ -77,7 +80,12 @@ class ComplaintsTest {
                 "ENGLISH | y must be in ±1.0E100, got NaN | y must be in ±1e100, got NaN",
                 "ENGLISH | must be from -1E75 to 1E75 | must be from -1e75 to 1e75",
                 "ENGLISH | must be in 1.0E-75..1.0E75, got 2.5 | must be in 1e-75..1e75, got 2.5",
-                "ENGLISH | got (0.0, -1.0, 3.5E-11) | got (0.0, -1.0, 3.5e-11)",
+                "ENGLISH | turn must be in [0, 360), got (0.0, -1.0, 3.5E-11)"
+                        + " | turn must be in [0, 360), got (0, -1, 3.5e-11)",
+                "ENGLISH | zoom must be in [0.001, 1000.0], got 0.0"
+                        + " | zoom must be in [0.001, 1000], got 0",
+                "ENGLISH | no course with the code '1.0'; ask for it"
+                        + " | no course with the code '1.0'; ask for it",
                 "ENGLISH | /tmp/1.0E5: no file '-1.0E5' or x1.0E5.obj"
                         + " | /tmp/1.0E5: no file '-1.0E5' or x1.0E5.obj",
                 "RUSSIAN | no such sentence: 1.0E-8 | no such sentence: 1e-8",

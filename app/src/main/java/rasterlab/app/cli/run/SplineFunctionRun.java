@@ -11,7 +11,6 @@ import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.language.Complaints;
-import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
@@ -131,8 +130,7 @@ public final class SplineFunctionRun implements TopicRun {
             json.writeFieldName("coefficients");
             JsonNumbers.writePoints(json, coefficients, 4);
             if (data.closed().moved())
-                json.writeStringField(
-                        "note", Complaints.saidToTypist(Language.ENGLISH, data.closed().note()));
+                json.writeStringField("note", Complaints.saidToProgram(data.closed().note()));
             if (function instanceof SteppedSpline stepped && steps)
                 Steps.write(
                         json, stepped.decisionFormula(), walked, (out, step) -> step.write(out));
