@@ -176,10 +176,13 @@ internal class ServeCommand(
                 socket.bind(address)
             }
         } catch (failure: IOException) {
-            if (failure.message.orEmpty().startsWith("Address already in use")) {
-                throw CannotStart(Reason.TAKEN, host, port)
+            val why = failure.message.orEmpty()
+            throw when {
+                why.startsWith("Address already in use") -> CannotStart(Reason.TAKEN, host, port)
+                why.startsWith("Cannot assign requested address") -> CannotStart(Reason.UNASSIGNED, host, port)
+                why.startsWith("Permission denied") -> CannotStart(Reason.FORBIDDEN, host, port)
+                else -> CannotStart(Reason.LISTEN, host, port, why)
             }
-            throw CannotStart(Reason.LISTEN, host, port, failure.message.orEmpty())
         }
         return address
     }

@@ -212,6 +212,8 @@ class ModelFileTest {
                 "-o 0 0 x tex.png | tex.png | there is no texture 'x tex.png'; 'tex.png' was taken",
                 "-o 0 0 x in/tex.png | in/tex.png | there is no texture 'x in/tex.png'; 'in/tex.png' was taken",
                 "-o 0 0 x tex.png | x tex.png | ",
+                "-o 0.5 -s 2 tex.png | tex.png | ",
+                "-s 2 -o 0.5 0.25 -clamp on tex.png | tex.png | ",
                 "tex.png #2 | tex.png | there is no texture 'tex.png #2'; 'tex.png' was taken",
                 "tex.png #2 | tex.png #2 | ",
                 "tex#2.png | tex#2.png | "

@@ -37,6 +37,7 @@ object Backups {
         copy: Path,
     ) {
         val whole = copy.absolute().normalize()
+        if (whole.isDirectory()) throw CannotStart(Reason.BACKUP_IS_FOLDER, copy)
         if (whole.exists()) throw CannotStart(Reason.BACKUP_THERE, copy)
         if (!whole.parent.isDirectory()) throw CannotStart(Reason.BACKUP_FOLDER, copy, whole.parent)
         beside(whole) { part ->
