@@ -58,6 +58,19 @@ class RunLinePlaneTest {
     }
 
     @Test
+    void aPlaneWhoseDistanceIsBeyondTheDoublesIsMet() {
+        Ran ran =
+                Ran.labReading(
+                        "{\"line\":[[0,0,0],[20,2,0]],"
+                                + "\"normal\":[1e308,1e308,0],\"point\":[10,1,1]}",
+                        "run",
+                        "line-plane",
+                        "unrounded");
+        ran.assertDone();
+        assertTrue(ran.out().contains("\"mu\":0.5"), ran.out() + ran.err());
+    }
+
+    @Test
     void aPointBeyondTheDoublesLeavesNoHalfAnswer() {
         String far = "{\"line\":[[0,0,0],[1.7976931348623157e308,1,1]]," + LEVEL + "}";
         Ran ran = Ran.labReading(far, "run", "line-plane", "formula-textbook");

@@ -13,7 +13,9 @@ public record Plane(Vector normal, double c) {
     public Plane {
         Finite.require("c", c);
         if (normal.length() == 0)
-            throw new IllegalArgumentException("a plane's normal must not be " + normal);
+            throw new IllegalArgumentException(
+                    "a plane's normal must not be "
+                            + new Vector(normal.x() + 0.0, normal.y() + 0.0, normal.z() + 0.0));
     }
 
     /** The plane through {@code point} with that normal. */
@@ -28,6 +30,15 @@ public record Plane(Vector normal, double c) {
      * @throws IllegalArgumentException if the three lie on one line
      */
     public static Plane through(Vector p, Vector q, Vector r) {
+        return through(q, normal(p, q, r));
+    }
+
+    /**
+     * The normal alone, which is within doubles where c is not.
+     *
+     * @throws IllegalArgumentException if the three lie on one line
+     */
+    public static Vector normal(Vector p, Vector q, Vector r) {
         Vector a = p.minus(q);
         Vector b = p.minus(r);
         Vector near1 = a.shifted(-a.exponent()).cross(b.shifted(-b.exponent()));
@@ -36,7 +47,7 @@ public record Plane(Vector normal, double c) {
                     "three points on one line have no plane: " + p + ", " + q + ", " + r);
         int shift = a.exponent() + b.exponent();
         boolean fits = Math.abs(shift + near1.exponent()) < MOST_EXPONENT;
-        return through(q, fits ? near1.shifted(shift) : near1);
+        return fits ? near1.shifted(shift) : near1;
     }
 
     /** f(p) = Ax + By + Cz − c: positive on the side the normal points to, 0 on the plane. */

@@ -117,6 +117,7 @@ final class LinePlaneRun implements TopicRun {
         }
     }
 
+    /** A plane parallel to the given one: methods get its point, so that no c is rounded here. */
     private static Plane plane(Given given) {
         boolean byNormal = given.has("normal") && given.has("point");
         if (given.has("normal") != given.has("point") || byNormal == given.has("plane"))
@@ -124,10 +125,9 @@ final class LinePlaneRun implements TopicRun {
                     "/: expected either plane, or normal and point, got "
                             + String.join(", ", new TreeSet<>(given.names())));
         try {
-            if (byNormal)
-                return Plane.through(vector(given.get(POINT), 0), vector(given.get(NORMAL), 0));
+            if (byNormal) return new Plane(vector(given.get(NORMAL), 0), 0);
             double[] p = given.get(PLANE);
-            return Plane.through(vector(p, 0), vector(p, 3), vector(p, 6));
+            return new Plane(Plane.normal(vector(p, 0), vector(p, 3), vector(p, 6)), 0);
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput((byNormal ? "/normal: " : "/plane: ") + e.getMessage());
         }
