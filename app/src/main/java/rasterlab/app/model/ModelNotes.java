@@ -2,8 +2,11 @@ package rasterlab.app.model;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.UpAxis;
 
@@ -11,6 +14,17 @@ import rasterlab.engine.scene.obj.UpAxis;
 public record ModelNotes(Scene scene, String told) {
     /** Notes that a stage has room for. */
     private static final int MOST = 3;
+
+    /** What a note must say to come before those that say none of it, the first first. */
+    private static final List<Pattern> WEIGHTS =
+            Stream.of(
+                            "left out|altogether|too small beside",
+                            "texture|cannot be read|map_Kd",
+                            "'d'|'Tr'",
+                            "material|'Kd'|usemtl|mtllib",
+                            "face|normal|colour|vertex|vertices")
+                    .map(Pattern::compile)
+                    .toList();
 
     /**
      * Reads a model with the axis up that models mostly have, y, and tells that.
@@ -39,10 +53,19 @@ public record ModelNotes(Scene scene, String told) {
         List<String> notes = new ArrayList<>();
         Consumer<String> keep = notes::add;
         Scene scene = ModelFile.read(file, up, keep);
+        notes.sort(Comparator.comparing(ModelNotes::rank));
         List<String> told = new ArrayList<>(notes.subList(0, Math.min(MOST, notes.size())));
         if (notes.size() > MOST)
             told.add("further notes (%d) are told by ./lab render".formatted(notes.size() - MOST));
         told.addAll(besides);
         return new ModelNotes(scene, String.join("; besides, ", told));
+    }
+
+    /** The less, the more of the picture differs by what the note says; names do not count. */
+    private static int rank(String note) {
+        String said = note.substring(note.indexOf(": ") + 1);
+        for (int rank = 0; rank < WEIGHTS.size(); rank++)
+            if (WEIGHTS.get(rank).matcher(said).find()) return rank;
+        return WEIGHTS.size();
     }
 }
