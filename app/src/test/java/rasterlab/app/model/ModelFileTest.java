@@ -260,18 +260,20 @@ class ModelFileTest {
     }
 
     @Test
-    @DisplayName("colours of vertices are passed over, or lost in a saved scene")
+    @DisplayName(
+            "colours of vertices are passed over, mixed along a line, or lost in a saved scene")
     void drawsColorsOfVertices() throws IOException {
         write("a.obj", "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 0 2 1\nf 1 2 3\nl 1 2\n".getBytes());
         Scene scene = read();
         assertEquals(1, scene.mesh().color(0, 0, 0));
         assertEquals(0, scene.mesh().color(0, 1, 0));
         assertEquals(1, scene.mesh().color(0, 2, 2));
-        assertEquals(0.5, scene.mesh().color(1, 0, 1));
+        assertEquals(0, scene.mesh().color(1, 0, 1), "the line's first end");
+        assertEquals(1, scene.mesh().color(1, 2, 1), "its second end");
         String text =
                 new SceneView(new SceneSource.Inline(scene), Settings.NONE).write().toString();
         SceneView again = (SceneView) SceneFile.read(text);
-        assertEquals(0.5, again.source().scene().mesh().color(1, 0, 1));
+        assertEquals(1, again.source().scene().mesh().color(1, 2, 1));
     }
 
     @Test

@@ -90,14 +90,19 @@ final class MapOptions {
 
     /**
      * The word behind an option's own: numbers, those that cannot be read among them, or one word
-     * where the option takes one. The last word of a line is a file's name.
+     * where the option takes one. The last word of a line is a file's name, and the name of another
+     * option ends the numbers.
      */
     private int behind(int at, int most) {
         int last = Math.min(words.count() - 1, at + 1 + most);
         int end = at + 1;
-        for (int word = at + 1; word < last; word++)
+        for (int word = at + 1; word < last && !endsNumbers(word, most); word++)
             if (most == 1 || words.isMeantAsNumber(word)) end = word + 1;
         return end;
+    }
+
+    private boolean endsNumbers(int word, int most) {
+        return most > 1 && ReadingRules.ofOption(words.get(word)).isPresent();
     }
 
     /** The word behind an unknown option and the numbers that follow it. */

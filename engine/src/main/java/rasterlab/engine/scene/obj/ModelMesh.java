@@ -135,7 +135,7 @@ final class ModelMesh {
             int normal = model.normal(face, corners[k]);
             for (int axis = 0; axis < 3; axis++) normals.add(modelNormals[3 * normal + axis]);
             addPlace(model.texturePlace(face, corners[k]), map);
-            addColor(numbers[k], numbers[k]);
+            addColor(numbers[k], numbers[k], 0);
         }
         faces.add(numbers);
         finishOf.add(model.material(face));
@@ -153,10 +153,14 @@ final class ModelMesh {
         }
     }
 
-    /** The mean of two vertices' colours, where the model has any. */
-    private void addColor(int one, int other) {
+    /**
+     * A colour between those of two vertices, where the model has any.
+     *
+     * @param share of the other's
+     */
+    private void addColor(int one, int other, double share) {
         for (int c = 0; c < 3 && modelColors.length > 0; c++)
-            colors.add((modelColors[3 * one + c] + modelColors[3 * other + c]) / 2);
+            colors.add((1 - share) * modelColors[3 * one + c] + share * modelColors[3 * other + c]);
     }
 
     private void addStrokes(double[] fitted) {
@@ -174,7 +178,7 @@ final class ModelMesh {
                     for (double coordinate : normal) normals.add(coordinate);
                     places.add(0);
                     places.add(0);
-                    addColor(model.strokeFrom(s), model.strokeTo(s));
+                    addColor(model.strokeFrom(s), model.strokeTo(s), body.share(face[k]));
                 }
                 faces.add(numbers);
                 finishOf.add(model.materials().size() + model.strokeMaterial(s));

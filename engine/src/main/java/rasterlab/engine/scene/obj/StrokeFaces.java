@@ -23,7 +23,13 @@ final class StrokeFaces {
     private StrokeFaces() {}
 
     /** Corners of a body, x, y, z of each, and its faces by their numbers. */
-    record Body(double[] xyz, int[][] faces) {}
+    record Body(double[] xyz, int[][] faces) {
+        /** The share that a line's second end has of a corner's colour. */
+        double share(int corner) {
+            if (faces != PRISM) return 0.5;
+            return corner < 3 ? 0 : 1;
+        }
+    }
 
     /** A line that is as short as it is thick is a point. */
     static Body between(double[] from, double[] to) {
