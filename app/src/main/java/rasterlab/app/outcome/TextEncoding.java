@@ -85,7 +85,7 @@ public enum TextEncoding {
             case WINDOWS_1251 ->
                     Optional.of(
                             readsAsRussian(text)
-                                    ? "is Windows-1251 text; " + SourceEncoding.HOW_TO_SAVE
+                                    ? "looks like Windows-1251 text; " + SourceEncoding.HOW_TO_SAVE
                                     : "is not UTF-8 text");
         };
     }

@@ -22,7 +22,7 @@ class TextEncodingTest {
     @CsvSource({
         "UTF-16LE, is UTF-16 text, это текст в кодировке UTF-16",
         "UTF-16BE, is UTF-16 text, это текст в кодировке UTF-16",
-        "windows-1251, is Windows-1251 text, это текст в кодировке Windows-1251"
+        "windows-1251, looks like Windows-1251 text, это похоже на текст в кодировке Windows-1251"
     })
     void namesWhatItMet(String charset, String english, String russian) throws IOException {
         Path file =
