@@ -76,7 +76,7 @@ final class FaceCutter {
     }
 
     private void leaveOut(String what) {
-        String why = what + " without area was left out";
+        String why = what + " without area or too thin to be seen was left out";
         notes.leaveOut(why, why, lines);
     }
 

@@ -84,7 +84,7 @@ class BrokenObjTest {
                 square(
                         "a model of nothing but slivers is a model, or its line is not named",
                         "f 1 2 1",
-                        "face without area was left out" + LEFT),
+                        "face without area or too thin to be seen was left out" + LEFT),
                 square(
                         "a line to a vertex that is not there is not named",
                         "l 1 9\np 8",

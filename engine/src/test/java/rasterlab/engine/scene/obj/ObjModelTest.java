@@ -82,7 +82,7 @@ class ObjModelTest {
                                 + "v 9 9 9 0.5\n");
         assertEquals(
                 List.of(
-                        "a.obj:5: face without area was left out, 2 times",
+                        "a.obj:5: face without area or too thin to be seen was left out, 2 times",
                         "a.obj:6: 'lod' was passed over; faces, lines and points are read, 2 times",
                         "a.obj:13: a vertex's weight, which means nothing to faces, was passed over"),
                 model.notes());
