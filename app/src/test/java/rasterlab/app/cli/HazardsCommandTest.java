@@ -56,7 +56,7 @@ class HazardsCommandTest {
     @ValueSource(
             strings = {
                 "pixel (-1, 2) is missing",
-                "at 1e-7: -0.5 instead of 2.0",
+                "at 1e-7: -0.5 instead of 2",
                 "no visibility 'x'; there are z16, bsp",
             })
     void englishStaysAsTheEngineWritesIt(String detail) {
