@@ -83,7 +83,7 @@ class BadSceneTest {
                         "near is far",
                         "m.obj",
                         good,
-                        "got near 5.0, far 5.0",
+                        "got near 5, far 5",
                         "--up",
                         "y",
                         "--near",
