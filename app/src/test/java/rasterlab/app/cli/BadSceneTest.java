@@ -94,7 +94,7 @@ class BadSceneTest {
                         "near is beyond far",
                         "m.obj",
                         good,
-                        "near 6.0",
+                        "near 6",
                         "--up",
                         "y",
                         "--near",
