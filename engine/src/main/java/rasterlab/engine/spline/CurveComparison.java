@@ -14,6 +14,9 @@ final class CurveComparison {
     private static final int BETWEEN = 4;
     private static final double OUT_OF_ORDER = 2;
 
+    /** Below the normal numbers rounding does not shrink with what is rounded. */
+    private static final double LEAST_ALLOWED = 8 * Double.MIN_VALUE;
+
     private CurveComparison() {}
 
     static Deviation compare(CurveTask task, Polyline exact, Polyline actual) {
@@ -21,7 +24,7 @@ final class CurveComparison {
             return actual == exact
                     ? new Deviation(0, 0, 0, exact.size(), "")
                     : flat(task, exact, actual);
-        double allowed = task.allowed();
+        double allowed = Math.max(task.allowed(), LEAST_ALLOWED);
         int shared = Math.min(exact.size(), actual.size());
         double worst = 0;
         String first = "";

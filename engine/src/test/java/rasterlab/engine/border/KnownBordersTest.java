@@ -140,6 +140,19 @@ class KnownBordersTest {
         assertArrayEquals(new double[] {127.5, 127.5, 127.5, 127.5}, levels, 1e-9);
     }
 
+    /** It lies in the last column, next to the first one, which is black. */
+    @Test
+    void aThinFootprintBesideABorderShowsItsOwnTexels() {
+        int[] argb = {0, 0, 0, 0, 0, 0, 0, -1};
+        double[] footprint = {0.9999999788923446, 0, 7.450580596923828E-9, 0, 0, 1};
+        var topic = new FilterTopic();
+        var pixels = new FilteredPixels(4, 2, argb, footprint);
+        for (var method : promising(topic.methods())) {
+            double[] levels = topic.record(method.implementation(), pixels, 1);
+            assertArrayEquals(new double[] {127.5, 127.5, 127.5, 127.5}, levels, 0.5);
+        }
+    }
+
     /** Some subnormal steps off, which is a quarter of what there is to see. */
     @Test
     void aViewOfTheSmallestDoublesMayRoundThem() {

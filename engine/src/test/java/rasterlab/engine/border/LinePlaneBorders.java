@@ -39,6 +39,8 @@ final class LinePlaneBorders {
                 Stream.of(input.point(), input.from()[0], input.through()[0])
                         .flatMapToDouble(DoubleStream::of)
                         .toArray();
+        if (message.startsWith("coordinate ") && message.contains("must be finite"))
+            return overflows(input);
         double normal = largest(input.normal());
         if (message.startsWith("coordinates must be"))
             return apart(input.normal(), 400) || apart(points, 400);
@@ -46,6 +48,17 @@ final class LinePlaneBorders {
         return message.startsWith("c must be")
                 && input.point().length == 0
                 && Math.abs(exponent(input.c()) - products) >= 898;
+    }
+
+    /** Whether the meeting point is as far as the largest double, within rounding. */
+    private static boolean overflows(PlaneAndLines input) {
+        double mu = TOPIC.exact(input, 1).mu(0);
+        var halves = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            double from = input.from()[0][axis] / 2;
+            halves[axis] = from + mu * (input.through()[0][axis] / 2 - from);
+        }
+        return largest(halves) >= Double.MAX_VALUE / 2 * (1 - 1e-14);
     }
 
     /** That of a subnormal number too. */

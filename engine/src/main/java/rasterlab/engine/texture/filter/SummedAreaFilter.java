@@ -36,17 +36,32 @@ final class SummedAreaFilter implements TextureFilter {
                                 .formatted(dtdx, dsdy));
             if (Footprint.isPoint(dsdx, dtdx, dsdy, dtdy, width, height))
                 return texel(width, height, argb, s, t);
+            double wide = Math.abs(dsdx * width);
+            double high = Math.abs(dtdy * height);
             return mean(
                     new Sums(width, height, sums),
-                    s * width,
-                    t * height,
-                    Math.max(SMALLEST, Math.abs(dsdx * width)),
-                    Math.max(SMALLEST, Math.abs(dtdy * height)));
+                    wide < SMALLEST ? widened(s, width, wide) : s * width,
+                    high < SMALLEST ? widened(t, height, high) : t * height,
+                    Math.max(SMALLEST, wide),
+                    Math.max(SMALLEST, high));
         };
     }
 
-    /** A narrower footprint is taken to be that wide, in texels. */
+    /** A narrower footprint is made that wide, in texels, or its sums would lose their digits. */
     private static final double SMALLEST = 1e-6;
+
+    /**
+     * The middle of a footprint that is made as wide as {@link #SMALLEST} and shows the same: away
+     * from the next border between texels in the same proportion, or in the middle of its texel.
+     */
+    private static double widened(double middle, int size, double wide) {
+        double u = size * middle;
+        double border = Math.rint(u);
+        double beyond = u - border + Math.fma(size, middle, -u);
+        return Math.abs(beyond) < wide / 2
+                ? border + beyond * (SMALLEST / wide)
+                : border + Math.copySign(0.5, beyond);
+    }
 
     private static int texel(int width, int height, int[] argb, double s, double t) {
         int i = Math.floorMod((int) Math.floor(s * width), width);
