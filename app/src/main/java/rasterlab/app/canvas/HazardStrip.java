@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.BorderFactory;
@@ -182,11 +183,11 @@ final class HazardStrip extends JPanel {
             verdict.setIcon(swatch(method));
             row.add(verdict);
         }
-        row.add(
-                new JLabel(
-                        texts.text(hazard.failing().isEmpty() ? "hazard.all" : "hazard.failing")));
-        for (String failing : hazard.failing())
-            if (!failing.equals(method)) row.add(choice(failing, hazard));
+        List<String> others =
+                hazard.failing().stream().filter(each -> !each.equals(method)).toList();
+        if (hazard.failing().isEmpty()) row.add(new JLabel(texts.text("hazard.all")));
+        if (!others.isEmpty()) row.add(new JLabel(texts.text("hazard.failing")));
+        for (String failing : others) row.add(choice(failing, hazard));
         boolean back = !before.equals(method) && !hazard.failing().contains(before);
         if (!back || !hazard.recorded().containsKey(before)) return;
         var words = new JLabel(texts.text("hazard.back"));

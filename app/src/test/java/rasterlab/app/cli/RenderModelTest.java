@@ -153,7 +153,9 @@ class RenderModelTest {
         Ran ran = render("--lang", "ru");
         ran.assertDone();
         String said = ran.err().replace(folder.toString(), "");
-        assertTrue(said.contains(": грань без площади или слишком тонкая пропущена, таких мест: 2"), said);
+        assertTrue(
+                said.contains(": грань без площади или слишком тонкая пропущена, таких мест: 2"),
+                said);
         assertTrue(said.contains(": неизвестное «foo» пропущено"), said);
         assertTrue(said.contains(": осью вверх считается y; если"), said);
         assertFalse(said.contains("was"), said);
@@ -166,7 +168,10 @@ class RenderModelTest {
         ran.assertDone();
         String place = folder.resolve("cube.obj") + ":" + (CUBE.lines().count() + 1);
         assertEquals(
-                "note: " + place + ": face without area or too thin to be seen was left out" + System.lineSeparator(),
+                "note: "
+                        + place
+                        + ": face without area or too thin to be seen was left out"
+                        + System.lineSeparator(),
                 ran.err());
     }
 
