@@ -74,9 +74,9 @@ final class LinePlaneBorders {
 
     /** Whether a number but 0 is at least 2 to that power smaller than the largest. */
     private static boolean apart(double[] numbers, int exponents) {
-        int most = Math.getExponent(largest(numbers));
+        int most = exponent(largest(numbers));
         return DoubleStream.of(numbers)
-                .anyMatch(each -> each != 0 && Math.getExponent(each) <= most - exponents);
+                .anyMatch(each -> each != 0 && exponent(each) <= most - exponents);
     }
 
     private static boolean digitsAreRight(PlaneAndLines input, Meetings answer) {
