@@ -91,7 +91,7 @@ public final class Chips extends JPanel {
             lab.guide().clicked(hazard, this);
     }
 
-    /** What is told over the stage of the lab that is seen there. */
+    /** The hazard that is told over the stage of the lab that is seen there. */
     public static Optional<HazardTold> toldIn(Container place) {
         return Stream.of(place.getComponents())
                 .filter(Component::isVisible)

@@ -112,7 +112,7 @@ final class HazardStrip extends JPanel {
         refresh();
     }
 
-    /** What is told now. */
+    /** The hazard that is told now, if one is. */
     Optional<HazardTold> told() {
         return shown.map(hazard -> new HazardTold(hazard, input, before, judging && !changed()));
     }

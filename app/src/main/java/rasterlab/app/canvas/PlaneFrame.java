@@ -169,7 +169,7 @@ record PlaneFrame(
         return Math.abs(handle - point) <= 1 ? point : handle;
     }
 
-    /** What labels leave clear where there is room. */
+    /** The area that labels leave clear where there is room. */
     private record KeptClear(List<Line2D> lines, List<Rectangle2D> pixels) {
         KeptClear near(Rectangle around) {
             return new KeptClear(

@@ -15,7 +15,7 @@ import rasterlab.app.language.Texts;
 public record Unlike(Kind kind, List<Object> parts) {
     /** What is other; each is a sentence. */
     public enum Kind {
-        /** Only those faces of a body are drawn that the method calls visible. */
+        /** The picture has only those faces of a body that the method calls visible. */
         FACES_FOUND,
         /** A body is drawn whole, since the method calls no face visible or not. */
         FACES_ALL,

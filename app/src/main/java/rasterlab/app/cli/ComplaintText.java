@@ -43,7 +43,7 @@ public record ComplaintText(ReportLanguage language) {
         return Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1);
     }
 
-    /** What is told beside an answer, with numbers as prose has them: nobody types them. */
+    /** A note beside an answer, with numbers as prose has them: nobody types them. */
     String note(String english) {
         return language.inWindow() == Language.ENGLISH
                 ? of(english)

@@ -17,7 +17,7 @@ import rasterlab.app.language.Language;
 public final class Lab {
     private static final String HELP = "help";
 
-    /** In the order of the help. */
+    /** The names of all commands, in the order of the help. */
     private static final List<String> COMMANDS =
             List.of(
                     "methods",

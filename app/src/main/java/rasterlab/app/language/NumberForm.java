@@ -20,7 +20,7 @@ final class NumberForm {
     /** Java's fraction of a whole number, and its capital in front of an exponent. */
     private static final Pattern JAVA = Pattern.compile("\\.0(?!\\d)(?:E(?=-?\\d))?|E(?=-?\\d)");
 
-    /** What is quoted, or a number with Java's capital E that is no part of a name or of a path. */
+    /** Matches a quotation, or a number with Java's capital E outside names and paths. */
     private static final Pattern POWER =
             Pattern.compile(
                     Quotes.QUOTED

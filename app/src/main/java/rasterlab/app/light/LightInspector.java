@@ -199,7 +199,7 @@ final class LightInspector {
         return bodies;
     }
 
-    /** Only what tells a hazard's body from the topic's others: the list is narrow. */
+    /** Names a hazard's body by what tells it from the topic's others: the list is narrow. */
     private static String shown(String body) {
         return TopicBodies.has(body)
                 ? body.substring(body.indexOf('/') + 1).replace("/", ", ")

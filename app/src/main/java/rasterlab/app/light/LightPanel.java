@@ -121,7 +121,7 @@ public final class LightPanel extends LabPanel {
         addCard(layout, ModeRow.COLOURS);
     }
 
-    /** What normals of every method are lit in. */
+    /** The scene that normals of every method are lit in. */
     private Object lit() {
         LightChoice choice = model.state().choice();
         return choice.with(choice.body().withNormals(Body.OWN));

@@ -67,7 +67,7 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
         change(choice().with(which, value));
     }
 
-    /** What each method does with the house in a situation, in teaching order. */
+    /** Judges each method by the house in a situation, in teaching order. */
     Map<String, Verdict.Kind> verdicts(ViewSituation situation) {
         var verdicts = new LinkedHashMap<String, Verdict.Kind>();
         for (Method<PointTransformer> each : topic.methods()) {
