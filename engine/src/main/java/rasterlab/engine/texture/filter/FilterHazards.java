@@ -92,6 +92,20 @@ final class FilterHazards {
                         EXACT,
                         EXACT),
                 hazard(
+                        "hair",
+                        "A footprint narrower than a millionth of a texel, next to a border: it"
+                                + " shows its own column alone.",
+                        new FilteredPixels(
+                                4,
+                                2,
+                                new int[] {0, 0, 0, 0, 0, 0, 0, -1},
+                                new double[] {1 - 0x1p-25, 0, 0x1p-27, 0, 0, 1}),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        EXACT),
+                hazard(
                         "bottom-row-first",
                         "Stairs from black at the bottom to white at the top.",
                         row(picture(8, (i, j) -> 32 * j), 1, 1, 0),
