@@ -16,7 +16,7 @@ final class FilterHazards {
     private FilterHazards() {}
 
     static List<Hazard<FilteredPixels>> all() {
-        return Stream.of(smaller(), shaped(), places()).flatMap(List::stream).toList();
+        return Stream.of(smaller(), shaped(), places(), thin()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<FilteredPixels>> smaller() {
@@ -72,6 +72,24 @@ final class FilterHazards {
                         EXACT));
     }
 
+    private static List<Hazard<FilteredPixels>> thin() {
+        return List.of(
+                hazard(
+                        "hair",
+                        "A footprint narrower than a millionth of a texel, next to a border: it"
+                                + " shows its own column alone.",
+                        new FilteredPixels(
+                                4,
+                                2,
+                                new int[] {0, 0, 0, 0, 0, 0, 0, -1},
+                                new double[] {1 - 0x1p-25, 0, 0x1p-27, 0, 0, 1}),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        EXACT));
+    }
+
     private static List<Hazard<FilteredPixels>> places() {
         return List.of(
                 hazard(
@@ -90,20 +108,6 @@ final class FilterHazards {
                         EXACT,
                         EXACT,
                         EXACT,
-                        EXACT),
-                hazard(
-                        "hair",
-                        "A footprint narrower than a millionth of a texel, next to a border: it"
-                                + " shows its own column alone.",
-                        new FilteredPixels(
-                                4,
-                                2,
-                                new int[] {0, 0, 0, 0, 0, 0, 0, -1},
-                                new double[] {1 - 0x1p-25, 0, 0x1p-27, 0, 0, 1}),
-                        WRONG,
-                        WRONG,
-                        WRONG,
-                        WRONG,
                         EXACT),
                 hazard(
                         "bottom-row-first",
