@@ -75,6 +75,9 @@ class LabOpeningTest {
                             EnumSet.of(FACES_FOUND, FACES_ALL, FACES_WITHOUT_AREA)),
                     Map.entry("visible-faces huge", EnumSet.of(FACES_FOUND, SCALED)),
                     Map.entry("visible-faces tiny", EnumSet.of(FACES_FOUND, SCALED)),
+                    Map.entry(
+                            "visible-faces wall-at-the-largest",
+                            EnumSet.of(FACES_FOUND, FACES_ALL, SCALED)),
                     Map.entry("depth-order huge", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
                     Map.entry("depth-order tiny", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
                     Map.entry("depth-order too-near-the-eye", EnumSet.of(PAINTED_AS_GIVEN, SCALED)),

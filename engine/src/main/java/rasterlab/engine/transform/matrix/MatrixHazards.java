@@ -109,6 +109,19 @@ final class MatrixHazards {
                         0,
                         1),
                 hazard(
+                        "axis-through-largest-doubles",
+                        "The shift fits in a double; a sum on the way to it does not.",
+                        Map.of("formula-textbook", REFUSED),
+                        MatrixCall.of(
+                                "ROTAXIS",
+                                Double.MAX_VALUE,
+                                Double.MAX_VALUE,
+                                0,
+                                0,
+                                0,
+                                1,
+                                5.755166896282639E-14)),
+                hazard(
                         "frustum-of-nothing",
                         "right − left is so small that 2·near / (right − left) does not fit in a double.",
                         Map.of("formula-textbook", REFUSED, "formula", REFUSED),

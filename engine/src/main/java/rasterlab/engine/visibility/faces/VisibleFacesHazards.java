@@ -92,7 +92,23 @@ final class VisibleFacesHazards {
                         "tiny",
                         "Coordinates of 10⁻²⁰⁰, whose products are 0.",
                         Bodies.cube(5, -6, 7).scaled(1e-200),
-                        recorded(WRONG, EXACT)));
+                        recorded(WRONG, EXACT)),
+                hazard(
+                        "wall-at-the-largest",
+                        "All corners' x is the largest double, which their rounded mean exceeds.",
+                        wallAtTheLargest(),
+                        recorded(WRONG, REFUSED)));
+    }
+
+    /** Both sides of a triangle; the eye is four steps of the largest double before it. */
+    private static Body wallAtTheLargest() {
+        double x = Double.MAX_VALUE;
+        double step = Math.ulp(x);
+        return Body.seenFrom(
+                new double[] {x - 4 * step, step, step},
+                new double[] {x, 0, 0, x, 0, 8 * step, x, 8 * step, 0},
+                new int[] {0, 1, 2},
+                new int[] {0, 2, 1});
     }
 
     /** The slanting face of a tetrahedron passes the eye by 3·10⁻¹⁷. */
