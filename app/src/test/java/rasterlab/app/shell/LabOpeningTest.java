@@ -250,23 +250,6 @@ class LabOpeningTest {
         return choices;
     }
 
-    @ParameterizedTest
-    @MethodSource("topics")
-    void everyHazardIsShownByEveryMethod(Topic<?, ?, ?> topic) {
-        shown();
-        for (Hazard<?> hazard : topic.hazards()) {
-            assertEquals(
-                    Optional.empty(),
-                    opening.obstacleTo(topic.name(), hazard.name()),
-                    hazard.name());
-            for (var method : topic.methods()) {
-                tabs.clear();
-                open(topic.name(), hazard.name(), method.name());
-                assertEquals(1, tabs.size(), hazard.name() + " " + method.name());
-            }
-        }
-    }
-
     @ParameterizedTest(name = "points are shown by another method than the cell''s: {0}")
     @ValueSource(strings = {"transform", "rotate-axis", "view"})
     void pointsAreTriedByTheMethodOfTheCell(String name) {
