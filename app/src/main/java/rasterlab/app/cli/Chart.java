@@ -5,13 +5,13 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.light.MachBandsChart;
 import rasterlab.app.line.BrightnessChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.precision.DepthPrecisionChart;
-import rasterlab.app.study.ChartLook;
 import rasterlab.app.visibility.GrowthChart;
 
 /**

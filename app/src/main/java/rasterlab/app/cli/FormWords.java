@@ -2,11 +2,12 @@ package rasterlab.app.cli;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.cli.run.TopicRun;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.TopicTexts;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
@@ -41,9 +42,9 @@ record FormWords(Texts texts, Texts report) {
 
     private String said(NamedMatrix matrix) {
         String meaning =
-                TopicTexts.of("matrix", texts.language())
-                        .map(said -> said.texts().text("matrix." + matrix.name()))
-                        .orElse(matrix.meaning());
+                TopicTexts.of(LabRooms.card("matrix"), texts.language())
+                        .texts()
+                        .textOr("matrix." + matrix.name(), matrix.meaning());
         String inverse = Complaints.said(texts.language(), matrix.inverse().text());
         return report.text("meaning.matrix", meaning, inverse);
     }

@@ -3,17 +3,17 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.cli.run.Runs;
 import rasterlab.app.cli.run.TopicRun;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.ExitCode;
-import rasterlab.app.study.TopicTexts;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -50,7 +50,7 @@ final class MethodsCommand implements Callable<Integer> {
 
     private void print(Topic<?, ?, ?> topic) {
         PrintStream out = console.out();
-        Optional<TopicTexts> said = TopicTexts.of(topic.name(), console.language().inWindow());
+        TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), console.language().inWindow());
         out.println(texts.text("topic") + " " + topic.name());
         out.println();
         var forms = new FormWords(console.language().inWindow());
@@ -62,28 +62,21 @@ final class MethodsCommand implements Callable<Integer> {
             out.println("  " + texts.text("method") + " " + method.name());
             printWrapped(
                     label("    ", "computes", ABOUT),
-                    about(said, method, "formula", method.about().formula()));
+                    said.about(method, "formula", method.about().formula()));
             printWrapped(
                     label("    ", "costs", ABOUT),
-                    about(said, method, "cost", method.about().cost()));
+                    said.about(method, "cost", method.about().cost()));
             printWrapped(
                     label("    ", "fails", ABOUT),
-                    about(said, method, "failures", method.about().failures()));
+                    said.about(method, "failures", method.about().failures()));
             out.println();
         }
         Map<String, String> vocabulary = forms.vocabulary(topic);
         if (!vocabulary.isEmpty()) printVocabulary(vocabulary);
         var hazards = new TextTable(texts.text("hazard"), texts.text("special"));
-        for (Hazard<?> hazard : topic.hazards()) {
-            Optional<String> special = said.flatMap(one -> one.hazard(hazard));
-            hazards.add(List.of(hazard.name(), special.orElse(hazard.description())));
-        }
+        for (Hazard<?> hazard : topic.hazards())
+            hazards.add(List.of(hazard.name(), said.hazard(hazard)));
         hazards.lines().forEach(line -> out.println("  " + line));
-    }
-
-    private static String about(
-            Optional<TopicTexts> said, Method<?> method, String what, String english) {
-        return said.map(one -> one.about(method, what, english)).orElse(english);
     }
 
     /**

@@ -14,9 +14,9 @@ import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartLook;
 import rasterlab.engine.light.face.BrightnessProfile;
 import rasterlab.engine.light.face.MachBands;
 

@@ -12,10 +12,10 @@ import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartLook;
-import rasterlab.app.study.MethodLook;
 
 /** Light that lines get for each pixel of their length, over their angle in degrees. */
 public final class BrightnessChart {

@@ -10,9 +10,9 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartLook;
 import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.transform.PerspectiveAmount.Sample;
 

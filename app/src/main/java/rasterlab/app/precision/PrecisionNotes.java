@@ -5,8 +5,8 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartLook;
 
 /** What marks and lines are, and from where on a distance is longer than the depth itself. */
 final class PrecisionNotes extends Annotation {

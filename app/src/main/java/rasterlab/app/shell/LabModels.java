@@ -12,23 +12,28 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.card.LabRoom;
 import rasterlab.app.clip.ClipLabModel;
-import rasterlab.app.clip.ClipTopics;
+import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.exercise.UnsavedDraft;
 import rasterlab.app.light.LightLabModel;
+import rasterlab.app.light.LightRoom;
 import rasterlab.app.line.LineLabModel;
+import rasterlab.app.line.LineRoom;
 import rasterlab.app.opengl.OpenGlLabModel;
+import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.polygon.PolygonLabModel;
-import rasterlab.app.polygon.PolygonTopics;
+import rasterlab.app.polygon.PolygonRoom;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.spline.SplineLabModel;
+import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.study.StudyLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
+import rasterlab.app.visibility.VisibilityRoom;
 import rasterlab.engine.Topics;
-import rasterlab.engine.line.LineTopic;
-import rasterlab.engine.pipeline.Renderer;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /**
@@ -46,14 +51,6 @@ public final class LabModels implements AutoCloseable {
     /** What the labs showed when they were made, by the name under which it is kept. */
     private final Map<String, Object> asMade = new ConcurrentHashMap<>();
 
-    private final LabModel<CoordinatesLabModel> coordinates;
-    private final LabModel<LineLabModel> line;
-    private final LabModel<PolygonLabModel> polygon;
-    private final LabModel<ClipLabModel> clip;
-    private final LabModel<VisibilityLabModel> visibility;
-    private final LabModel<LightLabModel> light;
-    private final LabModel<SplineLabModel> spline;
-    private final LabModel<OpenGlLabModel> opengl;
     private final LabModel<StudyLabModel> study;
     private final LabModel<ExerciseLabModel> exercises;
 
@@ -64,102 +61,13 @@ public final class LabModels implements AutoCloseable {
         this.events = events;
         this.bringBack = bringBack;
         this.onFailure = onFailure;
-        coordinates = coordinatesLab();
-        line = lineLab();
-        polygon = polygonLab();
-        clip = clipLab();
-        visibility = visibilityLab();
-        light = lightLab();
-        spline = splineLab();
-        opengl = openglLab();
+        LabRooms.all().forEach(this::room);
         study = studyLab();
         exercises = exercisesLab();
     }
 
-    private LabModel<CoordinatesLabModel> coordinatesLab() {
-        return lab(
-                "coordinates",
-                held -> new CoordinatesLabModel(held, onFailure),
-                LabModels::keepCoordinates,
-                CoordinatesLabModel::close);
-    }
-
-    private LabModel<LineLabModel> lineLab() {
-        return lab(
-                "line",
-                held -> new LineLabModel(new LineTopic(), held, onFailure),
-                (model, kept) -> {
-                    kept.put("line", model);
-                    kept.put("line.tried", model.keptTried());
-                    kept.put("line.figures", model.figures());
-                    kept.put("line.mode", model.keptMode());
-                },
-                LineLabModel::close);
-    }
-
-    private LabModel<PolygonLabModel> polygonLab() {
-        return lab(
-                "polygon",
-                held -> new PolygonLabModel(new PolygonTopics(), held, onFailure),
-                (model, kept) -> kept.put("polygon", model),
-                PolygonLabModel::close);
-    }
-
-    private LabModel<ClipLabModel> clipLab() {
-        return lab(
-                "clip",
-                held -> new ClipLabModel(new ClipTopics(), held, onFailure),
-                (model, kept) -> kept.put("clip", model),
-                ClipLabModel::close);
-    }
-
-    private LabModel<VisibilityLabModel> visibilityLab() {
-        return lab(
-                "visibility",
-                held -> new VisibilityLabModel(PictureMaker.by(new Renderer()), held, onFailure),
-                (model, kept) -> {
-                    kept.put("visibility", model);
-                    kept.put("visibility.files", model.keptFiles());
-                    kept.put("visibility.rows", model.rows());
-                    kept.put("visibility.rows.open", model.rows().keptOpen());
-                },
-                VisibilityLabModel::close);
-    }
-
-    private LabModel<LightLabModel> lightLab() {
-        return lab(
-                "light",
-                held -> new LightLabModel(held, onFailure),
-                (model, kept) -> {
-                    kept.put("light", model);
-                    kept.put("light.file", model.keptFile());
-                    kept.put("light.rows", model.rows());
-                    kept.put("light.rows.open", model.rows().keptOpen());
-                },
-                LightLabModel::close);
-    }
-
-    private LabModel<SplineLabModel> splineLab() {
-        return lab(
-                "spline",
-                held -> new SplineLabModel(held, onFailure),
-                (model, kept) -> {
-                    kept.put("spline", model);
-                    kept.put("spline.curve", model.curve());
-                    kept.put("spline.function", model.function());
-                },
-                SplineLabModel::close);
-    }
-
-    private LabModel<OpenGlLabModel> openglLab() {
-        return lab(
-                "opengl",
-                held -> new OpenGlLabModel(held, onFailure),
-                (model, kept) -> {
-                    kept.put("opengl", model);
-                    kept.put("opengl.image", model.keptImage());
-                },
-                OpenGlLabModel::close);
+    private <M> void room(LabRoom<M> room) {
+        lab(room.name(), held -> room.model(held, onFailure), room::keep, room::close);
     }
 
     private LabModel<StudyLabModel> studyLab() {
@@ -191,15 +99,6 @@ public final class LabModels implements AutoCloseable {
     private void begin(Map<String, Kept<?>> kept) {
         bringBack.accept(kept);
         asMade.putAll(LabsFile.choices(kept));
-    }
-
-    private static void keepCoordinates(CoordinatesLabModel model, Map<String, Kept<?>> kept) {
-        kept.put("coordinates", model);
-        kept.put("coordinates.views", model.views());
-        kept.put("coordinates.transformations", model.transformations());
-        kept.put("coordinates.stack", model.stack());
-        kept.put("coordinates.rotation", model.rotation());
-        kept.put("coordinates.meeting", model.meeting());
     }
 
     /**
@@ -239,7 +138,7 @@ public final class LabModels implements AutoCloseable {
      */
     void make(String tab) {
         if (List.of("study", "exercises").contains(tab)) makeAll();
-        else labs.getOrDefault(tab, coordinates).prepare();
+        else labs.getOrDefault(tab, labs.values().iterator().next()).prepare();
     }
 
     /** Makes what is not made and not closed meanwhile. */
@@ -247,36 +146,42 @@ public final class LabModels implements AutoCloseable {
         labs.values().forEach(LabModel::prepare);
     }
 
+    /** The model of that lab; the same one every time. */
+    @SuppressWarnings("unchecked") // under a room's name is the model that the room made
+    <M> M of(LabRoom<M> room) {
+        return (M) labs.get(room.name()).get();
+    }
+
     public CoordinatesLabModel coordinates() {
-        return coordinates.get();
+        return of(new CoordinatesRoom());
     }
 
     public LineLabModel line() {
-        return line.get();
+        return of(new LineRoom());
     }
 
     public PolygonLabModel polygon() {
-        return polygon.get();
+        return of(new PolygonRoom());
     }
 
     public ClipLabModel clip() {
-        return clip.get();
+        return of(new ClipRoom());
     }
 
     public VisibilityLabModel visibility() {
-        return visibility.get();
+        return of(new VisibilityRoom());
     }
 
     public LightLabModel light() {
-        return light.get();
+        return of(new LightRoom());
     }
 
     public SplineLabModel spline() {
-        return spline.get();
+        return of(new SplineRoom());
     }
 
     public OpenGlLabModel opengl() {
-        return opengl.get();
+        return of(new OpenGlRoom());
     }
 
     public StudyLabModel study() {

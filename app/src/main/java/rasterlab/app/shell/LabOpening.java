@@ -7,14 +7,15 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.Unshown;
-import rasterlab.app.line.LineInput;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicInput;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
-import rasterlab.engine.line.Segment;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Hazard;
@@ -24,24 +25,12 @@ import rasterlab.engine.study.Verdict;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
 final class LabOpening implements OpenInLab {
-    /** Shows an input of its topic, beside it what the user's program plotted. */
-    private interface ShowTried {
-        void show(Object input, String method, Optional<Plotted> drawn);
-    }
-
     private final Map<String, Topic<?, ?, ?>> topics = new TreeMap<>();
-
-    /** What makes an input of a topic from JSON, for the topics of exercises. */
-    private final Map<String, Function<String, Object>> readers = Map.of("line", LineInput::read);
-
-    /** What shows an input and what the user's program plotted, for the same topics. */
-    private final Map<String, ShowTried> tried;
-
+    private final Map<String, TopicCard<?>> cards = new TreeMap<>();
     private final Executor background;
     private final Executor events;
     private final Consumer<Throwable> onFailure;
     private final LabModels models;
-    private Optional<TopicWays> ways = Optional.empty();
     private Consumer<String> showTab = tab -> {};
     private Consumer<String> tellHazard = hazard -> {};
 
@@ -55,13 +44,7 @@ final class LabOpening implements OpenInLab {
      */
     LabOpening(
             LabModels models, Executor background, Executor events, Consumer<Throwable> onFailure) {
-        for (Topic<?, ?, ?> topic : Topics.all()) topics.put(topic.name(), topic);
         this.models = models;
-        tried =
-                Map.of(
-                        "line",
-                        (input, method, drawn) ->
-                                models.line().showTried((Segment) input, method, drawn));
         this.background = background;
         this.events = events;
         this.onFailure = onFailure;
@@ -84,44 +67,55 @@ final class LabOpening implements OpenInLab {
     @Override
     public Optional<Unshown> obstacleTo(String topic, String hazard) {
         input(topic, hazard);
-        return ways().of(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
+        return card(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
     }
 
     /** What takes long comes once it is found. */
     @Override
     public void showHazard(String topic, String hazard, String method) {
         TopicInput input = input(topic, hazard);
-        TopicWay way = way(topic, method);
-        int mine = ++asked;
-        if (way.notes().isEmpty()) show(way, input, method);
-        else background.execute(() -> tryAndShow(way, input, method, mine));
+        showHazard(shown(topic, method), input, method);
     }
 
-    private void tryAndShow(TopicWay way, TopicInput input, String method, int mine) {
+    private <M> void showHazard(TopicCard<M> card, TopicInput input, String method) {
+        M lab = models.of(card.lab());
+        int mine = ++asked;
+        Optional<TopicWay.Notes<M>> notes = card.way().notes();
+        if (notes.isEmpty()) show(card, lab, input, method);
+        else background.execute(() -> tryAndShow(card, notes.get(), lab, input, method, mine));
+    }
+
+    private <M> void tryAndShow(
+            TopicCard<M> card,
+            TopicWay.Notes<M> notes,
+            M lab,
+            TopicInput input,
+            String method,
+            int mine) {
         try {
-            Runnable note = note(way, input, method);
+            Optional<HazardNote> note = note(notes, lab, input, method);
             events.execute(
                     () -> {
                         if (mine != asked) return;
-                        show(way, input, method);
-                        note.run();
+                        show(card, lab, input, method);
+                        note.ifPresent(said -> notes.note().accept(lab, said));
                     });
         } catch (RuntimeException e) {
             onFailure.accept(e);
         }
     }
 
-    /** Tries the method, if there is something to say of it; the answer says it. */
-    private Runnable note(TopicWay way, TopicInput input, String method) {
-        if (method.isEmpty() || way.notes().isEmpty()) return () -> {};
-        TopicWay.Notes notes = way.notes().get();
+    /** Tries the method, if there is something to say of it. */
+    private <M> Optional<HazardNote> note(
+            TopicWay.Notes<M> notes, M lab, TopicInput input, String method) {
+        if (method.isEmpty()) return Optional.empty();
         Verdict verdict = verdict(named(input.topic()), input.hazard(), method);
-        var unlike = new ArrayList<>(notes.unlike().apply(input, method));
+        var unlike = new ArrayList<>(notes.unlike().unlike(lab, input, method));
         if (verdict.kind() != Verdict.Kind.EXACT && !notes.drawsBy().test(method))
             unlike.add(Unlike.of(Unlike.Kind.OTHER_METHOD));
-        if (unlike.isEmpty()) return () -> {};
-        var note = new HazardNote(input.hazard(), method, verdict, unlike);
-        return () -> notes.note().accept(note);
+        return unlike.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new HazardNote(input.hazard(), method, verdict, unlike));
     }
 
     /** What the method does with the hazard's own numbers. */
@@ -132,22 +126,28 @@ final class LabOpening implements OpenInLab {
 
     @Override
     public Optional<Unshown> obstacleToInputs(String topic) {
-        return readers.containsKey(topic) ? Optional.empty() : Optional.of(Unshown.NO_READER);
+        return card(topic).flatMap(card -> card.way().cases()).isPresent()
+                ? Optional.empty()
+                : Optional.of(Unshown.NO_READER);
     }
 
     @Override
     public void showInput(String topic, String json, String method, Optional<Plotted> drawn) {
-        var reader =
-                Named.find(
-                                "reader of topic",
-                                topic,
-                                List.copyOf(readers.entrySet()),
-                                Map.Entry::getKey)
-                        .getValue();
-        TopicWay way = way(topic, method);
+        showInput(shown(topic, method), json, method, drawn);
+    }
+
+    private <M> void showInput(
+            TopicCard<M> card, String json, String method, Optional<Plotted> drawn) {
+        TopicWay.Cases<M> cases =
+                card.way()
+                        .cases()
+                        .orElseThrow(
+                                () ->
+                                        new IllegalArgumentException(
+                                                "no tab reads inputs of topic " + card.topic()));
         asked++;
-        tried.get(topic).show(reader.apply(json), method, drawn);
-        showTab.accept(way.tab());
+        cases.show().show(models.of(card.lab()), cases.read().apply(json), method, drawn);
+        showTab.accept(card.lab().name());
     }
 
     private TopicInput input(String topic, String hazard) {
@@ -157,27 +157,35 @@ final class LabOpening implements OpenInLab {
     }
 
     private Topic<?, ?, ?> named(String topic) {
+        if (topics.isEmpty())
+            for (Topic<?, ?, ?> each : Topics.all()) topics.put(each.name(), each);
         return Named.find("topic", topic, List.copyOf(topics.values()), Topic::name);
     }
 
-    private TopicWay way(String topic, String method) {
+    /**
+     * The card of a topic that some tab shows.
+     *
+     * @throws IllegalArgumentException if none does, or the topic has no such method
+     */
+    private TopicCard<?> shown(String topic, String method) {
         if (!method.isEmpty()) named(topic).method(method);
-        return ways().of(topic)
+        return card(topic)
                 .orElseThrow(
                         () ->
                                 new IllegalArgumentException(
                                         "no tab shows inputs of topic " + topic));
     }
 
-    /** Asks for all models, which whoever opens the window need not wait for. */
-    private TopicWays ways() {
-        if (ways.isEmpty()) ways = Optional.of(new TopicWays(models));
-        return ways.get();
+    /** Asks for the cards, which whoever opens the window need not wait for. */
+    private Optional<TopicCard<?>> card(String topic) {
+        if (cards.isEmpty())
+            for (TopicCard<?> card : LabRooms.cards()) cards.put(card.topic(), card);
+        return Optional.ofNullable(cards.get(topic));
     }
 
-    private void show(TopicWay way, TopicInput input, String method) {
-        way.show().accept(input, method);
+    private <M> void show(TopicCard<M> card, M lab, TopicInput input, String method) {
+        card.way().show().show(lab, input, method);
         tellHazard.accept(input.hazard());
-        showTab.accept(way.tab());
+        showTab.accept(card.lab().name());
     }
 }

@@ -5,39 +5,27 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import rasterlab.app.canvas.HazardTold;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
-import rasterlab.app.clip.ClipPanel;
-import rasterlab.app.coordinates.CoordinatesPanel;
+import rasterlab.app.card.LabRoom;
 import rasterlab.app.exercise.ExercisePanel;
 import rasterlab.app.exercise.WindowEditor;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.light.LightPanel;
-import rasterlab.app.line.LinePanel;
-import rasterlab.app.opengl.OpenGlPanel;
-import rasterlab.app.polygon.PolygonPanel;
-import rasterlab.app.spline.SplinePanel;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.study.StudyPanel;
-import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
     /** In the order of the window. */
     public static final List<String> NAMES =
-            List.of(
-                    "coordinates",
-                    "line",
-                    "polygon",
-                    "clip",
-                    "visibility",
-                    "light",
-                    "spline",
-                    "opengl",
-                    "study",
-                    "exercises");
+            Stream.concat(
+                            LabRooms.all().stream().map(LabRoom::name),
+                            Stream.of("study", "exercises"))
+                    .toList();
 
     private final LabModels models;
     private final WindowEditor editor;
@@ -108,19 +96,21 @@ public final class LabTabs implements AutoCloseable {
             Language language,
             Consumer<Throwable> onFailure) {
         return switch (tab) {
-            case "coordinates" -> new CoordinatesPanel(models.coordinates(), language, onFailure);
-            case "line" -> new LinePanel(models.line(), language, onFailure);
-            case "polygon" -> new PolygonPanel(models.polygon(), language, onFailure);
-            case "clip" -> new ClipPanel(models.clip(), language, onFailure);
-            case "visibility" -> new VisibilityPanel(models.visibility(), language, onFailure);
-            case "light" -> new LightPanel(models.light(), language, onFailure);
-            case "spline" -> new SplinePanel(models.spline(), language, onFailure);
-            case "opengl" -> new OpenGlPanel(models.opengl(), language, onFailure);
             case "study" -> new StudyPanel(models.study(), opening, language, onFailure);
             case "exercises" ->
                     new ExercisePanel(models.exercises(), editor, opening, language, onFailure);
-            default -> throw new IllegalArgumentException("no tab called '" + tab + "'");
+            default ->
+                    panel(
+                            Named.find("tab", tab, LabRooms.all(), LabRoom::name),
+                            models,
+                            language,
+                            onFailure);
         };
+    }
+
+    private static <M> LabPanel panel(
+            LabRoom<M> room, LabModels models, Language language, Consumer<Throwable> onFailure) {
+        return room.panel(models.of(room), language, onFailure);
     }
 
     private static void tryHazard(Runnable work) {

@@ -8,6 +8,7 @@ import java.awt.RenderingHints;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import rasterlab.app.chart.MethodLook;
 
 /**
  * The methods of a chart in columns below it: beside it, in a narrow stage, their names would take

@@ -28,6 +28,7 @@ import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;

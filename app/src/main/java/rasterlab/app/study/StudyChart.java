@@ -16,6 +16,8 @@ import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;

@@ -15,7 +15,9 @@ import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial.Cell;
@@ -228,7 +230,7 @@ final class StudyInspector {
                         + ", "
                         + called.hazard(state.topic(), hazard)
                         + ". "
-                        + description(state, hazard)
+                        + said(state).hazard(hazard)
                         + (said.isEmpty()
                                 ? ""
                                 : "\n→ " + VerdictDetail.said(texts.language(), said)));
@@ -240,22 +242,17 @@ final class StudyInspector {
                         .orElse(texts.text("open.hint")));
     }
 
-    private String description(StudyLabState state, Hazard<?> hazard) {
-        return TopicTexts.of(state.topic().name(), texts.language())
-                .flatMap(topic -> topic.hazard(hazard))
-                .orElse(hazard.description());
+    private TopicTexts said(StudyLabState state) {
+        return TopicTexts.of(LabRooms.card(state.topic().name()), texts.language());
     }
 
     private void explain(StudyLabState state) {
         Method<?> method = state.topic().method(state.method());
-        Optional<TopicTexts> said = TopicTexts.of(state.topic().name(), texts.language());
+        TopicTexts said = said(state);
         about.show(
                 List.of(
                         new AboutText.Called(
-                                method.name(),
-                                said.map(TopicTexts::texts).orElse(texts),
-                                said.map(topic -> topic.key(method)).orElse(method.name()),
-                                method)));
+                                method.name(), said.texts(), said.key(method), method)));
     }
 
     private String number(double value) {

@@ -1,7 +1,9 @@
 package rasterlab.app.study;
 
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 
@@ -21,8 +23,8 @@ public record TopicNames(Texts own) {
     public String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
         String key = "hazard." + topic.name() + "." + hazard.name();
         if (own.has(key)) return own.text(key);
-        return TopicTexts.of(topic.name(), own.language())
-                .flatMap(texts -> texts.label(hazard))
+        return TopicTexts.of(LabRooms.card(topic.name()), own.language())
+                .label(hazard)
                 .orElse(hazard.name());
     }
 }

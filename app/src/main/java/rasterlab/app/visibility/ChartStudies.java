@@ -10,10 +10,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Language;
 import rasterlab.app.precision.DepthPrecisionChart;
-import rasterlab.app.study.ChartLook;
-import rasterlab.app.study.ChartSize;
 
 /**
  * Charts counted in the background, with progress; what was counted is kept.

@@ -20,11 +20,11 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.lines.SeriesLines;
 import org.knowm.xchart.style.markers.SeriesMarkers;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.ChartSize;
+import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartLook;
-import rasterlab.app.study.ChartSize;
-import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.hidden.Growth;
 import rasterlab.engine.visibility.hidden.Growth.Axis;
 

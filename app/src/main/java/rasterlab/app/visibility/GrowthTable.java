@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartLook;
-import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.hidden.Growth.Axis;
 
 /** The exponents by which work grows, with what each method's line looks like. */

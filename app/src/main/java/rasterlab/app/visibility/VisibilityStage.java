@@ -29,10 +29,10 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartSize;
 import rasterlab.engine.scene.Vase;
 
 /** Shows the finished picture and turns the eye by keys, drag and wheel. */

@@ -40,12 +40,15 @@ import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.Unshown;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicInput;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.Trial;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LineMode;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
@@ -145,9 +148,13 @@ class LabOpeningTest {
 
     private List<Unlike> unlike(Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
         var input = new TopicInput(topic.name(), hazard.name(), hazard.input());
-        TopicWay way = new TopicWays(models).of(topic.name()).orElseThrow();
-        return way.notes()
-                .map(notes -> notes.unlike().apply(input, method.name()))
+        return unlike(LabRooms.card(topic.name()), input, method.name());
+    }
+
+    private <M> List<Unlike> unlike(TopicCard<M> card, TopicInput input, String method) {
+        return card.way()
+                .notes()
+                .map(notes -> notes.unlike().unlike(models.of(card.lab()), input, method))
                 .orElse(List.of());
     }
 

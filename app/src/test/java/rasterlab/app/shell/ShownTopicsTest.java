@@ -23,10 +23,11 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.KeptJson;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.study.TopicNames;
-import rasterlab.app.study.TopicTexts;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -104,7 +105,7 @@ class ShownTopicsTest {
         line.add(hex(MethodColours.of(method.name())));
         line.add(hex(MethodColours.among(names).get(method.name())));
         for (Language language : Language.values()) {
-            Optional<TopicTexts> said = TopicTexts.of(topic.name(), language);
+            TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), language);
             Method.About about = method.about();
             var english =
                     Map.of(
@@ -114,10 +115,7 @@ class ShownTopicsTest {
                             "failures", about.failures(),
                             "source", about.source());
             for (String what : List.of("formula", "invariant", "cost", "failures", "source"))
-                line.add(
-                        sum(
-                                said.map(one -> one.about(method, what, english.get(what)))
-                                        .orElse(english.get(what))));
+                line.add(sum(said.about(method, what, english.get(what))));
         }
         return line.toString();
     }
@@ -126,9 +124,9 @@ class ShownTopicsTest {
         var line = new StringJoiner(" | ");
         line.add("hazard " + hazard.name());
         for (Language language : Language.values()) {
-            Optional<TopicTexts> said = TopicTexts.of(topic.name(), language);
+            TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), language);
             line.add(TopicNames.in(language).hazard(topic, hazard));
-            line.add(sum(said.flatMap(one -> one.hazard(hazard)).orElse(hazard.description())));
+            line.add(sum(said.hazard(hazard)));
         }
         return line.toString();
     }

@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;

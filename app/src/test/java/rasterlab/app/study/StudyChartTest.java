@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;

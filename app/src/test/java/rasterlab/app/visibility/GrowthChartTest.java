@@ -13,9 +13,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Language;
-import rasterlab.app.study.ChartLook;
-import rasterlab.app.study.ChartSize;
 import rasterlab.engine.visibility.hidden.Growth;
 import rasterlab.engine.visibility.hidden.Growth.Axis;
 

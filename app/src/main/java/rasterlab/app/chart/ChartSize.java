@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.chart;
 
 /**
  * How large a chart is laid out.

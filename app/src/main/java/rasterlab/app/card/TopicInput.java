@@ -1,4 +1,4 @@
-package rasterlab.app.shell;
+package rasterlab.app.card;
 
 /**
  * An input of a topic that a tab is to show.
@@ -6,9 +6,9 @@ package rasterlab.app.shell;
  * @param hazard its name; "" for an input that has none
  * @param input of the topic's own type
  */
-record TopicInput(String topic, String hazard, Object input) {
+public record TopicInput(String topic, String hazard, Object input) {
     /** Unlike every lab scene's name. */
-    String name() {
+    public String name() {
         return hazard.isEmpty() ? topic + "-input" : topic + "-" + hazard;
     }
 }

@@ -1,0 +1,43 @@
+package rasterlab.app.card;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.language.Language;
+
+/**
+ * A lab of the window, as it stands behind its tab. Stateless: what the user does is in its model.
+ *
+ * @param <M> the model, which outlives the panels that show it
+ */
+public interface LabRoom<M> {
+    /** Name of its tab. */
+    String name();
+
+    /**
+     * A new model; takes long.
+     *
+     * @param events runs what it is given on the one thread that uses the model, in order
+     * @param onFailure told what background work threw, on any thread
+     */
+    M model(Executor events, Consumer<Throwable> onFailure);
+
+    /** Puts what is kept of the model between runs into a map, by the names it is kept under. */
+    void keep(M model, Map<String, Kept<?>> kept);
+
+    /** Ends the model's background work. */
+    void close(M model);
+
+    /**
+     * A new panel. On the event thread.
+     *
+     * @param onFailure told what the lab could not do, on any thread
+     */
+    LabPanel panel(M model, Language language, Consumer<Throwable> onFailure);
+
+    /** A card for each topic that it shows; none for a lab that shows no topic's inputs. */
+    List<TopicCard<M>> cards();
+}

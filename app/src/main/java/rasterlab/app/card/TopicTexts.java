@@ -1,0 +1,51 @@
+package rasterlab.app.card;
+
+import java.util.Optional;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+/**
+ * What a lab says in the window's language about a topic's methods and hazards. The engine's
+ * English serves where the texts have no words of their own.
+ *
+ * @param part what stands before names in the keys of a lab with several topics; "" for one
+ * @param labels of the lab that shows the hazards
+ * @param shownAs what stands before hazards' names in their keys
+ */
+public record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
+    /** The texts of the card's topic. */
+    public static TopicTexts of(TopicCard<?> card, Language language) {
+        return new TopicTexts(
+                Texts.of(card.texts().feature(), "topic", language),
+                card.texts().part(),
+                Texts.of(card.labels().feature(), language),
+                card.labels().part());
+    }
+
+    /** What the lab calls the hazard; empty where it does not show it. */
+    public Optional<String> label(Hazard<?> hazard) {
+        String key = "hazard." + shownAs + hazard.name();
+        return labels.has(key) ? Optional.of(labels.text(key)) : Optional.empty();
+    }
+
+    /** What is special about the hazard. */
+    public String hazard(Hazard<?> hazard) {
+        return texts.textOr("hazard." + part + hazard.name(), hazard.description());
+    }
+
+    /**
+     * @param what "formula", "cost" or "failures"
+     * @param english the engine's, where the lab has no other words
+     */
+    public String about(Method<?> method, String what, String english) {
+        return texts.textOr(key(method) + "." + what, english);
+    }
+
+    /** What the keys of a method's texts begin with. */
+    public String key(Method<?> method) {
+        String key = part + method.name();
+        return texts.has(key + ".formula") ? key : method.name();
+    }
+}

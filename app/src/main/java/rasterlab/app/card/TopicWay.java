@@ -1,0 +1,89 @@
+package rasterlab.app.card;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import rasterlab.app.canvas.HazardNote;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Unlike;
+import rasterlab.engine.raster.Plotted;
+
+/**
+ * How a topic's inputs come into its lab.
+ *
+ * @param show shows a hazard
+ * @param notes what is said of inputs that the lab cannot show as they are; empty for a lab that
+ *     can
+ * @param cases shows inputs that are given as JSON; empty for a lab that reads none
+ * @param <M> the lab's model
+ */
+public record TopicWay<M>(Show<M> show, Optional<Notes<M>> notes, Optional<Cases<M>> cases) {
+    /** Shows an input by a method of the topic, "" for the lab's own. */
+    public interface Show<M> {
+        void show(M lab, TopicInput input, String method);
+    }
+
+    /**
+     * What is said beside a picture.
+     *
+     * @param unlike in what the lab shows an input otherwise than it is; on any thread
+     * @param drawsBy whether the picture shows what that method does
+     * @param note says so beside the picture that is shown
+     */
+    public record Notes<M>(
+            Comparison<M> unlike, Predicate<String> drawsBy, BiConsumer<M, HazardNote> note) {}
+
+    /** Finds in what a lab shows an input otherwise than it is. */
+    public interface Comparison<M> {
+        List<Unlike> unlike(M lab, TopicInput input, String method);
+    }
+
+    /**
+     * Inputs of exercises.
+     *
+     * @param read makes an input from JSON; refuses with the place what cannot be read
+     * @param show shows the input, by that method, beside what the user's program plotted
+     */
+    public record Cases<M>(Function<String, Object> read, ShowCase<M> show) {}
+
+    /** Shows an input and what the user's program plotted for it. */
+    public interface ShowCase<M> {
+        void show(M lab, Object input, String method, Optional<Plotted> drawn);
+    }
+
+    /** The way of a lab that shows every input of the topic as it is. */
+    public static <M> TopicWay<M> whole(Show<M> show) {
+        return new TopicWay<>(show, Optional.empty(), Optional.empty());
+    }
+
+    /** The way of a lab that says beside its picture in what that is unlike an input. */
+    public static <M> TopicWay<M> noted(Show<M> show, Notes<M> notes) {
+        return new TopicWay<>(show, Optional.of(notes), Optional.empty());
+    }
+
+    /**
+     * The way of a lab that is shown an input and then told a method, which are one change.
+     *
+     * @param history of what is shown
+     */
+    public static <M> TopicWay<M> inTurn(
+            Function<M, History<?>> history,
+            BiConsumer<M, Object> show,
+            BiConsumer<M, String> chooseMethod) {
+        return whole(
+                (lab, input, method) ->
+                        history.apply(lab)
+                                .asOne(
+                                        () -> {
+                                            show.accept(lab, input.input());
+                                            if (!method.isEmpty()) chooseMethod.accept(lab, method);
+                                        }));
+    }
+
+    /** The same way, which also shows cases of exercises. */
+    public TopicWay<M> reading(Cases<M> cases) {
+        return new TopicWay<>(show, notes, Optional.of(cases));
+    }
+}

@@ -1,0 +1,57 @@
+package rasterlab.app.clip;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.language.Language;
+
+/** The lab of clipping: segments, a polygon, a view volume. */
+public final class ClipRoom implements LabRoom<ClipLabModel> {
+    @Override
+    public String name() {
+        return "clip";
+    }
+
+    @Override
+    public ClipLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new ClipLabModel(new ClipTopics(), events, onFailure);
+    }
+
+    @Override
+    public void keep(ClipLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("clip", model);
+    }
+
+    @Override
+    public void close(ClipLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new ClipPanel(model, language, onFailure);
+    }
+
+    @Override
+    public List<TopicCard<ClipLabModel>> cards() {
+        return Stream.of(ClipMode.values()).map(this::card).toList();
+    }
+
+    private TopicCard<ClipLabModel> card(ClipMode mode) {
+        return new TopicCard<>(
+                mode.topic(),
+                this,
+                new TopicCard.Place("clip", mode.code() + "."),
+                TopicWay.inTurn(
+                        ClipLabModel::history,
+                        (lab, input) -> lab.showInput(mode, input),
+                        ClipLabModel::chooseMethod));
+    }
+}

@@ -1,0 +1,112 @@
+package rasterlab.app.coordinates;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicCard.Place;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.language.Language;
+import rasterlab.engine.geometry.meeting.PlaneAndLines;
+import rasterlab.engine.transform.matrix.MatrixCall;
+import rasterlab.engine.transform.rotate.Turns;
+
+/** The lab of coordinates: matrices, rotations, views, a line and a plane. */
+public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
+    @Override
+    public String name() {
+        return "coordinates";
+    }
+
+    @Override
+    public CoordinatesLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new CoordinatesLabModel(events, onFailure);
+    }
+
+    @Override
+    public void keep(CoordinatesLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("coordinates", model);
+        kept.put("coordinates.views", model.views());
+        kept.put("coordinates.transformations", model.transformations());
+        kept.put("coordinates.stack", model.stack());
+        kept.put("coordinates.rotation", model.rotation());
+        kept.put("coordinates.meeting", model.meeting());
+    }
+
+    @Override
+    public void close(CoordinatesLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(
+            CoordinatesLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new CoordinatesPanel(model, language, onFailure);
+    }
+
+    @Override
+    public List<TopicCard<CoordinatesLabModel>> cards() {
+        return List.of(
+                new TopicCard<>("rotate", this, new Place("coordinates.turn", ""), rotations()),
+                new TopicCard<>("matrix", this, new Place("coordinates.list", ""), matrices()),
+                new TopicCard<>(
+                        "line-plane", this, new Place("coordinates.meeting", ""), meetings()),
+                new TopicCard<>(
+                        "transform",
+                        this,
+                        new Place("coordinates.view", ""),
+                        new Place("coordinates.list", "transform."),
+                        points("transform")),
+                new TopicCard<>(
+                        "view", this, new Place("coordinates.list", "view."), points("view")),
+                new TopicCard<>(
+                        "rotate-axis",
+                        this,
+                        new Place("coordinates.list", "rotate-axis."),
+                        points("rotate-axis")));
+    }
+
+    private static TopicWay<CoordinatesLabModel> rotations() {
+        return TopicWay.inTurn(
+                lab -> lab.rotation().history(),
+                (lab, input) -> {
+                    lab.show(CoordinatesMode.ROTATION);
+                    lab.rotation().show((Turns) input);
+                },
+                (lab, method) -> lab.rotation().chooseMethod(method));
+    }
+
+    private static TopicWay<CoordinatesLabModel> matrices() {
+        return TopicWay.inTurn(
+                lab -> lab.transformations().history(),
+                (lab, input) -> {
+                    lab.show(CoordinatesMode.TRANSFORMATIONS);
+                    lab.transformations().show((MatrixCall) input);
+                },
+                (lab, method) -> lab.transformations().chooseMethod(method));
+    }
+
+    private static TopicWay<CoordinatesLabModel> meetings() {
+        return TopicWay.inTurn(
+                lab -> lab.meeting().history(),
+                (lab, input) -> {
+                    lab.show(CoordinatesMode.MEETING);
+                    lab.meeting().show((PlaneAndLines) input);
+                },
+                (lab, method) -> lab.meeting().chooseMethod(method));
+    }
+
+    /** Points of space, beside what the method makes of them. */
+    private static TopicWay<CoordinatesLabModel> points(String topic) {
+        return TopicWay.whole(
+                (lab, input, method) -> {
+                    lab.show(CoordinatesMode.TRANSFORMATIONS);
+                    lab.transformations().show(topic, input.hazard(), method);
+                });
+    }
+}

@@ -1,0 +1,87 @@
+package rasterlab.app.light;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicCard.Place;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.language.Language;
+
+/** The lab of light, colour and texture. */
+public final class LightRoom implements LabRoom<LightLabModel> {
+    @Override
+    public String name() {
+        return "light";
+    }
+
+    @Override
+    public LightLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new LightLabModel(events, onFailure);
+    }
+
+    @Override
+    public void keep(LightLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("light", model);
+        kept.put("light.file", model.keptFile());
+        kept.put("light.rows", model.rows());
+        kept.put("light.rows.open", model.rows().keptOpen());
+    }
+
+    @Override
+    public void close(LightLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(LightLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new LightPanel(model, language, onFailure);
+    }
+
+    @Override
+    public List<TopicCard<LightLabModel>> cards() {
+        return List.of(
+                lit("color", "", Set.of("formula")),
+                lit("shade", "shade.", Set.of("phong", "blinn-phong")),
+                lit("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
+                lit(
+                        "vertex-normals",
+                        "normals.",
+                        Set.of("plain-textbook", "plain", "area", "angle")),
+                row("texture-mapping"),
+                row("texture-filter"));
+    }
+
+    /**
+     * @param drawnBy by which of the topic's methods the lab draws
+     */
+    private TopicCard<LightLabModel> lit(String topic, String part, Set<String> drawnBy) {
+        return new TopicCard<>(
+                topic,
+                this,
+                new Place("light", part),
+                TopicWay.noted(
+                        (lab, input, method) -> {
+                            lab.rows().close();
+                            lab.show(topic, input.hazard(), input.input(), method);
+                        },
+                        new TopicWay.Notes<>(
+                                (lab, input, method) -> lab.unlike(input.input(), method),
+                                drawnBy::contains,
+                                LightLabModel::tell)));
+    }
+
+    private TopicCard<LightLabModel> row(String topic) {
+        return new TopicCard<>(
+                topic,
+                this,
+                new Place("row", ""),
+                TopicWay.whole(
+                        (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
+    }
+}

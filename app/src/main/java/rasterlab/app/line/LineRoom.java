@@ -1,0 +1,92 @@
+package rasterlab.app.line;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.language.Language;
+import rasterlab.engine.circle.Circle;
+import rasterlab.engine.circle.Ellipse;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+
+/** The lab of segments, circles and ellipses. */
+public final class LineRoom implements LabRoom<LineLabModel> {
+    @Override
+    public String name() {
+        return "line";
+    }
+
+    @Override
+    public LineLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new LineLabModel(new LineTopic(), events, onFailure);
+    }
+
+    @Override
+    public void keep(LineLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("line", model);
+        kept.put("line.tried", model.keptTried());
+        kept.put("line.figures", model.figures());
+        kept.put("line.mode", model.keptMode());
+    }
+
+    @Override
+    public void close(LineLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(LineLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new LinePanel(model, language, onFailure);
+    }
+
+    @Override
+    public List<TopicCard<LineLabModel>> cards() {
+        return List.of(
+                new TopicCard<>("line", this, new TopicCard.Place("line", ""), segments()),
+                figure(
+                        "circle",
+                        LineMode.CIRCLE,
+                        (lab, input) -> lab.figures().show((Circle) input)),
+                figure(
+                        "ellipse",
+                        LineMode.ELLIPSE,
+                        (lab, input) -> lab.figures().show((Ellipse) input)));
+    }
+
+    private static TopicWay<LineLabModel> segments() {
+        return TopicWay.<LineLabModel>inTurn(
+                        LineLabModel::history,
+                        (lab, input) -> {
+                            lab.chooseMode(LineMode.SEGMENT);
+                            lab.show((Segment) input);
+                        },
+                        LineLabModel::chooseMethod)
+                .reading(
+                        new TopicWay.Cases<>(
+                                LineInput::read,
+                                (lab, input, method, drawn) ->
+                                        lab.showTried((Segment) input, method, drawn)));
+    }
+
+    private TopicCard<LineLabModel> figure(
+            String topic, LineMode mode, BiConsumer<LineLabModel, Object> show) {
+        return new TopicCard<>(
+                topic,
+                this,
+                new TopicCard.Place("line", topic + "."),
+                TopicWay.inTurn(
+                        lab -> lab.figures().history(),
+                        (lab, input) -> {
+                            lab.chooseMode(mode);
+                            show.accept(lab, input);
+                        },
+                        (lab, method) -> lab.figures().chooseMethod(method)));
+    }
+}

@@ -1,0 +1,46 @@
+package rasterlab.app.opengl;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.language.Language;
+
+/** The lab that draws one scene by OpenGL and by the pipeline. */
+public final class OpenGlRoom implements LabRoom<OpenGlLabModel> {
+    @Override
+    public String name() {
+        return "opengl";
+    }
+
+    @Override
+    public OpenGlLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new OpenGlLabModel(events, onFailure);
+    }
+
+    @Override
+    public void keep(OpenGlLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("opengl", model);
+        kept.put("opengl.image", model.keptImage());
+    }
+
+    @Override
+    public void close(OpenGlLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new OpenGlPanel(model, language, onFailure);
+    }
+
+    /** OpenGL is no topic. */
+    @Override
+    public List<TopicCard<OpenGlLabModel>> cards() {
+        return List.of();
+    }
+}

@@ -1,0 +1,57 @@
+package rasterlab.app.polygon;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.language.Language;
+
+/** The lab of polygons: what is inside, triangulation, filling. */
+public final class PolygonRoom implements LabRoom<PolygonLabModel> {
+    @Override
+    public String name() {
+        return "polygon";
+    }
+
+    @Override
+    public PolygonLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new PolygonLabModel(new PolygonTopics(), events, onFailure);
+    }
+
+    @Override
+    public void keep(PolygonLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("polygon", model);
+    }
+
+    @Override
+    public void close(PolygonLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new PolygonPanel(model, language, onFailure);
+    }
+
+    @Override
+    public List<TopicCard<PolygonLabModel>> cards() {
+        return Stream.of(PolygonMode.values()).map(this::card).toList();
+    }
+
+    private TopicCard<PolygonLabModel> card(PolygonMode mode) {
+        return new TopicCard<>(
+                mode.topic(),
+                this,
+                new TopicCard.Place("polygon", mode.code() + "."),
+                TopicWay.inTurn(
+                        PolygonLabModel::history,
+                        (lab, input) -> lab.showInput(mode, input),
+                        PolygonLabModel::chooseMethod));
+    }
+}

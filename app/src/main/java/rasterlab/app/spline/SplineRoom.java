@@ -1,0 +1,71 @@
+package rasterlab.app.spline;
+
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicWay;
+import rasterlab.app.language.Language;
+import rasterlab.engine.spline.CurveTask;
+import rasterlab.engine.spline.SplineProblem;
+
+/** The lab of curves by control points and of functions through knots. */
+public final class SplineRoom implements LabRoom<SplineLabModel> {
+    @Override
+    public String name() {
+        return "spline";
+    }
+
+    @Override
+    public SplineLabModel model(Executor events, Consumer<Throwable> onFailure) {
+        return new SplineLabModel(events, onFailure);
+    }
+
+    @Override
+    public void keep(SplineLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("spline", model);
+        kept.put("spline.curve", model.curve());
+        kept.put("spline.function", model.function());
+    }
+
+    @Override
+    public void close(SplineLabModel model) {
+        model.close();
+    }
+
+    @Override
+    public LabPanel panel(SplineLabModel model, Language language, Consumer<Throwable> onFailure) {
+        return new SplinePanel(model, language, onFailure);
+    }
+
+    @Override
+    public List<TopicCard<SplineLabModel>> cards() {
+        return List.of(
+                card(
+                        "curve",
+                        TopicWay.inTurn(
+                                lab -> lab.curve().history(),
+                                (lab, input) -> {
+                                    lab.show(SplineMode.CURVE);
+                                    lab.curve().show((CurveTask) input);
+                                },
+                                (lab, method) -> lab.curve().chooseMethod(method))),
+                card(
+                        "spline-function",
+                        TopicWay.inTurn(
+                                lab -> lab.function().history(),
+                                (lab, input) -> {
+                                    lab.show(SplineMode.FUNCTION);
+                                    lab.function().show((SplineProblem) input);
+                                },
+                                (lab, method) -> lab.function().chooseMethod(method))));
+    }
+
+    private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {
+        return new TopicCard<>(topic, this, new TopicCard.Place("spline", ""), way);
+    }
+}
