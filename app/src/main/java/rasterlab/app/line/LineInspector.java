@@ -7,6 +7,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.SteppedLine;
@@ -137,13 +138,11 @@ final class LineInspector {
                 : "";
     }
 
-    /** Why the method refused the segment; its own words where they are not translated. */
+    /** Why the method refused the segment. */
     private String refusal(LineLabState state) {
         LineTrace trace = state.drawing().trace();
-        if (trace.ending() != LineTrace.Ending.REFUSED) return "";
-        String key = state.drawing().method() + ".refusal";
-        return translations.has(key)
-                ? translations.text(key, state.drawings().choice().segment().steps())
-                : trace.message();
+        return trace.ending() == LineTrace.Ending.REFUSED
+                ? VerdictDetail.said(texts.language(), trace.message())
+                : "";
     }
 }

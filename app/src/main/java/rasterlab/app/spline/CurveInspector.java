@@ -14,6 +14,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.CurveTracer;
@@ -179,7 +180,7 @@ final class CurveInspector {
     /** Shows the model's present state. */
     void refresh() {
         CurveLabState state = model.state();
-        var readings = new CurveReadings(state, texts, translations);
+        var readings = new CurveReadings(state, texts);
         showChoice(state.choice(), readings);
         segments.setText(readings.segments());
         error.setText(readings.error());
@@ -240,7 +241,7 @@ final class CurveInspector {
                 translations,
                 chosen,
                 decisionFormula(chosen),
-                refused ? Refusals.said(translations, drawing.message()) : "");
+                refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
     }
 
     private String decisionFormula(Method<CurveTracer> chosen) {

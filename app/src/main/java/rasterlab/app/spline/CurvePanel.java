@@ -114,7 +114,7 @@ final class CurvePanel extends LabPanel {
     @Override
     public void refresh() {
         CurveLabState state = model.state();
-        var readings = new CurveReadings(state, texts, translations);
+        var readings = new CurveReadings(state, texts);
         Extent all = state.choice().extent();
         stage.show(
                 new CurvePicture(state.drawings(), state.at(), state.step()),

@@ -6,6 +6,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.spline.CurvePlace;
 
@@ -21,15 +22,10 @@ final class CurveReadings {
 
     private final CurveLabState state;
     private final Texts texts;
-    private final Texts translations;
 
-    /**
-     * @param translations of what methods say
-     */
-    CurveReadings(CurveLabState state, Texts texts, Texts translations) {
+    CurveReadings(CurveLabState state, Texts texts) {
         this.state = state;
         this.texts = texts;
-        this.translations = translations;
     }
 
     String segments() {
@@ -130,7 +126,7 @@ final class CurveReadings {
                     texts.text(
                             "note.refused",
                             drawing.method(),
-                            Refusals.said(translations, drawing.message()));
+                            VerdictDetail.said(texts.language(), drawing.message()));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }

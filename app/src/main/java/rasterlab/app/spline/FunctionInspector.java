@@ -11,6 +11,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
@@ -99,7 +100,7 @@ final class FunctionInspector {
     void refresh() {
         FunctionLabState state = model.state();
         FunctionChoice choice = state.choice();
-        var readings = new FunctionReadings(state, texts, translations);
+        var readings = new FunctionReadings(state, texts);
         method.show(choice.method());
         comparison.show(choice.comparison());
         ends.show(FunctionCommand.code(choice.ends().kind()));
@@ -135,7 +136,7 @@ final class FunctionInspector {
                 translations,
                 chosen,
                 decisionFormula(chosen),
-                refused ? Refusals.said(translations, drawing.message()) : "");
+                refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
     }
 
     private String decisionFormula(Method<SplineFunction> chosen) {

@@ -107,7 +107,7 @@ final class FunctionPanel extends LabPanel {
     @Override
     public void refresh() {
         FunctionLabState state = model.state();
-        var readings = new FunctionReadings(state, texts, translations);
+        var readings = new FunctionReadings(state, texts);
         Extent all = model.everything();
         stage.show(
                 new FunctionPicture(

@@ -8,6 +8,7 @@ import java.util.stream.DoubleStream;
 import rasterlab.app.canvas.Formula;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 
@@ -20,15 +21,10 @@ final class FunctionReadings {
 
     private final FunctionLabState state;
     private final Texts texts;
-    private final Texts translations;
 
-    /**
-     * @param translations of what methods say
-     */
-    FunctionReadings(FunctionLabState state, Texts texts, Texts translations) {
+    FunctionReadings(FunctionLabState state, Texts texts) {
         this.state = state;
         this.texts = texts;
-        this.translations = translations;
     }
 
     /** How many coefficients are looked for, and by what equations. */
@@ -115,7 +111,7 @@ final class FunctionReadings {
                     texts.text(
                             "note.refusedKnots",
                             drawing.method(),
-                            Refusals.said(translations, drawing.message()));
+                            VerdictDetail.said(texts.language(), drawing.message()));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }

@@ -4,11 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Properties;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
@@ -21,14 +19,12 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.run.Runs;
 import rasterlab.app.cli.run.TopicRun;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Translations;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
 /** What {@code ./lab methods} says of JSON in Russian. */
 class FormWordsTest {
-    /** Ends the key of the English that stands above a translation. */
-    private static final String EN = ".en";
-
     private static final Pattern NAME = Pattern.compile("\"[^\"]+\"");
 
     /** Two words one after the other, or one that names nothing. */
@@ -71,28 +67,13 @@ class FormWordsTest {
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    static Stream<String> translated() throws IOException {
-        return translations().stringPropertyNames().stream()
-                .filter(key -> !key.endsWith(EN))
-                .sorted();
-    }
-
-    @ParameterizedTest(name = "the English of {0} was changed or left out, its translation was not")
-    @MethodSource("translated")
-    void eachTranslationStandsBelowItsEnglish(String key) throws IOException {
-        assertEquals(english(key), translations().getProperty(key + EN));
-    }
-
     @Test
-    @DisplayName("English stands there without its translation")
-    void eachEnglishHasItsTranslation() throws IOException {
-        Set<String> keys = translations().stringPropertyNames();
-        assertEquals(
-                List.of(),
-                keys.stream()
-                        .filter(key -> key.endsWith(EN))
-                        .filter(key -> !keys.contains(key.substring(0, key.length() - EN.length())))
-                        .toList());
+    @DisplayName("the English of a form was changed or left out, its translation was not")
+    void eachTranslationWasMadeForItsEnglish() throws IOException {
+        var translations = Translations.of("cli");
+        var english = new TreeMap<String, String>();
+        for (String key : translations.texts().keySet()) english.put(key, english(key));
+        assertEquals(List.of(), translations.outdated(english));
     }
 
     /** What the topic itself says in place of a translation. */
@@ -105,17 +86,5 @@ class FormWordsTest {
             case "word" -> run.topic().vocabulary().get(parts[2]);
             default -> throw new AssertionError(key + " is the key of nothing");
         };
-    }
-
-    /** Those of the Russian file itself. */
-    private static Properties translations() throws IOException {
-        var translations = new Properties();
-        try (var in =
-                new InputStreamReader(
-                        FormWords.class.getResourceAsStream("topic_ru.properties"),
-                        StandardCharsets.UTF_8)) {
-            translations.load(in);
-        }
-        return translations;
     }
 }

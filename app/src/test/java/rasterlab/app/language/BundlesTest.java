@@ -24,10 +24,6 @@ class BundlesTest {
     /** What is written on keys, the same in both languages. */
     private static final String KEYS = "\\b(Delete|Enter|Home|Shift|Space)\\b";
 
-    /** {@code {0}} of a MessageFormat and {@code %d} of a Formatter, whose order counts. */
-    private static final Pattern PLACEHOLDER =
-            Pattern.compile("\\{(\\d+)|%[-#+0,(]*\\d*(?:\\.\\d+)?([a-zA-Z])");
-
     /** Every English file that must say the same as its Russian one. */
     static List<Path> englishFiles() throws IOException {
         try (Stream<Path> files = Files.walk(ROOT)) {
@@ -39,13 +35,7 @@ class BundlesTest {
         }
     }
 
-    /** Their English is in the engine and stands beside the Russian as KEY.en. */
-    static List<Path> filesWhoseEnglishIsInTheEngine() throws IOException {
-        try (Stream<Path> files = Files.walk(ROOT)) {
-            return files.filter(BundlesTest::isToldByTheEngine).sorted().toList();
-        }
-    }
-
+    /** Its English is in the engine: {@link TopicTextsTest} looks at its translations. */
     private static boolean isToldByTheEngine(Path file) {
         return file.getFileName().toString().equals("topic.properties");
     }
@@ -93,20 +83,9 @@ class BundlesTest {
                 .forEach(
                         (key, text) ->
                                 assertEquals(
-                                        placeholders((String) text),
-                                        placeholders(translated.getProperty((String) key)),
+                                        Placeholders.of((String) text),
+                                        Placeholders.of(translated.getProperty((String) key)),
                                         "key " + key));
-    }
-
-    @ParameterizedTest(name = "a sentence of the engine gets a placeholder: {0}")
-    @MethodSource("filesWhoseEnglishIsInTheEngine")
-    void hasNoPlaceholderThatNothingFills(Path english) throws IOException {
-        Properties translated = read(russian(english));
-        for (String key : translated.stringPropertyNames()) {
-            String beside = translated.getProperty(key + ".en", "");
-            String text = translated.getProperty(key);
-            if (!key.endsWith(".en")) assertEquals(placeholders(beside), placeholders(text), key);
-        }
     }
 
     @ParameterizedTest(name = "a plural lacks a form of its language: {0}")
@@ -168,20 +147,6 @@ class BundlesTest {
                                         words.add(((String) text).replace("&", "").split(" ")[0]);
                                 });
         assertEquals(Set.of("Повторить"), words);
-    }
-
-    /**
-     * Those with numbers once each, in the order of their numbers; then the others as they come.
-     */
-    private static List<String> placeholders(String text) {
-        var numbered = new TreeSet<String>();
-        var inOrder = new ArrayList<String>();
-        var matcher = PLACEHOLDER.matcher(text);
-        while (matcher.find()) {
-            if (matcher.group(1) != null) numbered.add(matcher.group(1));
-            else inOrder.add(matcher.group());
-        }
-        return Stream.concat(numbered.stream(), inOrder.stream()).toList();
     }
 
     private static Path russian(Path english) {
