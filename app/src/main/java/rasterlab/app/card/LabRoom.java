@@ -40,4 +40,7 @@ public interface LabRoom<M> {
 
     /** A card for each topic that it shows; none for a lab that shows no topic's inputs. */
     List<TopicCard<M>> cards();
+
+    /** What the tour shows of it. */
+    List<LabShot<M>> shots();
 }

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.language.Language;
@@ -53,5 +54,10 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
                         ClipLabModel::history,
                         (lab, input) -> lab.showInput(mode, input),
                         ClipLabModel::chooseMethod));
+    }
+
+    @Override
+    public List<LabShot<ClipLabModel>> shots() {
+        return List.of(LabShot.first("clip"));
     }
 }

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
@@ -108,5 +109,19 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
                     lab.show(CoordinatesMode.TRANSFORMATIONS);
                     lab.transformations().show(topic, input.hazard(), method);
                 });
+    }
+
+    @Override
+    public List<LabShot<CoordinatesLabModel>> shots() {
+        return List.of(
+                LabShot.first("coordinates"),
+                shot("transformations", CoordinatesMode.TRANSFORMATIONS),
+                shot("stack", CoordinatesMode.STACK),
+                shot("rotation", CoordinatesMode.ROTATION),
+                shot("meeting", CoordinatesMode.MEETING));
+    }
+
+    private static LabShot<CoordinatesLabModel> shot(String name, CoordinatesMode mode) {
+        return new LabShot<>(name, lab -> lab.show(mode));
     }
 }

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
@@ -83,5 +84,18 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 new Place("row", ""),
                 TopicWay.whole(
                         (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
+    }
+
+    @Override
+    public List<LabShot<LightLabModel>> shots() {
+        return List.of(
+                new LabShot<>("light", lab -> lab.drawNormals(true)),
+                new LabShot<>("colours", lab -> lab.showColours(true)),
+                new LabShot<>(
+                        "texture-rows",
+                        lab -> lab.rows().show("texture-mapping", "floor", "affine")),
+                new LabShot<>(
+                        "filter-rows",
+                        lab -> lab.rows().show("texture-filter", "aliasing", "nearest")));
     }
 }

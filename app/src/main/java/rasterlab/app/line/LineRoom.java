@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.language.Language;
@@ -88,5 +89,25 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                             show.accept(lab, input);
                         },
                         (lab, method) -> lab.figures().chooseMethod(method)));
+    }
+
+    @Override
+    public List<LabShot<LineLabModel>> shots() {
+        return List.of(
+                new LabShot<>("line", LineRoom::showWrongPixels),
+                new LabShot<>("circle", LineRoom::showParametricEllipse),
+                new LabShot<>("brightness", lab -> lab.chooseMode(LineMode.BRIGHTNESS)));
+    }
+
+    /** A faulty method where it fails. */
+    private static void showWrongPixels(LineLabModel lab) {
+        lab.show(new Segment(17, 9, 2, 3));
+        lab.chooseMethod("bresenham-textbook");
+    }
+
+    private static void showParametricEllipse(LineLabModel lab) {
+        lab.chooseMode(LineMode.ELLIPSE);
+        lab.figures().chooseMethod("parametric");
+        lab.figures().compareWith("midpoint");
     }
 }

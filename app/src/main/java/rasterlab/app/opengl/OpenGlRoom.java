@@ -7,8 +7,10 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.language.Language;
+import rasterlab.app.opengl.state.Setting;
 
 /** The lab that draws one scene by OpenGL and by the pipeline. */
 public final class OpenGlRoom implements LabRoom<OpenGlLabModel> {
@@ -42,5 +44,15 @@ public final class OpenGlRoom implements LabRoom<OpenGlLabModel> {
     @Override
     public List<TopicCard<OpenGlLabModel>> cards() {
         return List.of();
+    }
+
+    @Override
+    public List<LabShot<OpenGlLabModel>> shots() {
+        return List.of(LabShot.first("opengl"), new LabShot<>("globe", OpenGlRoom::showGlobe));
+    }
+
+    private static void showGlobe(OpenGlLabModel lab) {
+        lab.set(Setting.SCENE, "globe");
+        lab.set(Setting.MIN_FILTER, "GL_LINEAR_MIPMAP_LINEAR");
     }
 }

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.language.Language;
@@ -53,5 +54,18 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
                         PolygonLabModel::history,
                         (lab, input) -> lab.showInput(mode, input),
                         PolygonLabModel::chooseMethod));
+    }
+
+    @Override
+    public List<LabShot<PolygonLabModel>> shots() {
+        return List.of(
+                new LabShot<>("polygon", PolygonRoom::showOverflow),
+                new LabShot<>("seed", lab -> lab.chooseMode(PolygonMode.SEED)));
+    }
+
+    /** The plane as it looks to a method in 32 bits, far from the origin. */
+    private static void showOverflow(PolygonLabModel lab) {
+        lab.show(PolygonMode.TRIANGLE, "past-2-15");
+        lab.chooseMethod("sign-int");
     }
 }

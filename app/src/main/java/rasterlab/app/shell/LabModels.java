@@ -148,7 +148,7 @@ public final class LabModels implements AutoCloseable {
 
     /** The model of that lab; the same one every time. */
     @SuppressWarnings("unchecked") // under a room's name is the model that the room made
-    <M> M of(LabRoom<M> room) {
+    public <M> M of(LabRoom<M> room) {
         return (M) labs.get(room.name()).get();
     }
 

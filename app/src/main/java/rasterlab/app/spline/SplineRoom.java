@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.language.Language;
@@ -67,5 +68,12 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
 
     private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {
         return new TopicCard<>(topic, this, new TopicCard.Place("spline", ""), way);
+    }
+
+    @Override
+    public List<LabShot<SplineLabModel>> shots() {
+        return List.of(
+                LabShot.first("spline"),
+                new LabShot<>("function", lab -> lab.show(SplineMode.FUNCTION)));
     }
 }

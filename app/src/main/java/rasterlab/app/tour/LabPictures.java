@@ -4,19 +4,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
-import rasterlab.app.line.LineMode;
-import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.polygon.PolygonMode;
+import rasterlab.app.language.Texts;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
-import rasterlab.app.spline.SplineMode;
-import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Study;
 
 /** Every tab of the window in each look, painted without a display. */
@@ -29,11 +27,21 @@ final class LabPictures implements TourPart {
     /**
      * A tab.
      *
+     * @param said what it is, in a language
      * @param preparation gives once what prepares the tab in each look
      */
-    private record Shot(String name, String tab, Supplier<Consumer<LabModels>> preparation) {
-        Shot(String name, String tab, Consumer<LabModels> prepare) {
-            this(name, tab, () -> prepare);
+    private record Shot(
+            String name,
+            String tab,
+            Function<Language, String> said,
+            Supplier<Consumer<LabModels>> preparation) {
+        /** A shot of a lab that needs others. */
+        static Shot ofTour(String name, String tab, Supplier<Consumer<LabModels>> preparation) {
+            return new Shot(
+                    name,
+                    tab,
+                    language -> Texts.of("tour", language).text("labs." + name),
+                    preparation);
         }
     }
 
@@ -59,49 +67,7 @@ final class LabPictures implements TourPart {
     private final Predicate<String> wanted;
     private final Supplier<Study> charted;
     private final List<Look> looks;
-    private final List<Shot> shots =
-            List.of(
-                    new Shot("coordinates", "coordinates", models -> {}),
-                    coordinates("transformations", CoordinatesMode.TRANSFORMATIONS),
-                    coordinates("stack", CoordinatesMode.STACK),
-                    coordinates("rotation", CoordinatesMode.ROTATION),
-                    coordinates("meeting", CoordinatesMode.MEETING),
-                    new Shot("line", "line", LabPictures::showWhatFails),
-                    new Shot("circle", "line", LabPictures::showParametricEllipse),
-                    new Shot(
-                            "brightness",
-                            "line",
-                            models -> models.line().chooseMode(LineMode.BRIGHTNESS)),
-                    new Shot("polygon", "polygon", LabPictures::showOverflow),
-                    new Shot(
-                            "seed",
-                            "polygon",
-                            models -> models.polygon().chooseMode(PolygonMode.SEED)),
-                    new Shot("clip", "clip", models -> {}),
-                    new Shot("visibility", "visibility", models -> {}),
-                    new Shot("order", "visibility", LabPictures::showOrder),
-                    new Shot(
-                            "depth-rows",
-                            "visibility",
-                            models ->
-                                    models.visibility()
-                                            .rows()
-                                            .show("depth-buffer", "crossing", "z16")),
-                    new Shot("light", "light", models -> models.light().drawNormals(true)),
-                    new Shot("colours", "light", models -> models.light().showColours(true)),
-                    textureRows("texture-rows", "texture-mapping", "floor", "affine"),
-                    textureRows("filter-rows", "texture-filter", "aliasing", "nearest"),
-                    new Shot("spline", "spline", models -> {}),
-                    new Shot(
-                            "function",
-                            "spline",
-                            models -> models.spline().show(SplineMode.FUNCTION)),
-                    new Shot("opengl", "opengl", models -> {}),
-                    new Shot("globe", "opengl", LabPictures::showGlobe),
-                    new Shot("study", "study", models -> {}),
-                    new Shot("chart", "study", this::measured),
-                    new Shot("exercises", "exercises", models -> {}),
-                    new Shot("checked", "exercises", LabPictures::wrongSolution));
+    private final List<Shot> shots = new ArrayList<>();
 
     /**
      * @param wanted tells by their names which pictures are made
@@ -112,14 +78,24 @@ final class LabPictures implements TourPart {
         this.wanted = wanted;
         this.charted = charted;
         this.looks = looks;
+        LabRooms.all().stream().flatMap(LabPictures::of).forEach(shots::add);
+        shots.add(Shot.ofTour("study", "study", () -> models -> {}));
+        shots.add(Shot.ofTour("chart", "study", this::measured));
+        shots.add(Shot.ofTour("exercises", "exercises", () -> models -> {}));
+        shots.add(Shot.ofTour("checked", "exercises", LabPictures::wrongSolution));
     }
 
-    private static Shot coordinates(String name, CoordinatesMode mode) {
-        return new Shot(name, "coordinates", models -> models.coordinates().show(mode));
-    }
-
-    private static Shot textureRows(String name, String topic, String hazard, String method) {
-        return new Shot(name, "light", models -> models.light().rows().show(topic, hazard, method));
+    private static <M> Stream<Shot> of(LabRoom<M> room) {
+        return room.shots().stream()
+                .map(
+                        shot ->
+                                new Shot(
+                                        shot.name(),
+                                        room.name(),
+                                        language ->
+                                                Texts.of(room.name(), language)
+                                                        .text("tour." + shot.name()),
+                                        () -> models -> shot.prepare().accept(models.of(room))));
     }
 
     @Override
@@ -131,7 +107,7 @@ final class LabPictures implements TourPart {
     public void make(TourPage page) throws InterruptedException {
         for (Shot shot : shots) {
             if (!wanted.test(shot.name())) continue;
-            page.heading(page.texts().text("labs." + shot.name()));
+            page.heading(shot.said().apply(page.texts().language()));
             Consumer<LabModels> prepare = shot.preparation().get();
             List<TourPage.Figure> figures = new ArrayList<>();
             for (Look look : looks) figures.add(figure(page, shot, prepare, look));
@@ -144,7 +120,7 @@ final class LabPictures implements TourPart {
             throws InterruptedException {
         Language language = look.language();
         String caption = language.ownName() + ", " + page.texts().text("theme." + look.themeName());
-        page.say(page.texts().text("labs." + shot.name()) + ": " + caption);
+        page.say(shot.said().apply(page.texts().language()) + ": " + caption);
         String name =
                 String.join(
                         "-", "lab", shot.name(), language.locale().getLanguage(), look.themeName());
@@ -152,32 +128,6 @@ final class LabPictures implements TourPart {
                 name,
                 LabSnapshot.of(shot.tab(), look.theme(), language, prepare, WIDTH, HEIGHT),
                 caption);
-    }
-
-    /** Faulty methods where they fail, so that wrong pixels and parts are seen. */
-    private static void showWhatFails(LabModels models) {
-        models.line().show(new Segment(17, 9, 2, 3));
-        models.line().chooseMethod("bresenham-textbook");
-        models.clip().chooseMethod("cohen-sutherland-textbook");
-        models.clip().compareWith("cohen-sutherland");
-    }
-
-    /** No order of whole boards is right; the list has the order in which they were drawn. */
-    private static void showOrder(LabModels models) {
-        models.visibility().compareColours("cyclic-overlap", "painter", "newell");
-        models.visibility().watchSteps(true);
-    }
-
-    private static void showParametricEllipse(LabModels models) {
-        models.line().chooseMode(LineMode.ELLIPSE);
-        models.line().figures().chooseMethod("parametric");
-        models.line().figures().compareWith("midpoint");
-    }
-
-    /** The plane as it looks to a method in 32 bits, far from the origin. */
-    private static void showOverflow(LabModels models) {
-        models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
-        models.polygon().chooseMethod("sign-int");
     }
 
     private Consumer<LabModels> measured() {
@@ -193,10 +143,5 @@ final class LabPictures implements TourPart {
             models.exercises().type(source);
             models.exercises().check();
         };
-    }
-
-    private static void showGlobe(LabModels models) {
-        models.opengl().set(Setting.SCENE, "globe");
-        models.opengl().set(Setting.MIN_FILTER, "GL_LINEAR_MIPMAP_LINEAR");
     }
 }

@@ -9,6 +9,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicInput;
@@ -105,5 +106,20 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                                 (lab, input, method) -> view.apply(input, method).unlike(),
                                 method -> true,
                                 VisibilityLabModel::tell)));
+    }
+
+    @Override
+    public List<LabShot<VisibilityLabModel>> shots() {
+        return List.of(
+                LabShot.first("visibility"),
+                new LabShot<>("order", VisibilityRoom::showOrder),
+                new LabShot<>(
+                        "depth-rows", lab -> lab.rows().show("depth-buffer", "crossing", "z16")));
+    }
+
+    /** No order of whole boards is right; the list has the order in which they were drawn. */
+    private static void showOrder(VisibilityLabModel lab) {
+        lab.compareColours("cyclic-overlap", "painter", "newell");
+        lab.watchSteps(true);
     }
 }
