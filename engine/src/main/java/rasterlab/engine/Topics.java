@@ -35,48 +35,88 @@ import rasterlab.engine.visibility.order.DepthOrderTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
+    /** The names of all topics, in the course's order. */
+    private static final List<String> NAMES =
+            List.of(
+                    "line",
+                    "circle",
+                    "ellipse",
+                    "fill",
+                    "polygon-fill",
+                    "line-plane",
+                    "point-in-triangle",
+                    "point-in-polygon",
+                    "triangulate",
+                    "clip-segment",
+                    "clip-polygon",
+                    "clip-volume",
+                    "matrix",
+                    "transform",
+                    "view",
+                    "rotate",
+                    "rotate-axis",
+                    "visible-faces",
+                    "depth-order",
+                    "depth-buffer",
+                    "hidden-surfaces",
+                    "spline-function",
+                    "curve",
+                    "shade",
+                    "vertex-normals",
+                    "shade-face",
+                    "color",
+                    "texture-mapping",
+                    "texture-filter");
+
     private Topics() {}
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(
-                new LineTopic(),
-                new CircleTopic(),
-                new EllipseTopic(),
-                new FillTopic(),
-                new PolygonFillTopic(),
-                new LinePlaneTopic(),
-                new PointInTriangleTopic(),
-                new PointInPolygonTopic(),
-                new TriangulateTopic(),
-                new SegmentClipTopic(),
-                new PolygonClipTopic(),
-                new VolumeClipTopic(),
-                new MatrixTopic(),
-                new TransformTopic(),
-                new ViewTopic(),
-                new RotateTopic(),
-                new AxisTopic(),
-                new VisibleFacesTopic(),
-                new DepthOrderTopic(),
-                new DepthBufferTopic(),
-                new HiddenSurfacesTopic(),
-                new SplineFunctionTopic(),
-                new CurveTopic(),
-                new ShadeTopic(),
-                new NormalsTopic(),
-                new FaceTopic(),
-                new ColorTopic(),
-                new MappingTopic(),
-                new FilterTopic());
+        return NAMES.stream().<Topic<?, ?, ?>>map(Topics::made).toList();
     }
 
     /**
-     * The topic of that name.
+     * The topic of that name; no other is made.
      *
      * @throws IllegalArgumentException if there is none; lists those there are
      */
     public static Topic<?, ?, ?> named(String name) {
-        return Named.find("topic", name, all(), Topic::name);
+        Topic<?, ?, ?> topic = made(name);
+        return topic == null ? Named.find("topic", name, all(), Topic::name) : topic;
+    }
+
+    private static Topic<?, ?, ?> made(String name) {
+        return switch (name) {
+            case "line" -> new LineTopic();
+            case "circle" -> new CircleTopic();
+            case "ellipse" -> new EllipseTopic();
+            case "fill" -> new FillTopic();
+            case "polygon-fill" -> new PolygonFillTopic();
+            case "line-plane" -> new LinePlaneTopic();
+            case "point-in-triangle" -> new PointInTriangleTopic();
+            case "point-in-polygon" -> new PointInPolygonTopic();
+            case "triangulate" -> new TriangulateTopic();
+            case "clip-segment" -> new SegmentClipTopic();
+            case "clip-polygon" -> new PolygonClipTopic();
+            case "clip-volume" -> new VolumeClipTopic();
+            case "matrix" -> new MatrixTopic();
+            case "transform" -> new TransformTopic();
+            case "view" -> new ViewTopic();
+            case "rotate" -> new RotateTopic();
+            case "rotate-axis" -> new AxisTopic();
+            case "visible-faces" -> new VisibleFacesTopic();
+            case "depth-order" -> new DepthOrderTopic();
+            case "depth-buffer" -> new DepthBufferTopic();
+            case "hidden-surfaces" -> new HiddenSurfacesTopic();
+            case "spline-function" -> new SplineFunctionTopic();
+            case "curve" -> new CurveTopic();
+            case "shade" -> new ShadeTopic();
+            case "vertex-normals" -> new NormalsTopic();
+            case "shade-face" -> new FaceTopic();
+            case "color" -> new ColorTopic();
+            case "texture-mapping" -> new MappingTopic();
+            case "texture-filter" -> new FilterTopic();
+            default -> null;
+        };
     }
 }

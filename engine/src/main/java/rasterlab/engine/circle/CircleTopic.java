@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Workload;
@@ -45,5 +47,10 @@ public final class CircleTopic extends ArcTopic<CircleRasterizer, Circle> {
     @Override
     Ellipse ellipse(Circle c) {
         return new Ellipse(c.centreX(), c.centreY(), c.radius(), c.radius());
+    }
+
+    @Override
+    public Format<CircleRasterizer, Circle, PixelRecording> format() {
+        return new CircleFormat(this);
     }
 }

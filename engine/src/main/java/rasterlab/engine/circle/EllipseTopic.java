@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Workload;
@@ -46,5 +48,10 @@ public final class EllipseTopic extends ArcTopic<EllipseRasterizer, Ellipse> {
     @Override
     Ellipse ellipse(Ellipse e) {
         return e;
+    }
+
+    @Override
+    public Format<EllipseRasterizer, Ellipse, PixelRecording> format() {
+        return new EllipseFormat(this);
     }
 }

@@ -9,6 +9,7 @@ import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -141,5 +142,10 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     @Override
     public String errorUnit() {
         return "pixels";
+    }
+
+    @Override
+    public Format<LineRasterizer, Segment, PixelRecording> format() {
+        return new LineFormat(this);
     }
 }

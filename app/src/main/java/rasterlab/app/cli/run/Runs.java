@@ -3,6 +3,7 @@ package rasterlab.app.cli.run;
 import java.time.Duration;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
 
 /** The topics that {@code ./lab run} reads and writes. */
 public final class Runs {
@@ -18,13 +19,9 @@ public final class Runs {
     public static TopicRun named(String topic) {
         var watch = new Watch(LONGEST);
         return switch (topic) {
-            case "line" -> new LineRun(watch);
-            case "circle" -> new CircleRun(watch);
-            case "ellipse" -> new EllipseRun(watch);
             case "fill" -> new FillRun(watch);
             case "polygon-fill" -> new PolygonFillRun(watch);
             case "line-plane" -> new LinePlaneRun(watch);
-            case "point-in-triangle" -> new PointInTriangleRun(watch);
             case "point-in-polygon" -> new PointInPolygonRun(watch);
             case "triangulate" -> new TriangulateRun(watch);
             case "clip-segment" -> new ClipSegmentRun(watch);
@@ -43,20 +40,18 @@ public final class Runs {
             case "curve" -> new CurveRun(watch);
             case "shade" -> new ShadeRun(watch);
             case "vertex-normals" -> new VertexNormalsRun(watch);
-            case "shade-face" -> new ShadeFaceRun(watch);
             case "color" -> new ColorRun(watch);
             case "texture-mapping" -> new TextureMappingRun(watch);
             case "texture-filter" -> new TextureFilterRun(watch);
-            default -> throw unknown(topic);
+            default -> TopicRunner.of(watch, topicNamed(topic));
         };
     }
 
-    /** The list of topics says it, which is made only here: a call needs one of them. */
-    private static Complaint unknown(String topic) {
+    private static Topic<?, ?, ?> topicNamed(String topic) {
         try {
-            throw new AssertionError("nothing runs the topic " + Topics.named(topic).name());
+            return Topics.named(topic);
         } catch (IllegalArgumentException e) {
-            return Complaint.badInput(e.getMessage());
+            throw Complaint.badInput(e.getMessage());
         }
     }
 

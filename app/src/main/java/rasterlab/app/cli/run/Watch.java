@@ -4,6 +4,8 @@ import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.format.GivenUp;
+import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Guard;
 
 /** What the command line says when a method refuses, crashes or does not end under guard. */
@@ -40,6 +42,8 @@ final class Watch {
 
     private static Complaint explained(String name, Throwable cause) {
         if (cause instanceof Complaint complaint) return complaint;
+        if (cause instanceof Misfit misfit) return Complaint.badInput(misfit.getMessage());
+        if (cause instanceof GivenUp tooMuch) return Complaint.gaveUp(tooMuch.getMessage());
         if (cause instanceof IllegalArgumentException refusal)
             return Complaint.refused(name + " refuses: " + refusal.getMessage());
         return Complaint.gaveUp(name + " crashed: " + cause);

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -29,12 +30,15 @@ import rasterlab.engine.polygon.inside.EdgeWalk;
 import rasterlab.engine.polygon.inside.SteppedPolygonTest;
 import rasterlab.engine.polygon.triangle.SideWalk;
 import rasterlab.engine.polygon.triangle.SteppedTriangleTest;
+import rasterlab.engine.polygon.triangle.TriangleFormat;
 import rasterlab.engine.spline.CurveWalk;
 import rasterlab.engine.spline.PointStep;
 import rasterlab.engine.spline.SplineWalk;
 import rasterlab.engine.spline.SteppedCurve;
 import rasterlab.engine.spline.SteppedPoint;
 import rasterlab.engine.spline.SteppedSpline;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.rotate.SteppedRotation;
 import rasterlab.engine.transform.rotate.TurnWalk;
@@ -77,7 +81,7 @@ class StepsTest {
                         "{\"polygon\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
                 argumentSet(
                         "point-in-triangle",
-                        new PointInTriangleRun(WATCH, new OneMethod<>(new BrokenSides(), null)),
+                        runner(new OneMethod<>(new BrokenSides(), null), TriangleFormat::new),
                         "{\"triangle\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
                 argumentSet(
                         "rotate",
@@ -107,6 +111,11 @@ class StepsTest {
                         "clip-volume",
                         new ClipVolumeRun(WATCH, new OneMethod<>(new BrokenVolume(), ENDS)),
                         "{\"zmin\":0.5,\"segments\":[[0,0,1,1,0,1]]}"));
+    }
+
+    private static <C, I, O> TopicRun runner(
+            OneMethod<C, I, O> topic, Function<Topic<C, I, O>, Format<C, I, O>> format) {
+        return new TopicRunner<>(WATCH, topic, format.apply(topic));
     }
 
     private static final class BrokenTest implements SteppedPolygonTest {

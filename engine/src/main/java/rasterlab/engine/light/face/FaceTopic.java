@@ -6,6 +6,7 @@ import java.util.Map;
 import rasterlab.contract.FaceShader;
 import rasterlab.engine.color.Levels;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -110,5 +111,10 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     @Override
     public String errorUnit() {
         return "levels";
+    }
+
+    @Override
+    public Format<FaceShader, FacePoints, double[]> format() {
+        return new FaceFormat(this);
     }
 }

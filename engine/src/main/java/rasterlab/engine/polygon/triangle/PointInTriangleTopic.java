@@ -10,6 +10,7 @@ import rasterlab.engine.polygon.MembershipComparison;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.ShapeAndPoints;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -132,5 +133,10 @@ public final class PointInTriangleTopic
     @Override
     public String errorUnit() {
         return "ulps";
+    }
+
+    @Override
+    public Format<PointInTriangle, ShapeAndPoints, Membership> format() {
+        return new TriangleFormat(this);
     }
 }

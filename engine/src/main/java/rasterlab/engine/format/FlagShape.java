@@ -1,0 +1,18 @@
+package rasterlab.engine.format;
+
+import java.io.IOException;
+
+/** True or false. */
+record FlagShape() implements Shape<Boolean> {
+    @Override
+    public Boolean read(ValueSource in) throws IOException {
+        return in.flag();
+    }
+
+    @Override
+    public void schema(ValueSink out) throws IOException {
+        out.startObject();
+        out.text("type", "boolean");
+        out.endObject();
+    }
+}

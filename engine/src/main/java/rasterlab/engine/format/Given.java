@@ -1,0 +1,73 @@
+package rasterlab.engine.format;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** The values of the fields that one object has. */
+public final class Given {
+    private final String place;
+    private final Map<String, Object> values = new HashMap<>();
+    private final List<String> unknown = new ArrayList<>();
+
+    /**
+     * @param place the object's JSON pointer (RFC 6901); empty for the whole input
+     */
+    public Given(String place) {
+        this.place = place;
+    }
+
+    /** The value of a required field. */
+    @SuppressWarnings("unchecked") // the field's own shape made the value
+    public <T> T get(Field<T> field) {
+        if (!has(field.name())) throw new AssertionError(field.name() + " was let through");
+        return (T) values.get(field.name());
+    }
+
+    /** The value of a field; {@code otherwise} where it was not given. */
+    @SuppressWarnings("unchecked") // the field's own shape made the value
+    public <T> T get(Field<T> field, T otherwise) {
+        return has(field.name()) ? (T) values.get(field.name()) : otherwise;
+    }
+
+    /** The value of an optional field, if it was given. */
+    public <T> Optional<T> find(Field<T> field) {
+        return Optional.ofNullable(get(field, null));
+    }
+
+    /** The names of the fields that were given. */
+    public Set<String> names() {
+        return Set.copyOf(values.keySet());
+    }
+
+    public boolean has(String name) {
+        return values.containsKey(name);
+    }
+
+    public boolean has(Field<?> field) {
+        return has(field.name());
+    }
+
+    /** The names of the fields that were passed over, in their order. */
+    public List<String> unknown() {
+        return List.copyOf(unknown);
+    }
+
+    /** Adds the name of a field that was passed over. */
+    public void putUnknown(String name) {
+        unknown.add(name);
+    }
+
+    /** Adds a value that the field's shape has read. */
+    public void put(Field<?> field, Object value) {
+        values.put(field.name(), value);
+    }
+
+    /** A complaint about the value of a field, with its place. */
+    public Misfit misfit(String field, String reason) {
+        return new Misfit(place + "/" + field, reason);
+    }
+}

@@ -1,0 +1,40 @@
+package rasterlab.engine.format;
+
+import java.io.IOException;
+
+/**
+ * A value from which something is made that refuses some values of its shape by {@link
+ * IllegalArgumentException}.
+ *
+ * @param <S> what a value of the shape is
+ * @param <T> what is made of it
+ */
+public abstract class MadeShape<S, T> implements Shape<T> {
+    private final Shape<S> shape;
+
+    protected MadeShape(Shape<S> shape) {
+        this.shape = shape;
+    }
+
+    /**
+     * What the value becomes.
+     *
+     * @throws IllegalArgumentException if it cannot; the message is told with the value's place
+     */
+    protected abstract T made(S value);
+
+    @Override
+    public final T read(ValueSource in) throws IOException {
+        S value = shape.read(in);
+        try {
+            return made(value);
+        } catch (IllegalArgumentException e) {
+            throw in.misfit(e.getMessage());
+        }
+    }
+
+    @Override
+    public void schema(ValueSink out) throws IOException {
+        shape.schema(out);
+    }
+}

@@ -1,0 +1,34 @@
+package rasterlab.engine.format;
+
+import java.io.IOException;
+
+/** A value that may be null. */
+final class NullableShape<T> extends EitherShape<T> {
+    private final Shape<T> shape;
+
+    NullableShape(Shape<T> shape) {
+        super(shape, new NullShape());
+        this.shape = shape;
+    }
+
+    @Override
+    public T read(ValueSource in) throws IOException {
+        return in.isNull() ? null : shape.read(in);
+    }
+
+    /** Null alone. */
+    private static final class NullShape implements Shape<Void> {
+        @Override
+        public Void read(ValueSource in) {
+            if (!in.isNull()) throw in.misfit("expected null");
+            return null;
+        }
+
+        @Override
+        public void schema(ValueSink out) throws IOException {
+            out.startObject();
+            out.text("type", "null");
+            out.endObject();
+        }
+    }
+}

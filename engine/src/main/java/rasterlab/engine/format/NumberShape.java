@@ -1,0 +1,34 @@
+package rasterlab.engine.format;
+
+import java.io.IOException;
+
+/** A number of a range. */
+record NumberShape(double least, double most, Range range) implements Shape<Double> {
+    /** Which ends of a range belong to it. */
+    enum Range {
+        /** Every finite number. */
+        ANY,
+        CLOSED,
+        /** All but the least. */
+        ABOVE
+    }
+
+    @Override
+    public Double read(ValueSource in) throws IOException {
+        return switch (range) {
+            case ANY -> in.number();
+            case CLOSED -> in.numberFrom(least, most);
+            case ABOVE -> in.numberAbove(least, most);
+        };
+    }
+
+    @Override
+    public void schema(ValueSink out) throws IOException {
+        out.startObject();
+        out.text("type", "number");
+        if (range == Range.ABOVE) out.number("exclusiveMinimum", least);
+        if (range == Range.CLOSED) out.number("minimum", least);
+        if (range != Range.ANY) out.number("maximum", most);
+        out.endObject();
+    }
+}

@@ -1,0 +1,102 @@
+package rasterlab.engine.format;
+
+import java.io.IOException;
+import java.util.List;
+
+/**
+ * What a value may be, and what it becomes.
+ *
+ * @param <T> what it becomes
+ */
+public interface Shape<T> {
+    /** The most points of one input. */
+    int MOST_POINTS = 10_000_000;
+
+    /**
+     * Reads the value that the input stands on.
+     *
+     * @throws Misfit if it is none of this shape
+     */
+    T read(ValueSource in) throws IOException;
+
+    /** Writes the shape as a schema of JSON Schema, 2020-12. */
+    void schema(ValueSink out) throws IOException;
+
+    /** A finite number. */
+    static Shape<Double> number() {
+        return new NumberShape(-Double.MAX_VALUE, Double.MAX_VALUE, NumberShape.Range.ANY);
+    }
+
+    /** A number from {@code least} to {@code most}. */
+    static Shape<Double> number(double least, double most) {
+        return new NumberShape(least, most, NumberShape.Range.CLOSED);
+    }
+
+    /** A number above {@code least}, up to {@code most}. */
+    static Shape<Double> numberAbove(double least, double most) {
+        return new NumberShape(least, most, NumberShape.Range.ABOVE);
+    }
+
+    /** A whole number from {@code least} to {@code most}. */
+    static Shape<Integer> whole(int least, int most) {
+        return new WholeShape(least, most);
+    }
+
+    /** One of the words. */
+    static Shape<String> word(List<String> words) {
+        return new WordShape(words);
+    }
+
+    /**
+     * A text of {@code least} to {@code most} 16-bit units.
+     *
+     * @param what the text in words, for complaints: "a text of one character"
+     */
+    static Shape<String> text(String what, int least, int most) {
+        return new TextShape(what, least, most);
+    }
+
+    /** Any text. */
+    static Shape<String> text() {
+        return new TextShape("a text", 0, Integer.MAX_VALUE);
+    }
+
+    /** True or false. */
+    static Shape<Boolean> flag() {
+        return new FlagShape();
+    }
+
+    /** {@code least} to {@code most} finite numbers. */
+    static Shape<double[]> numbers(int least, int most) {
+        return new NumbersShape(least, most);
+    }
+
+    /** {@code least} to {@code most} points of {@code dimension} coordinates, one after another. */
+    static Shape<double[]> points(int dimension, int least, int most) {
+        return new PointsShape(dimension, least, most);
+    }
+
+    /** {@code count} whole numbers in the range of int. */
+    static Shape<int[]> wholes(int count) {
+        return new WholesShape(count);
+    }
+
+    /**
+     * A list of {@code least} to {@code most} values.
+     *
+     * @param what the values in words, for complaints: "rows"
+     */
+    static <T> Shape<List<T>> list(String what, Shape<T> item, int least, int most) {
+        return new ListShape<>(what, item, least, most);
+    }
+
+    /** A list of any length. */
+    static <T> Shape<List<T>> list(Shape<T> item) {
+        return new ListShape<>("values", item, 0, Integer.MAX_VALUE);
+    }
+
+    /** An object with these fields. */
+    static Shape<Given> object(Field<?>... fields) {
+        return new ObjectShape(List.of(fields));
+    }
+}

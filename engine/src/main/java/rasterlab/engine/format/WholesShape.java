@@ -1,0 +1,17 @@
+package rasterlab.engine.format;
+
+import java.io.IOException;
+
+/** An array of exactly {@code count} whole numbers in the range of int. */
+record WholesShape(int count) implements Shape<int[]> {
+    @Override
+    public int[] read(ValueSource in) throws IOException {
+        return in.wholes(count);
+    }
+
+    @Override
+    public void schema(ValueSink out) throws IOException {
+        var any = new WholeShape(Integer.MIN_VALUE, Integer.MAX_VALUE);
+        ArraySchema.write(out, any, count, count);
+    }
+}

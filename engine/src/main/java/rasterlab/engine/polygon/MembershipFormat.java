@@ -1,0 +1,74 @@
+package rasterlab.engine.polygon;
+
+import java.io.IOException;
+import java.util.List;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.Written;
+import rasterlab.engine.study.Call;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
+
+/**
+ * What topics on points inside of something have in common from outside: {@code points}; {@code
+ * inside} out, true or false for each.
+ *
+ * @param <C> the contract that methods implement
+ */
+public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Membership> {
+    protected static final Field<double[]> POINTS =
+            Field.required("points", Shape.points(2, 0, Shape.MOST_POINTS));
+    private static final Field<?> INSIDE = Field.required("inside", Shape.list(Shape.flag()));
+
+    protected MembershipFormat(Topic<C, ShapeAndPoints, Membership> topic) {
+        super(topic);
+    }
+
+    @Override
+    public final List<Field<?>> answer() {
+        return List.of(INSIDE);
+    }
+
+    @Override
+    public final String answers() {
+        return """
+            {"inside":[true,...]}""";
+    }
+
+    @Override
+    public final void write(Membership inside, ValueSink out) throws IOException {
+        out.name(INSIDE.name());
+        out.startArray();
+        for (int i = 0; i < inside.size(); i++) out.flag(inside.inside(i));
+        out.endArray();
+    }
+
+    /** What a method says of all points; with steps, what its walks say. */
+    @Override
+    protected final Written answered(Call<C> call, ShapeAndPoints input) {
+        if (call.steps()) return walked(call, input);
+        Membership inside = judged(input, judge(call.method(), input));
+        return out -> write(inside, out);
+    }
+
+    /** What judges by the method. */
+    protected abstract Membership.Judge judge(C method, ShapeAndPoints input);
+
+    /** The same by the walks of the method, and their steps. */
+    protected abstract Written walked(Call<C> call, ShapeAndPoints input);
+
+    /** Writes the answer of a judge that records steps. */
+    protected final Written walked(ShapeAndPoints input, Membership.Judge judge, Steps steps) {
+        Membership inside = judged(input, judge);
+        return out -> {
+            write(inside, out);
+            steps.write(out);
+        };
+    }
+
+    private static Membership judged(ShapeAndPoints input, Membership.Judge judge) {
+        return new Membership(input.points(), input.points().size(), judge);
+    }
+}

@@ -1,0 +1,132 @@
+package rasterlab.engine.study;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.function.Supplier;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.GivenUp;
+import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.Written;
+
+/**
+ * What a topic's inputs and answers look like outside the engine.
+ *
+ * <p>A topic says its fields, how an input is made of them and how an output is written. Where it
+ * takes or answers more than that, such as limits, a window or steps, it overrides a part of {@link
+ * #prepared}.
+ *
+ * @param <C> the contract that methods implement
+ * @param <I> one input
+ * @param <O> one recorded output
+ */
+public abstract class Format<C, I, O> {
+    private final Topic<C, I, O> topic;
+
+    protected Format(Topic<C, I, O> topic) {
+        this.topic = topic;
+    }
+
+    protected final Topic<C, I, O> topic() {
+        return topic;
+    }
+
+    /** The fields of an input. */
+    public abstract List<Field<?>> input();
+
+    /** Whether an input may have fields whose names {@link #read} looks at by itself. */
+    public boolean open() {
+        return false;
+    }
+
+    /** The fields of an answer, but for those of its steps. */
+    public abstract List<Field<?>> answer();
+
+    /** The fields of an input for people, each with what stands for its value. */
+    public abstract String reads();
+
+    /** The fields of an answer for people. */
+    public abstract String answers();
+
+    /** Whether any method of the topic has steps. */
+    public boolean hasSteps() {
+        return true;
+    }
+
+    /**
+     * Makes an input of its fields.
+     *
+     * @throws Misfit if they do not go together
+     */
+    public abstract I read(Given given);
+
+    /** Writes the fields of an output. */
+    public abstract void write(O output, ValueSink out) throws IOException;
+
+    /**
+     * Reads an input, refuses at once what cannot be done, and returns what is left to do: to run
+     * the method, which may crash or never end.
+     *
+     * @return refuses by {@link IllegalArgumentException}; {@link Misfit} and {@link GivenUp} where
+     *     the answer asked for cannot be had
+     * @throws Misfit if the fields are no input, or ask for too much
+     */
+    public Supplier<Written> prepared(Call<C> call, Given given) {
+        I input = read(given);
+        check(call, input);
+        return new Run(call, input);
+    }
+
+    /** Refuses what could not end within seconds, or a method without steps, by {@link Misfit}. */
+    protected void check(Call<C> call, I input) {}
+
+    /** Runs the method and keeps what it answers. */
+    protected Written answered(Call<C> call, I input) {
+        O output = recorded(call, input);
+        return call.steps() ? new Whole(output, steps(call, input)) : new Whole(output, null);
+    }
+
+    /** What the method makes of the input. */
+    protected O recorded(Call<C> call, I input) {
+        return topic.record(call.method(), input, Integer.MAX_VALUE);
+    }
+
+    /** The steps of the method, walked to their end. */
+    protected Written steps(Call<C> call, I input) {
+        throw call.noSteps();
+    }
+
+    /** What is left to do. */
+    private final class Run implements Supplier<Written> {
+        private final Call<C> call;
+        private final I input;
+
+        Run(Call<C> call, I input) {
+            this.call = call;
+            this.input = input;
+        }
+
+        @Override
+        public Written get() {
+            return answered(call, input);
+        }
+    }
+
+    /** An output, and steps where they were asked for. */
+    private final class Whole implements Written {
+        private final O output;
+        private final Written steps;
+
+        Whole(O output, Written steps) {
+            this.output = output;
+            this.steps = steps;
+        }
+
+        @Override
+        public void write(ValueSink out) throws IOException {
+            Format.this.write(output, out);
+            if (steps != null) steps.write(out);
+        }
+    }
+}
