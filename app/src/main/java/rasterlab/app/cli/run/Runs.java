@@ -20,16 +20,9 @@ public final class Runs {
         var watch = new Watch(LONGEST);
         return switch (topic) {
             case "fill" -> new FillRun(watch);
-            case "polygon-fill" -> new PolygonFillRun(watch);
             case "line-plane" -> new LinePlaneRun(watch);
-            case "point-in-polygon" -> new PointInPolygonRun(watch);
-            case "triangulate" -> new TriangulateRun(watch);
-            case "clip-segment" -> new ClipSegmentRun(watch);
-            case "clip-polygon" -> new ClipPolygonRun(watch);
-            case "clip-volume" -> new ClipVolumeRun(watch);
             case "matrix" -> new MatrixRun(watch);
             case "transform" -> new TransformRun(watch);
-            case "view" -> new ViewRun(watch);
             case "rotate" -> new RotateRun(watch);
             case "rotate-axis" -> new AxisRun(watch);
             case "visible-faces" -> new VisibleFacesRun(watch);
@@ -39,10 +32,7 @@ public final class Runs {
             case "spline-function" -> new SplineFunctionRun(watch);
             case "curve" -> new CurveRun(watch);
             case "shade" -> new ShadeRun(watch);
-            case "vertex-normals" -> new VertexNormalsRun(watch);
             case "color" -> new ColorRun(watch);
-            case "texture-mapping" -> new TextureMappingRun(watch);
-            case "texture-filter" -> new TextureFilterRun(watch);
             default -> TopicRunner.of(watch, topicNamed(topic));
         };
     }

@@ -22,11 +22,14 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.clip.ClippedEnds;
+import rasterlab.engine.clip.segment.SegmentClipFormat;
 import rasterlab.engine.clip.segment.SegmentWalk;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
 import rasterlab.engine.clip.volume.SteppedVolumeClipper;
+import rasterlab.engine.clip.volume.VolumeClipFormat;
 import rasterlab.engine.clip.volume.VolumeWalk;
 import rasterlab.engine.polygon.inside.EdgeWalk;
+import rasterlab.engine.polygon.inside.PolygonTestFormat;
 import rasterlab.engine.polygon.inside.SteppedPolygonTest;
 import rasterlab.engine.polygon.triangle.SideWalk;
 import rasterlab.engine.polygon.triangle.SteppedTriangleTest;
@@ -43,6 +46,7 @@ import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.rotate.SteppedRotation;
 import rasterlab.engine.transform.rotate.TurnWalk;
 import rasterlab.engine.transform.view.SteppedView;
+import rasterlab.engine.transform.view.ViewFormat;
 import rasterlab.engine.transform.view.ViewStep;
 
 /** Methods that answer, and whose walk crashes. */
@@ -77,7 +81,7 @@ class StepsTest {
         return Stream.of(
                 argumentSet(
                         "point-in-polygon",
-                        new PointInPolygonRun(WATCH, new OneMethod<>(new BrokenTest(), null)),
+                        runner(new OneMethod<>(new BrokenTest(), null), PolygonTestFormat::new),
                         "{\"polygon\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
                 argumentSet(
                         "point-in-triangle",
@@ -89,7 +93,7 @@ class StepsTest {
                         "{\"points\":[[0,0]],\"degrees\":9}"),
                 argumentSet(
                         "view",
-                        new ViewRun(WATCH, new OneMethod<>(new BrokenView(), IMAGES)),
+                        runner(new OneMethod<>(new BrokenView(), IMAGES), ViewFormat::new),
                         "{\"points\":[[0,0,0]],\"theta\":1,\"phi\":2,\"rho\":3}"),
                 argumentSet(
                         "curve at t",
@@ -105,11 +109,11 @@ class StepsTest {
                         "{\"x\":[0,1],\"y\":[0,1],\"ends\":{\"kind\":\"natural\"},\"at\":[]}"),
                 argumentSet(
                         "clip-segment",
-                        new ClipSegmentRun(WATCH, new OneMethod<>(new BrokenClipper(), ENDS)),
+                        runner(new OneMethod<>(new BrokenClipper(), ENDS), SegmentClipFormat::new),
                         "{\"window\":[0,0,1,1],\"segments\":[[0,0,1,1]]}"),
                 argumentSet(
                         "clip-volume",
-                        new ClipVolumeRun(WATCH, new OneMethod<>(new BrokenVolume(), ENDS)),
+                        runner(new OneMethod<>(new BrokenVolume(), ENDS), VolumeClipFormat::new),
                         "{\"zmin\":0.5,\"segments\":[[0,0,1,1,0,1]]}"));
     }
 

@@ -8,6 +8,7 @@ import rasterlab.contract.PolygonClipper;
 import rasterlab.engine.clip.EndSum;
 import rasterlab.engine.clip.exact.ExactPolygonClip;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -159,5 +160,10 @@ public final class PolygonClipTopic
     @Override
     public String errorUnit() {
         return "window areas";
+    }
+
+    @Override
+    public Format<PolygonClipper, PolygonInWindow, List<double[]>> format() {
+        return new PolygonClipFormat(this);
     }
 }

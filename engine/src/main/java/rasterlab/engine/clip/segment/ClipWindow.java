@@ -1,5 +1,7 @@
 package rasterlab.engine.clip.segment;
 
+import rasterlab.engine.clip.Sides;
+
 /**
  * The points with xmin ≤ x ≤ xmax and ymin ≤ y ≤ ymax; it may have no width or no height or
  * neither.
@@ -9,24 +11,7 @@ public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
     private static final double SPARSE = 1.0 / 1024;
 
     public ClipWindow {
-        requireOrdered(xmin, ymin, xmax, ymax);
-    }
-
-    /**
-     * @throws IllegalArgumentException if a side is not finite or lies beyond its opposite
-     */
-    static void requireOrdered(double xmin, double ymin, double xmax, double ymax) {
-        requireOrdered("xmin", xmin, "xmax", xmax);
-        requireOrdered("ymin", ymin, "ymax", ymax);
-    }
-
-    private static void requireOrdered(String lowName, double low, String highName, double high) {
-        if (!Double.isFinite(low) || !Double.isFinite(high))
-            throw new IllegalArgumentException(
-                    lowName + " and " + highName + " must be finite, got " + low + " and " + high);
-        if (low > high)
-            throw new IllegalArgumentException(
-                    lowName + " must be at most " + highName + ", got " + low + " > " + high);
+        Sides.requireOrdered(xmin, ymin, xmax, ymax);
     }
 
     /**

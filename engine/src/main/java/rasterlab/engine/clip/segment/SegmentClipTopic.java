@@ -11,6 +11,7 @@ import rasterlab.engine.clip.EndSum;
 import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.clip.exact.ExactClip;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -159,5 +160,10 @@ public final class SegmentClipTopic
     @Override
     public String errorUnit() {
         return "window sizes";
+    }
+
+    @Override
+    public Format<SegmentClipper, SegmentsInWindow, ClippedEnds> format() {
+        return new SegmentClipFormat(this);
     }
 }

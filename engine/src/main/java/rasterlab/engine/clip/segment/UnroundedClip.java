@@ -1,6 +1,7 @@
 package rasterlab.engine.clip.segment;
 
 import rasterlab.contract.SegmentSink;
+import rasterlab.engine.clip.Sides;
 import rasterlab.engine.clip.UnroundedInterval;
 import rasterlab.engine.geometry.Finite;
 
@@ -23,7 +24,7 @@ final class UnroundedClip {
             double x1,
             double y1,
             SegmentSink out) {
-        ClipWindow.requireOrdered(xmin, ymin, xmax, ymax);
+        Sides.requireOrdered(xmin, ymin, xmax, ymax);
         Finite.require("x of end", x0, x1);
         Finite.require("y of end", y0, y1);
         boolean beyondOneSide =

@@ -11,6 +11,7 @@ import rasterlab.engine.clip.EndSum;
 import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.clip.exact.ExactClip;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -194,5 +195,10 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
     @Override
     public String errorUnit() {
         return "volume depths";
+    }
+
+    @Override
+    public Format<VolumeClipper, SegmentsInVolume, ClippedEnds> format() {
+        return new VolumeClipFormat(this);
     }
 }

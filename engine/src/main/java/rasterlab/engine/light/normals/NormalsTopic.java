@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -117,5 +118,10 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     @Override
     public String errorUnit() {
         return "of the normal's length";
+    }
+
+    @Override
+    public Format<VertexNormals, Triangles, Images> format() {
+        return new NormalsFormat(this);
     }
 }

@@ -9,6 +9,7 @@ import rasterlab.engine.polygon.MembershipComparison;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.ShapeAndPoints;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -111,5 +112,10 @@ public final class PointInPolygonTopic
     @Override
     public String errorUnit() {
         return "ulps";
+    }
+
+    @Override
+    public Format<PointInPolygon, ShapeAndPoints, Membership> format() {
+        return new PolygonTestFormat(this);
     }
 }

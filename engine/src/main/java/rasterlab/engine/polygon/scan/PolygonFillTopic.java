@@ -6,6 +6,7 @@ import rasterlab.contract.PolygonFiller;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.SetComparison;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -131,5 +132,10 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     @Override
     public String errorUnit() {
         return "pixels";
+    }
+
+    @Override
+    public Format<PolygonFiller, PolygonTask, PixelRecording> format() {
+        return new PolygonFillFormat(this);
     }
 }

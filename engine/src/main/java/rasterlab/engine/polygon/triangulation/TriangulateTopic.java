@@ -5,6 +5,7 @@ import java.util.Map;
 import rasterlab.contract.Triangulator;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -86,5 +87,10 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
     @Override
     public String errorUnit() {
         return "% of the area";
+    }
+
+    @Override
+    public Format<Triangulator, Points, Triangles> format() {
+        return new TriangulateFormat(this);
     }
 }

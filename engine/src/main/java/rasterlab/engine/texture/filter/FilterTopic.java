@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Random;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -142,5 +143,10 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     @Override
     public String errorUnit() {
         return "levels";
+    }
+
+    @Override
+    public Format<TextureFilter, FilteredPixels, double[]> format() {
+        return new FilterFormat(this);
     }
 }

@@ -8,6 +8,7 @@ import java.util.Map;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -120,5 +121,10 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     @Override
     public String errorUnit() {
         return "texels";
+    }
+
+    @Override
+    public Format<TextureMapper, TexturedSpan, Images> format() {
+        return new MappingFormat(this);
     }
 }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Random;
 import rasterlab.contract.EyeView;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
@@ -145,5 +146,10 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     @Override
     public String errorUnit() {
         return "of the largest coordinate";
+    }
+
+    @Override
+    public Format<EyeView, Look, Images> format() {
+        return new ViewFormat(this);
     }
 }

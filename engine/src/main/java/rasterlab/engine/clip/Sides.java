@@ -1,0 +1,23 @@
+package rasterlab.engine.clip;
+
+/** The sides of an upright rectangle. */
+public final class Sides {
+    private Sides() {}
+
+    /**
+     * @throws IllegalArgumentException if a side is not finite or lies beyond its opposite
+     */
+    public static void requireOrdered(double xmin, double ymin, double xmax, double ymax) {
+        requireOrdered("xmin", xmin, "xmax", xmax);
+        requireOrdered("ymin", ymin, "ymax", ymax);
+    }
+
+    private static void requireOrdered(String lowName, double low, String highName, double high) {
+        if (!Double.isFinite(low) || !Double.isFinite(high))
+            throw new IllegalArgumentException(
+                    lowName + " and " + highName + " must be finite, got " + low + " and " + high);
+        if (low > high)
+            throw new IllegalArgumentException(
+                    lowName + " must be at most " + highName + ", got " + low + " > " + high);
+    }
+}

@@ -1,0 +1,99 @@
+package rasterlab.engine.transform.view;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.contract.EyeView;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.Written;
+import rasterlab.engine.study.Call;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.Coordinates;
+import rasterlab.engine.transform.Images;
+
+/** Views from outside: {@code points} and the eye by its angles; {@code points} as seen out. */
+public final class ViewFormat extends Format<EyeView, Look, Images> {
+    /** The most points whose steps one answer has. */
+    private static final int MOST_STEPPED = 100_000;
+
+    private static final Field<double[]> POINTS =
+            Field.required("points", Shape.points(3, 0, Shape.MOST_POINTS));
+    private static final Field<Double> THETA = Field.required("theta", Shape.number());
+    private static final Field<Double> PHI = Field.required("phi", Shape.number());
+    private static final Field<Double> RHO =
+            Field.required("rho", Shape.numberAbove(0, Coordinates.LARGEST));
+    private static final Field<?> SEEN = Field.required("points", Shape.list(Shape.numbers(3, 3)));
+
+    public ViewFormat(Topic<EyeView, Look, Images> topic) {
+        super(topic);
+    }
+
+    @Override
+    public List<Field<?>> input() {
+        return List.of(POINTS, THETA, PHI, RHO);
+    }
+
+    @Override
+    public List<Field<?>> answer() {
+        return List.of(SEEN);
+    }
+
+    @Override
+    public String reads() {
+        return """
+            {"points":[[x,y,z],...], "theta":a, "phi":b, "rho":r}""";
+    }
+
+    @Override
+    public String answers() {
+        return """
+            {"points":[[x,y,z],...]} in the left-handed space of the eye""";
+    }
+
+    @Override
+    public Look read(Given given) {
+        return new Look(given.get(THETA), given.get(PHI), given.get(RHO), given.get(POINTS));
+    }
+
+    @Override
+    public void write(Images images, ValueSink out) throws IOException {
+        out.points(SEEN.name(), images.coordinates(), 3);
+    }
+
+    @Override
+    protected void check(Call<EyeView> call, Look look) {
+        if (!call.steps()) return;
+        call.stepped(SteppedView.class);
+        Steps.requireAtMost(MOST_STEPPED, "points", look.points().length / 3);
+    }
+
+    /** A formula with what it gave. */
+    private record Step(ViewStep step) implements Written {
+        @Override
+        public void write(ValueSink out) throws IOException {
+            out.whole("number", step.number());
+            out.text("step", step.formula());
+            out.number("value", step.value());
+        }
+    }
+
+    @Override
+    protected Written steps(Call<EyeView> call, Look look) {
+        SteppedView stepped = call.stepped(SteppedView.class);
+        var steps = new ArrayList<List<Step>>();
+        double[] p = look.points();
+        for (int i = 0; i < p.length; i += 3)
+            steps.add(
+                    stepped
+                            .steps(look.theta(), look.phi(), look.rho(), p[i], p[i + 1], p[i + 2])
+                            .stream()
+                            .map(Step::new)
+                            .toList());
+        return Steps.plainLists(steps);
+    }
+}
