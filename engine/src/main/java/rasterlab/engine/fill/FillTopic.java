@@ -9,6 +9,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.SampledPixels;
 import rasterlab.engine.raster.SetComparison;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -150,5 +151,10 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     @Override
     public String errorUnit() {
         return "pixels";
+    }
+
+    @Override
+    public Format<SeedFiller, FillTask, PixelRecording> format() {
+        return new FillFormat(this);
     }
 }

@@ -19,19 +19,13 @@ public final class Runs {
     public static TopicRun named(String topic) {
         var watch = new Watch(LONGEST);
         return switch (topic) {
-            case "fill" -> new FillRun(watch);
             case "line-plane" -> new LinePlaneRun(watch);
             case "matrix" -> new MatrixRun(watch);
             case "transform" -> new TransformRun(watch);
-            case "rotate" -> new RotateRun(watch);
-            case "rotate-axis" -> new AxisRun(watch);
             case "visible-faces" -> new VisibleFacesRun(watch);
-            case "depth-order" -> new DepthOrderRun(watch);
-            case "depth-buffer" -> new DepthBufferRun(watch);
             case "hidden-surfaces" -> new HiddenSurfacesRun(watch);
             case "spline-function" -> new SplineFunctionRun(watch);
             case "curve" -> new CurveRun(watch);
-            case "shade" -> new ShadeRun(watch);
             case "color" -> new ColorRun(watch);
             default -> TopicRunner.of(watch, topicNamed(topic));
         };

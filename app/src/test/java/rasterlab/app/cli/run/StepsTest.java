@@ -43,6 +43,7 @@ import rasterlab.engine.spline.SteppedSpline;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
+import rasterlab.engine.transform.rotate.RotateFormat;
 import rasterlab.engine.transform.rotate.SteppedRotation;
 import rasterlab.engine.transform.rotate.TurnWalk;
 import rasterlab.engine.transform.view.SteppedView;
@@ -89,7 +90,7 @@ class StepsTest {
                         "{\"triangle\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
                 argumentSet(
                         "rotate",
-                        new RotateRun(WATCH, new OneMethod<>(new BrokenTurn(), null)),
+                        runner(new OneMethod<>(new BrokenTurn(), null), RotateFormat::new),
                         "{\"points\":[[0,0]],\"degrees\":9}"),
                 argumentSet(
                         "view",

@@ -6,6 +6,7 @@ import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.SharedAnswer;
@@ -135,5 +136,10 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
     @Override
     public String errorUnit() {
         return "of full intensity";
+    }
+
+    @Override
+    public Format<PointShader, LitPoints, Shades> format() {
+        return new ShadeFormat(this);
     }
 }

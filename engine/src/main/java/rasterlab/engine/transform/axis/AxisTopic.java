@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.AxisRotation;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -116,5 +117,10 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
     @Override
     public String errorUnit() {
         return "of the largest coordinate";
+    }
+
+    @Override
+    public Format<AxisRotation, AxisTurn, Images> format() {
+        return new AxisFormat(this);
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -115,5 +116,10 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     @Override
     public String errorUnit() {
         return "of the point's larger coordinate";
+    }
+
+    @Override
+    public Format<PlaneRotation, Turns, Images> format() {
+        return new RotateFormat(this);
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.contract.DepthFormat;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -124,5 +125,10 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
     @Override
     public String errorUnit() {
         return "of the depth";
+    }
+
+    @Override
+    public Format<DepthFormat, DepthRows, StoredDepths> format() {
+        return new DepthBufferFormat(this);
     }
 }

@@ -5,6 +5,7 @@ import java.util.Map;
 import rasterlab.contract.DepthOrder;
 import rasterlab.contract.PieceSink;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -122,5 +123,10 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
     @Override
     public String errorUnit() {
         return "% of what is covered";
+    }
+
+    @Override
+    public Format<DepthOrder, Sight, Painting> format() {
+        return new DepthOrderFormat(this);
     }
 }
