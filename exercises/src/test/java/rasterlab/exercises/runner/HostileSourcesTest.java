@@ -8,6 +8,7 @@ import static rasterlab.exercises.Sources.method;
 
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -19,11 +20,12 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** Each source ends in the verdict and the text that a student can act on. */
+@Tag("slow")
 class HostileSourcesTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource({"texts", "forbidden", "welcome", "classes", "greedy", "throwing"})
+    @MethodSource({"texts", "welcome", "classes", "greedy", "throwing"})
     void isAnsweredWith(String verdict, String said, String source) throws Exception {
         Report report = JUDGE.grade(source);
         assertEquals(verdict, report.verdict().code(), () -> words(report));
@@ -102,66 +104,6 @@ class HostileSourcesTest {
                         "10 MB source", "refused", "longer than", method("//".repeat(5_000_000))));
     }
 
-    static Stream<Arguments> forbidden() {
-        return Stream.of(
-                forbidden("System.exit", "5:0 java.lang.System.exit", "System.exit(0);\n"),
-                forbidden("exit in line 6", "6:0 java.lang.System.exit", "\nSystem.exit(0);\n"),
-                forbidden("halt", "the class java.lang.Runtime", "Runtime.getRuntime().halt(0);\n"),
-                forbidden(
-                        "exec",
-                        "5:0 the class java.lang.Runtime is",
-                        "try { Runtime.getRuntime().exec(\"ls\"); } catch (Exception e) { }\n"),
-                forbidden("thread", "class java.lang.Thread", "new Thread(() -> { }).start();\n"),
-                forbidden("file", "class java.io.File", "new java.io.File(\"/\").list();\n"),
-                forbidden(
-                        "reflection",
-                        "5:0 java.lang.Class.getDeclaredFields",
-                        "getClass().getDeclaredFields();\n"),
-                forbidden(
-                        "forName",
-                        "java.lang.Class.forName",
-                        "try { Class.forName(\"A\"); } catch (Exception e) { }\n"),
-                forbidden(
-                        "method handle to exit",
-                        "5:0 java.lang.System.exit",
-                        "java.util.function.IntConsumer c = System::exit; c.accept(0);\n"),
-                forbidden("random", "java.lang.Math.random", "double r = Math.random();\n"),
-                forbidden("nanoTime", "java.lang.System.nanoTime", "long t = System.nanoTime();\n"),
-                forbidden(
-                        "parallel stream",
-                        "parallelStream",
-                        "new java.util.ArrayList<Integer>().parallelStream().count();\n"),
-                forbidden(
-                        "stream made parallel",
-                        "5:0 java.util.stream.IntStream.parallel",
-                        "java.util.stream.IntStream.range(0, 9).parallel().sum();\n"),
-                forbidden(
-                        "stream made parallel by a method handle",
-                        "java.util.stream.IntStream.parallel",
-                        "java.util.function.UnaryOperator<java.util.stream.IntStream> f ="
-                                + " java.util.stream.IntStream::parallel;\n"),
-                forbidden(
-                        "class loader by way of getClass",
-                        "5:0 java.lang.Class.getClassLoader",
-                        "Object o = getClass().getClassLoader();\n"),
-                forbidden(
-                        "stack trace",
-                        "java.lang.Exception.getStackTrace",
-                        "int depth = new Exception().getStackTrace().length;\n"),
-                forbidden(
-                        "stream closes System.out",
-                        "java.io.PrintStream.close",
-                        "System.out.close();\n"),
-                forbidden(
-                        "file descriptor",
-                        "java.io.FileDescriptor",
-                        "Object o = java.io.FileDescriptor.out;\n"));
-    }
-
-    private static Arguments forbidden(String name, String said, String body) {
-        return argumentSet(name, "refused", said, method(body));
-    }
-
     static Stream<Arguments> classes() {
         String rest = Sources.RIGHT.substring(Sources.RIGHT.indexOf("import"));
         return Stream.of(
@@ -205,6 +147,13 @@ class HostileSourcesTest {
                         "6:0 Tangled.getStackTrace",
                         method("Tangled t = new Tangled();\nt.getStackTrace();\n")
                                 + Sources.latticeOf(10)),
+                argumentSet(
+                        "program started",
+                        "refused",
+                        "5:0 the class java.lang.Runtime is",
+                        method(
+                                "try { Runtime.getRuntime().exec(\"ls\"); }"
+                                        + " catch (Exception e) { }\n")),
                 argumentSet("no class", "refused", "no public class implements", "class A { }"),
                 argumentSet(
                         "two classes",
@@ -265,41 +214,33 @@ class HostileSourcesTest {
                 .collect(joining("", "class Long {\n" + constants, "}\n"));
     }
 
+    /** Whatever of it was refused would be told with its line. */
     static Stream<Arguments> welcome() {
-        String open = "java.util.PriorityQueue<Integer> open = new java.util.PriorityQueue<>();\n";
+        String all =
+                """
+                { var open = new java.util.PriorityQueue<Integer>(); open.add(x0); }
+                { var map = new java.util.LinkedHashMap<String, Integer>(); map.put("a", 1);
+                  for (java.util.Map.Entry<String, Integer> e : map.entrySet())
+                      e.setValue(e.getValue() + e.getKey().length()); }
+                { enum E { A, B }
+                  var map = new java.util.EnumMap<E, Integer>(E.class);
+                  for (E e : E.values()) map.put(e, switch (e) { case A -> 1; case B -> 2; }); }
+                { java.util.function.ObjIntConsumer<Pixels> f = (p, i) -> { }; f.accept(out, 1); }
+                { var a = java.util.stream.IntStream.range(0, 9).map(i -> i * i).filter(i -> i > 2);
+                  var all = java.util.Arrays.stream(a.toArray()).boxed()
+                      .collect(java.util.stream.Collectors.toList()); }
+                { String s = String.format(java.util.Locale.ROOT, "%d", x0) + System.lineSeparator()
+                      + getClass().getSimpleName() + getClass().getName()
+                      + new StringBuilder().append(1.5).reverse(); }
+                { try { Integer.parseInt("a"); }
+                  catch (NumberFormatException e) { e.printStackTrace(); } }
+                """;
         return Stream.of(
-                welcome("priority queue", open + "open.add(x0);\n"),
-                welcome(
-                        "loop over a map's entries",
-                        "var map = new java.util.LinkedHashMap<String, Integer>(); map.put(\"a\", 1);\n"
-                                + "for (java.util.Map.Entry<String, Integer> e : map.entrySet())"
-                                + " e.setValue(e.getValue() + e.getKey().length());\n"),
-                welcome(
-                        "enum map and switch",
-                        "enum E { A, B }\n"
-                                + "var map = new java.util.EnumMap<E, Integer>(E.class);\n"
-                                + "for (E e : E.values()) map.put(e, switch (e) { case A -> 1; case B -> 2; });\n"),
-                welcome(
-                        "function of int and object",
-                        "java.util.function.ObjIntConsumer<Pixels> f = (p, i) -> { }; f.accept(out, 1);\n"),
-                welcome(
-                        "sequential stream",
-                        "int[] a = java.util.stream.IntStream.range(0, 9).map(i -> i * i).filter(i -> i > 2).toArray();\n"
-                                + "var all = java.util.Arrays.stream(a).boxed()"
-                                + ".collect(java.util.stream.Collectors.toList());\n"),
-                welcome(
-                        "text of all kinds",
-                        "String s = String.format(java.util.Locale.ROOT, \"%d\", x0) + System.lineSeparator()"
-                                + " + getClass().getSimpleName() + getClass().getName()"
-                                + " + new StringBuilder().append(1.5).reverse();\n"),
-                welcome(
-                        "printed stack trace",
-                        "try { Integer.parseInt(\"a\"); } catch (NumberFormatException e)"
-                                + " { e.printStackTrace(); }\n"));
-    }
-
-    private static Arguments welcome(String name, String body) {
-        return argumentSet(name, "ok", "", Sources.RIGHT.replace("long dx", body + "long dx"));
+                argumentSet(
+                        "queue, maps, streams, texts and a stack trace",
+                        "ok",
+                        "",
+                        Sources.RIGHT.replace("long dx", all + "long dx")));
     }
 
     static Stream<Arguments> greedy() {

@@ -8,7 +8,10 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Report;
 
-/** A judge for all tests of a class. */
+/**
+ * A judge for all tests of a class. No child waits in reserve: one that does compiles a sample
+ * first, which costs as much as the source.
+ */
 final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
 
@@ -16,7 +19,7 @@ final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
 
     @Override
     public void beforeAll(ExtensionContext context) {
-        judge = Judge.start(JudgeSettings.defaults());
+        judge = Judge.start(JudgeSettings.once());
     }
 
     @Override
