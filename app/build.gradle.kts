@@ -41,4 +41,8 @@ application {
     mainClass.set("rasterlab.app.Main")
 }
 
-tasks.test { maxParallelForks = 2 }
+tasks.test {
+    maxParallelForks = 2
+    // Each class runs code of its own for seconds, in which the second compiler would only cost time.
+    jvmArgs("-XX:TieredStopAtLevel=1")
+}

@@ -31,7 +31,7 @@ application {
 }
 
 tasks.test {
-    maxParallelForks = 2
+    maxParallelForks = 3
     maxHeapSize = "2g"
     // AssertJ Swing reads a field of java.util.TimerTask.
     jvmArgs("--add-opens", "java.base/java.util=ALL-UNNAMED")
