@@ -35,6 +35,8 @@ subprojects {
 
     tasks.withType<Test>().configureEach {
         useJUnitPlatform()
+        // For a change in hand: without what starts programs, opens windows or computes for long.
+        if (project.hasProperty("quick")) useJUnitPlatform { excludeTags("slow") }
         maxHeapSize = "1g"
         systemProperty("file.encoding", "UTF-8")
         // A test that hangs fails with the stacks of all threads; one that cannot be interrupted ends its module.

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.study.Hazard;
@@ -23,6 +24,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
 /** One likely mistake in a right method is caught by the hazard that is there for it. */
+@Tag("slow")
 class MutantsTest {
     private static final Duration AMPLE = Duration.ofSeconds(20);
     private static final Method.About ABOUT = new Method.About("", "", "", "", "");

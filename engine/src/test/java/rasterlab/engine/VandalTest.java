@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import java.time.Duration;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.study.Hazard;
@@ -15,6 +16,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
 /** A method that overwrites what it is given answers another question than the topic's. */
+@Tag("slow")
 class VandalTest {
     private static final Duration AMPLE = Duration.ofSeconds(20);
 

@@ -15,6 +15,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.timing.Condition;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,6 +28,7 @@ import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.LabsFile;
 import rasterlab.app.shell.SettingsFile;
 
+@Tag("slow")
 @ExtendWith(OwnDisplay.class)
 class ClosedWindowTest {
     @TempDir Path folder;

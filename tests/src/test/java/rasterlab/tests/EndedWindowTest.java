@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -24,6 +25,7 @@ import rasterlab.app.shell.SettingsFile;
 import rasterlab.tests.bench.JavaCommand;
 
 /** What is left of a window whose process is ended from outside. */
+@Tag("slow")
 @Timeout(120)
 @ExtendWith(OwnDisplay.class)
 class EndedWindowTest {

@@ -14,6 +14,7 @@ import org.assertj.swing.core.BasicComponentFinder;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -27,6 +28,7 @@ import rasterlab.app.shell.LabsFile;
 import rasterlab.app.shell.SettingsFile;
 
 /** A window that was asked to speak Russian this once, and is English otherwise. */
+@Tag("slow")
 @Timeout(120)
 @ExtendWith(OwnDisplay.class)
 class NextLanguageTest {

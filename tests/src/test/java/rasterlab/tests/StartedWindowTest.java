@@ -18,6 +18,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -33,6 +34,7 @@ import rasterlab.app.shell.SettingsFile;
 import rasterlab.tests.bench.JavaCommand;
 
 /** The window of a program that was left at a tab. */
+@Tag("slow")
 @Timeout(120)
 @ExtendWith(OwnDisplay.class)
 class StartedWindowTest {

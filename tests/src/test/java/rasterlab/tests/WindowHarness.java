@@ -28,6 +28,7 @@ import org.assertj.swing.timing.Condition;
 import org.assertj.swing.timing.Pause;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,6 +44,7 @@ import rasterlab.app.shell.SettingsFile;
 import rasterlab.engine.line.Segment;
 
 /** The lab's window, open on a real display while a test runs; its failures fail the test. */
+@Tag("slow")
 @Timeout(180)
 @ExtendWith(OwnDisplay.class)
 abstract class WindowHarness {

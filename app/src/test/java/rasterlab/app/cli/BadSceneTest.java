@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.pipeline.Renderer;
 
 /** What no scene should be: drawn by every visibility method, or refused with the value. */
+@Tag("slow")
 class BadSceneTest {
     private static final Duration LONG = ofSeconds(300);
     private static final String SQUARE =

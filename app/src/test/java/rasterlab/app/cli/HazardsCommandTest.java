@@ -10,6 +10,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +20,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Verdict;
 
+@Tag("slow")
 class HazardsCommandTest {
     @Test
     void everyVerdictIsTheRecordedOne() {

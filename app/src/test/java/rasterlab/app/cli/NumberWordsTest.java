@@ -14,6 +14,7 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.run.Runs;
@@ -29,6 +30,7 @@ import rasterlab.engine.study.Topic;
  * Keeps the forms in which Java prints numbers and records, and English words in Russian sentences,
  * out of what people read.
  */
+@Tag("slow")
 class NumberWordsTest {
     private static final Path INPUTS =
             Path.of("src", "test", "resources", "rasterlab", "app", "golden", "inputs.txt");

@@ -19,12 +19,14 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import net.jqwik.api.Tuple;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 
 /** {@code ./lab} answers whatever it is given, or says in one line what is wrong: never a crash. */
+@Tag("slow")
 class RunPropertyTest {
     private static final List<String> ODD =
             List.of(

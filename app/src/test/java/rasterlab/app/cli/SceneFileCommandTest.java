@@ -15,6 +15,7 @@ import java.util.Arrays;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,6 +26,7 @@ import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.Settings;
 
+@Tag("slow")
 class SceneFileCommandTest {
     private static final String VIEW =
             """

@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -31,6 +32,7 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
+@Tag("slow")
 class StudyCommandTest {
     @TempDir Path folder;
 

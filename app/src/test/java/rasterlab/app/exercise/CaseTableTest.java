@@ -10,6 +10,7 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -19,6 +20,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 
+@Tag("slow")
 class CaseTableTest {
     private final Texts texts = Texts.of("exercise", Language.RUSSIAN);
 

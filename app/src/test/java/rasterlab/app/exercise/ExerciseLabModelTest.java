@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +21,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 
+@Tag("slow")
 @Timeout(120)
 class ExerciseLabModelTest {
     private static final String HEAD =

@@ -18,6 +18,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
@@ -26,6 +27,7 @@ import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Exercises after a check of the starter, which draws nearly every case wrong. */
+@Tag("slow")
 class ExerciseRoomsTest {
     private static final int LEAST_PICTURE = 120;
     private static final int VERDICT = 3;

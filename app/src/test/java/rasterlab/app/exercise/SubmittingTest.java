@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +25,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** Handing in, to a server that behaves well and to others. */
+@Tag("slow")
 @Timeout(60)
 class SubmittingTest {
     private static final String SUBMIT = "POST /api/v1/exercises/line-bresenham/submissions";

@@ -15,6 +15,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -33,6 +34,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
+@Tag("slow")
 @Timeout(120)
 class OpenedLitSceneTest {
     @TempDir Path folder;

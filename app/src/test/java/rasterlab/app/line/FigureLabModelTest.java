@@ -22,6 +22,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,6 +37,7 @@ import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
+@Tag("slow")
 @Timeout(180)
 class FigureLabModelTest {
     private final ModelThread thread = new ModelThread();

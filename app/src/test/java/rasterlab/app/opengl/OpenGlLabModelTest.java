@@ -16,6 +16,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Complaints;
@@ -29,6 +30,7 @@ import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.outcome.Pipe;
 import rasterlab.engine.raster.Raster;
 
+@Tag("slow")
 class OpenGlLabModelTest {
     private static final GlReport REPORT = new GlReport("2.1", "tested", 64, 8, 32, true);
 

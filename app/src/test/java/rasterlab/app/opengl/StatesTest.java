@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -23,6 +24,7 @@ import rasterlab.app.opengl.state.Images;
 import rasterlab.app.opengl.state.Setting;
 
 /** Every state in both halves; skipped where OpenGL cannot draw without a window. */
+@Tag("slow")
 class StatesTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 480;

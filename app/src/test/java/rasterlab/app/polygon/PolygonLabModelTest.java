@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,6 +24,7 @@ import rasterlab.contract.FillRule;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
+@Tag("slow")
 @Timeout(120)
 class PolygonLabModelTest {
     private final ModelThread thread = new ModelThread();

@@ -14,6 +14,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,6 +29,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 
+@Tag("slow")
 @Timeout(120)
 class PolygonPictureTest {
     private static final int WIDTH = 260;

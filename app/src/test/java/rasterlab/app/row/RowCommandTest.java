@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -25,6 +26,7 @@ import rasterlab.engine.visibility.depth.DepthBufferTopic;
 import rasterlab.engine.visibility.depth.StoredDepths;
 
 /** The copied command answers to the row that the lab shows, by its method. */
+@Tag("slow")
 @Timeout(60)
 class RowCommandTest {
     static Stream<Arguments> cells() {

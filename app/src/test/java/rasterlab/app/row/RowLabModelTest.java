@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -26,6 +27,7 @@ import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.mapping.MappingTopic;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
 
+@Tag("slow")
 class RowLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -12,12 +12,14 @@ import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.language.Language;
 
+@Tag("slow")
 class ClippedTextTest {
     private static final Dimension SMALLEST = new Dimension(900, 538);
     private static final Dimension LAPTOP = new Dimension(1280, 680);

@@ -30,6 +30,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -57,6 +58,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
+@Tag("slow")
 class LabOpeningTest {
     /** What a tab shows otherwise than it is, by some method, and in what. */
     private static final Map<String, Set<Unlike.Kind>> UNLIKE =

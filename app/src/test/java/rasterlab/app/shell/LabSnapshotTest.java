@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -16,6 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 
+@Tag("slow")
 class LabSnapshotTest {
     @AfterEach
     void usualLook() throws InterruptedException {

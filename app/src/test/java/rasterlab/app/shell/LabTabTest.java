@@ -9,12 +9,14 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.language.Language;
 
+@Tag("slow")
 class LabTabTest {
     private final List<String> events = new ArrayList<>();
     private final LabTab tab = new LabTab("lab", "Lab", () -> {}, Lab::new);

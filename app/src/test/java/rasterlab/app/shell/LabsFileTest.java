@@ -23,6 +23,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,6 +46,7 @@ import rasterlab.app.spline.SplineMode;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.line.Segment;
 
+@Tag("slow")
 class LabsFileTest {
     /** What is kept of files that the user opened. */
     private static final Set<String> OF_FILES =

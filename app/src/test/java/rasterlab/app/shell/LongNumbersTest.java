@@ -12,12 +12,14 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JSpinner;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.contract.SplineEnds;
 
+@Tag("slow")
 class LongNumbersTest {
     /** Numbers as long as the labs have them. */
     private static final List<LabStates.Other> LONG =

@@ -19,6 +19,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -44,6 +45,7 @@ import rasterlab.engine.study.Topic;
 @EnabledOnOs(
         architectures = {"amd64", "x86_64"},
         disabledReason = "the last bits of sines and cosines differ between processors")
+@Tag("slow")
 class ShownTopicsTest {
     private static final Path FOLDER =
             Path.of("src", "test", "resources", "rasterlab", "app", "golden", "shown");

@@ -10,6 +10,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.language.Language;
@@ -18,6 +19,7 @@ import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.engine.Topics;
 
+@Tag("slow")
 @Timeout(120)
 class ChartStageTest {
     private static final int WIDTH = 900;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.VerdictDetail;
@@ -15,6 +16,7 @@ import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
 
 /** What is wrong with an answer, or why a method refuses, is told in Russian for every hazard. */
+@Tag("slow")
 class RussianVerdictsTest {
     private static final Pattern ENGLISH =
             Pattern.compile(

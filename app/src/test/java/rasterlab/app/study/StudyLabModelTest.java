@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.language.Language;
@@ -23,6 +24,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 
+@Tag("slow")
 @Timeout(120)
 class StudyLabModelTest {
     /** Measured in a second, where lines take ten. */

@@ -24,6 +24,7 @@ import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.MethodColours;
@@ -36,6 +37,7 @@ import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Study;
 
+@Tag("slow")
 class TourTest {
     @TempDir Path folder;
 

@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,6 +31,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.Pipe;
 
 /** What the lab says in Russian of files that are broken. */
+@Tag("slow")
 class FileComplaintsTest {
     /** Words that an English sentence of a reader has. */
     private static final Pattern ENGLISH =

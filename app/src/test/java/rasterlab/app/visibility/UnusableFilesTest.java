@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -22,6 +23,7 @@ import rasterlab.app.language.Language;
 import rasterlab.engine.pipeline.Renderer;
 
 /** Files of any kind that are opened or dropped: what is wrong is told, and nothing is lost. */
+@Tag("slow")
 class UnusableFilesTest {
     private static final String PNG = "\u0089PNG\r\n\u001a\n rest";
     private static final String KINDS = "unknown extension; allowed are .obj, .scene.json, .png";

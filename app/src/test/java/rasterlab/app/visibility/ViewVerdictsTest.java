@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,6 +17,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
+@Tag("slow")
 @Timeout(120)
 class ViewVerdictsTest {
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -20,6 +20,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,6 +40,7 @@ import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 
+@Tag("slow")
 @Timeout(60)
 class VisibilityCommandTest {
     @TempDir Path folder;

@@ -15,6 +15,7 @@ import java.util.concurrent.Semaphore;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,6 +28,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Vase;
 
+@Tag("slow")
 @Timeout(30)
 class VisibilityLabModelTest {
     private final ModelThread thread = new ModelThread();

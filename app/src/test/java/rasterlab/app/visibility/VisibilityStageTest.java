@@ -18,6 +18,7 @@ import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -27,6 +28,7 @@ import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 
+@Tag("slow")
 class VisibilityStageTest {
     private static final Pattern IMAGE = Pattern.compile("data:image/png;base64,([^\"]*)");
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -18,6 +19,7 @@ import rasterlab.engine.Topics;
  * with the seed of {@code -Drasterlab.seed}. Topics with a slow reference are tried on fewer, as
  * {@link Borders} says.
  */
+@Tag("slow")
 class BorderTest {
     private static final int INPUTS = Boolean.getBoolean("rasterlab.full") ? 1_000_000 : 10_000;
     private static final long SEED = Long.getLong("rasterlab.seed", 28);

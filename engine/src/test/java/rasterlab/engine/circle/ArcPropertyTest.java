@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.PixelRecording;
 
+@Tag("slow")
 class ArcPropertyTest {
     private static final List<CircleRasterizer> CIRCLES =
             List.of(new BresenhamCircle(), new MidpointCircle());
@@ -148,6 +150,7 @@ class ArcPropertyTest {
     }
 
     @Test
+    @org.junit.jupiter.api.Tag("slow") // The other Tag is that of the properties.
     void theLargestEllipsesAreExact() {
         int most = MidpointEllipse.LARGEST;
         for (int other : new int[] {0, 1, 2, 1000, most / 2 + 1, most - 1, most})

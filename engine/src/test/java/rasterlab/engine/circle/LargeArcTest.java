@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -19,6 +20,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict.Kind;
 
 /** Circles and ellipses of so many pixels that they are judged by a part, or nearly so. */
+@Tag("slow")
 class LargeArcTest {
     private static final CircleTopic CIRCLE = new CircleTopic();
     private static final EllipseTopic ELLIPSE = new EllipseTopic();

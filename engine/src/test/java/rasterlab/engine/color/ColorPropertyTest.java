@@ -7,9 +7,11 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.study.Deviation;
 
+@Tag("slow")
 class ColorPropertyTest {
     private static final ColorTopic TOPIC = new ColorTopic();
 

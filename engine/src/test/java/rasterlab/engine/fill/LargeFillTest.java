@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Collections;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.study.Hazard;
@@ -12,6 +13,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict.Kind;
 
 /** Regions of so many pixels that they are judged by a part. */
+@Tag("slow")
 class LargeFillTest {
     private static final FillTopic TOPIC = new FillTopic();
     private static final int SIDE = 1_500;

@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.raster.PixelRecording;
 
 /** The right methods against the exact line and against each other. */
+@Tag("slow")
 class LineAgreementTest {
     private static final LineTopic TOPIC = new LineTopic();
     private static final List<String> RIGHT =

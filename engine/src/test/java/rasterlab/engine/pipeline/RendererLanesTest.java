@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.lanes.Lanes;
@@ -12,6 +13,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 
 /** The pipeline's pictures of all scenes in eight lanes beside those in one. */
+@Tag("slow")
 class RendererLanesTest {
     static Stream<String> scenes() {
         return Scenes.all().stream().map(Scene::name);

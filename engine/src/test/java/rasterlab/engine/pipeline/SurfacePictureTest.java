@@ -8,6 +8,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -43,6 +44,7 @@ class SurfacePictureTest {
 
     @ParameterizedTest(name = "{0}: finer faces do not come nearer to the surface")
     @MethodSource("curved")
+    @Tag("slow")
     void finerFacesComeNearer(String name) {
         Raster exact =
                 picture(Scenes.named(name), Renderer.SURFACES, "perspective", TextureMode.LINEAR);

@@ -9,11 +9,13 @@ import java.math.MathContext;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+@Tag("slow")
 class DyadicTest {
     private static final MathContext DIGITS = new MathContext(2000);
     private static final BigDecimal TWO = BigDecimal.valueOf(2);

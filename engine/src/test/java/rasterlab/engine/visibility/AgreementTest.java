@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -21,6 +22,7 @@ import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
 /** The z-buffer against the reference; figures are printed, as the course asks for them. */
+@Tag("slow")
 class AgreementTest {
     private static final double ALLOWED = 0.0005;
     private static final long SEED = 20240917;

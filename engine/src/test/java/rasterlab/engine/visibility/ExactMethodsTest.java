@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -28,6 +29,7 @@ import rasterlab.engine.transform.ViewTransform;
  * Every method that claims to be right, against the reference, in every projection. Where surfaces
  * coincide, or edges lie on pixel centres, {@link PixelAnswers} says what else is right.
  */
+@Tag("slow")
 class ExactMethodsTest {
     private static final boolean FULL = Boolean.getBoolean("rasterlab.full");
     private static final int WIDTH = FULL ? 800 : 320;

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -23,6 +24,7 @@ import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Disclosure;
 
 /** One mistake costs about one mistake, and what is no solution costs nearly everything. */
+@Tag("slow")
 class FairMarkingTest {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
     private static final LineRasterizer RIGHT = new BresenhamLine();

@@ -13,6 +13,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -25,6 +26,7 @@ import rasterlab.exercises.child.PixelSum;
 import rasterlab.exercises.score.SpeedPoints;
 
 /** One mistake is named as what it is, costs about one mistake, and leaves the speed its points. */
+@Tag("slow")
 class OneMistakeTest {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
     private static final long[] SEEDS = {0, 1, 42, -7, Long.MAX_VALUE};

@@ -9,11 +9,13 @@ import static rasterlab.exercises.Sources.method;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What a method that got past the byte-code check finds inside bubblewrap. */
+@Tag("slow")
 class BubblewrapTest {
     private static Unscanned unscanned;
 

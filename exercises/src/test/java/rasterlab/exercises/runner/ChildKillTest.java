@@ -10,12 +10,14 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
  * A child is killed at any moment of its start. In a box it is three processes, and the second,
  * started last, must not be left behind by the first.
  */
+@Tag("slow")
 class ChildKillTest {
     private static final int STARTS = Boolean.getBoolean("rasterlab.full") ? 2_000 : 100;
 

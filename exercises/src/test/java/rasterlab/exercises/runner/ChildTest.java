@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -18,6 +19,7 @@ import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 
 /** What a method that got past the byte-code check can do to the parent: nothing but lose. */
+@Tag("slow")
 class ChildTest {
     private static Unscanned unscanned;
 

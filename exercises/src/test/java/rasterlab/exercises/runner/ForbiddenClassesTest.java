@@ -6,6 +6,7 @@ import static rasterlab.exercises.Sources.method;
 
 import java.util.List;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,6 +15,7 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Report;
 
 /** What a student reads of a class that may not be used. */
+@Tag("slow")
 class ForbiddenClassesTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 

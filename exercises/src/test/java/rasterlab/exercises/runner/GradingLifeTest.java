@@ -17,6 +17,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
@@ -27,6 +28,7 @@ import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /** Children come and go as they should, whoever is killed or interrupted. */
+@Tag("slow")
 class GradingLifeTest {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
 

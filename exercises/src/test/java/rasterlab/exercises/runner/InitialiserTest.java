@@ -8,6 +8,7 @@ import static rasterlab.exercises.Sources.method;
 
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,6 +20,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** What a student reads where a static initialiser throws. */
+@Tag("slow")
 class InitialiserTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 

@@ -12,6 +12,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
@@ -19,6 +20,7 @@ import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
+@Tag("slow")
 class JudgeCloseTest {
     /** Right on the first case, then endless: only closing the judge can end it in time. */
     private static final String ENDLESS_LATER =

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,6 +16,7 @@ import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /** A source with one mistake is named, loses about one mistake, and is timed. */
+@Tag("slow")
 class OneMistakeGradedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 

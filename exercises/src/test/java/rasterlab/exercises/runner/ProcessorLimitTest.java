@@ -7,12 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.exercises.Sources;
 
 /** Processor time is limited; wall time catches only what waits. */
+@Tag("slow")
 class ProcessorLimitTest {
     private static final Duration SECOND = Duration.ofSeconds(1);
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import rasterlab.exercises.Sources;
@@ -11,6 +12,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** The same input has to have the same answer, whatever was drawn before it. */
+@Tag("slow")
 class RepeatedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 

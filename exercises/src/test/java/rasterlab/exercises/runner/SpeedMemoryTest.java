@@ -6,12 +6,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
 import rasterlab.exercises.catalogue.Catalogue;
 
+@Tag("slow")
 class SpeedMemoryTest {
     @Test
     @DisplayName("a judge remembers by itself what others should remember for it")

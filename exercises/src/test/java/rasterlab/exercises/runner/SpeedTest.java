@@ -3,6 +3,7 @@ package rasterlab.exercises.runner;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import rasterlab.exercises.Sources;
@@ -11,6 +12,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** The report's line on speed says what was measured, or why nothing was. */
+@Tag("slow")
 class SpeedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 

@@ -5,6 +5,7 @@ import static rasterlab.exercises.Sources.method;
 
 import java.util.List;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import rasterlab.exercises.Grading.CaseSelection;
@@ -14,6 +15,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** A case in which the method was stopped is lost, and no other, up to five of them. */
+@Tag("slow")
 class StoppedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 

@@ -16,6 +16,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -31,6 +32,7 @@ import rasterlab.exercises.score.GradingVerdict;
  * compiled, is bounded: by processor time, which does not grow when other programs run, and by all
  * that is allocated, whether it is kept or not.
  */
+@Tag("slow")
 class WorstSourcesTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final Duration MOST_TIME = Duration.ofSeconds(1);

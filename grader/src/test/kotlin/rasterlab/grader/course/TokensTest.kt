@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
@@ -27,6 +28,7 @@ import java.nio.file.Path
 import java.time.InstantSource
 
 /** Who lost a token gets another, and the lost one opens nothing. */
+@Tag("slow")
 class TokensTest {
     @TempDir
     lateinit var folder: Path

@@ -2,6 +2,7 @@ package rasterlab.grader.edge
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -16,6 +17,7 @@ import java.net.Socket
 import java.nio.file.Path
 
 /** What a client sees on the wire; the timeout ends only a test whose server neither reads nor closes. */
+@Tag("slow")
 @Timeout(120)
 class DoorTest {
     @TempDir

@@ -3,6 +3,7 @@ package rasterlab.grader.problem
 import ch.qos.logback.classic.Level
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
@@ -17,6 +18,7 @@ import rasterlab.grader.logging
 import java.nio.file.Path
 
 /** Headers that no well-made program sends. */
+@Tag("slow")
 class HeadersTest {
     @TempDir
     lateinit var folder: Path

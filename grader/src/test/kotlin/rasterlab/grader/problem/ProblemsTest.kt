@@ -13,6 +13,7 @@ import io.ktor.http.HttpMethod
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
@@ -34,6 +35,7 @@ import kotlin.text.Charsets.UTF_16LE
 
 private typealias Ask = suspend Visit.() -> HttpResponse
 
+@Tag("slow")
 class ProblemsTest {
     @TempDir
     lateinit var folder: Path

@@ -3,6 +3,7 @@ package rasterlab.grader.problem
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
@@ -18,6 +19,7 @@ import java.nio.file.Path
 import kotlin.time.Duration.Companion.milliseconds
 
 /** Senders that never finish and never stop; the timeout ends only a test whose server neither reads nor closes. */
+@Tag("slow")
 @Timeout(120)
 class SlowBodiesTest {
     @TempDir

@@ -3,6 +3,7 @@ package rasterlab.grader.submission
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
@@ -22,6 +23,7 @@ import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit.SECONDS
 
 /** The system's clock is set while submissions wait, are graded and are tried again. */
+@Tag("slow")
 class QueueClockTest {
     @TempDir
     lateinit var folder: Path

@@ -3,6 +3,7 @@ package rasterlab.grader.submission
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
@@ -31,6 +32,7 @@ import java.util.Optional
 import kotlin.jvm.optionals.getOrNull
 
 /** A report comes back as it was written; no two values are equal, so a column taken for another is seen. */
+@Tag("slow")
 class ReportsTest {
     @TempDir
     lateinit var folder: Path

@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Assumptions.assumeTrue
 import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
@@ -27,6 +28,7 @@ import java.util.concurrent.TimeUnit.SECONDS
 import kotlin.time.Duration.Companion.seconds
 
 /** The database is locked, or its disk full, while submissions wait and are graded; then it is free again. */
+@Tag("slow")
 class WantOfStorageTest {
     @TempDir
     lateinit var folder: Path

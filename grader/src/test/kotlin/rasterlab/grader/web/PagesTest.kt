@@ -14,6 +14,7 @@ import io.ktor.http.encodeURLParameter
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
@@ -29,6 +30,7 @@ import java.nio.file.Path
 import java.util.Properties
 import java.util.concurrent.CountDownLatch
 
+@Tag("slow")
 class PagesTest {
     @TempDir
     lateinit var folder: Path

@@ -2,11 +2,13 @@ package rasterlab.tests.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the table calls "pixels identical". */
+@Tag("slow")
 class LineBenchmarkTest {
     @ParameterizedTest(name = "{0} px: ours lights other pixels than the peer")
     @ValueSource(ints = {16, 128, 1000})

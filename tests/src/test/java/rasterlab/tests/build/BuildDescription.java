@@ -17,6 +17,7 @@ import java.util.TreeSet;
  * @param javaLevel language level of Java
  * @param kotlin version of the Kotlin compiler
  * @param kotlinTarget byte-code level of Kotlin
+ * @param slow the tag of the tests that {@code -Pquick} leaves out
  */
 record BuildDescription(
         Map<String, Module> modules,
@@ -24,7 +25,8 @@ record BuildDescription(
         String project,
         String javaLevel,
         String kotlin,
-        String kotlinTarget) {
+        String kotlinTarget,
+        String slow) {
 
     /**
      * @param dependencies {@code group:artifact} (a module of ours: its name) to version and scope
@@ -47,6 +49,7 @@ record BuildDescription(
         compare("Java level", javaLevel, other.javaLevel, differences);
         compare("Kotlin version", kotlin, other.kotlin, differences);
         compare("Kotlin target", kotlinTarget, other.kotlinTarget, differences);
+        compare("tests left out by -Pquick", slow, other.slow, differences);
         compare("modules", modules.keySet(), other.modules.keySet(), differences);
         for (var name : common(modules, other.modules)) {
             var mine = modules.get(name);

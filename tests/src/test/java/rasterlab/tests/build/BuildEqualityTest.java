@@ -133,6 +133,18 @@ class BuildEqualityTest {
                         "maxParallelForks = 3",
                         "exercises: test processes"),
                 argumentSet(
+                        "a quick run leaves out other tests in Gradle",
+                        "build.gradle.kts",
+                        "excludeTags(\"slow\")",
+                        "excludeTags(\"windows\")",
+                        "tests left out by -Pquick"),
+                argumentSet(
+                        "no test is left out of Maven's quick run",
+                        "pom.xml",
+                        "<excludedGroups>slow</excludedGroups>",
+                        "",
+                        "tests left out by -Pquick"),
+                argumentSet(
                         "tests may take longer in Gradle",
                         "build.gradle.kts",
                         "ofSeconds(1500)",

@@ -20,6 +20,11 @@ import rasterlab.tests.Repository;
  * GradleProcesses}.
  */
 final class GradleBuild {
+    /** Which tests {@code -Pquick} leaves out. */
+    static final String QUICK =
+            "if \\(project\\.hasProperty\\(\"quick\"\\)\\)"
+                    + " useJUnitPlatform \\{ excludeTags\\(\"(\\w+)\"\\) }";
+
     private static final Pattern INCLUDE = Pattern.compile("include\\(([^)]*)\\)");
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]+)\"");
     private static final Pattern DEPENDENCIES =
@@ -71,7 +76,8 @@ final class GradleBuild {
                 build.project,
                 find("options\\.release\\.set\\((\\d+)\\)", scripts),
                 build.catalogue.at("/versions/kotlin").asText(),
-                find("JvmTarget\\.JVM_(\\d+)", scripts));
+                find("JvmTarget\\.JVM_(\\d+)", scripts),
+                find(QUICK, build.common));
     }
 
     private static Set<String> excluded(CharSequence scripts) {

@@ -50,7 +50,16 @@ final class MavenBuild {
                 build.properties.get("project.version"),
                 build.properties.get("maven.compiler.release"),
                 build.properties.get("kotlin.version"),
-                build.properties.get("kotlin.compiler.jvmTarget"));
+                build.properties.get("kotlin.compiler.jvmTarget"),
+                build.slow());
+    }
+
+    private String slow() {
+        return children(only(parent, "profiles")).stream()
+                .filter(profile -> text(profile, "id").equals("quick"))
+                .map(profile -> text(only(profile, "properties"), "excludedGroups"))
+                .findFirst()
+                .orElse("");
     }
 
     private BuildDescription.Module module(String name) throws Exception {

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.tests.ChildProcess;
 
 /** What needs the fresh copy stands in one class: another process would build one of its own. */
+@Tag("slow")
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
 @ExtendWith(FreshCopy.Provider.class)
 class FrontDoorTest {

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -21,6 +22,7 @@ import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
 
 /** A call of {@code ./lab} that cannot be answered says why and what to do. */
+@Tag("slow")
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
 class RefusedCallTest {
     @Test

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -20,6 +21,7 @@ import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
 
 /** The README's calls with curl, on a server of the test's own. */
+@Tag("slow")
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "the README's commands are for a POSIX shell")
 class ReadmeCallsTest {
     private static final Pattern BLOCK =

@@ -15,6 +15,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,6 +26,7 @@ import rasterlab.tests.ChildProcess;
 /**
  * {@code ./lab grader serve} that must not start: one line with the place and the value, exit 2.
  */
+@Tag("slow")
 class RefusedStartTest {
     @TempDir private Path folder;
 

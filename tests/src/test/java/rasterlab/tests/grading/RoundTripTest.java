@@ -13,10 +13,12 @@ import java.nio.file.Path;
 import java.util.stream.StreamSupport;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.exercises.catalogue.Catalogue;
 
+@Tag("slow")
 class RoundTripTest {
     private static final String EXERCISE = "line-bresenham";
 

@@ -12,10 +12,12 @@ import java.util.Locale;
 import java.util.logging.Level;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
 
+@Tag("slow")
 class StudentPageTest {
     @TempDir private static Path folder;
     private static ServerProcess server;

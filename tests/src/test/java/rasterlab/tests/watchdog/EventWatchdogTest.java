@@ -23,6 +23,7 @@ import java.util.concurrent.TimeUnit;
 import javax.swing.JDialog;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -45,6 +46,7 @@ import rasterlab.engine.transform.GlMatrices;
 import rasterlab.tests.OwnDisplay;
 
 /** Each event here lasts until the watchdog has seen what it does. */
+@Tag("slow")
 @Timeout(60)
 @ExtendWith(OwnDisplay.class)
 class EventWatchdogTest {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.canvas.ModelThread;
@@ -15,6 +16,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.rotate.Turns;
 
+@Tag("slow")
 @Timeout(60)
 class TurnLabModelTest {
     private final ModelThread thread = new ModelThread();

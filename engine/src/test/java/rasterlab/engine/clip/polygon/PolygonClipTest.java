@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -103,6 +104,7 @@ class PolygonClipTest {
     }
 
     @Test
+    @Tag("slow")
     void everyTriangleOnASmallGridIsRight() {
         double[] window = PolygonInWindow.rectangle(1, 1, 3, 3);
         IntStream.range(0, 15_625)
@@ -200,6 +202,7 @@ class PolygonClipTest {
 
     /** Spikes, loops, stars and lines among them. */
     @Test
+    @Tag("slow")
     void aWindowIsAcceptedIfAndOnlyIfItIsConvex() {
         double[] subject = {1, 1, 5, 2, 3, 6};
         var random = new Random(6);
@@ -210,6 +213,7 @@ class PolygonClipTest {
     }
 
     @Test
+    @Tag("slow")
     void aHundredThousandCornersAreNoHang() {
         double[] star = PolygonClipWorkloads.star(FULL ? 1_000_000 : 100_000, new Random(1));
         double[] window = PolygonInWindow.rectangle(0, 0, 100, 100);

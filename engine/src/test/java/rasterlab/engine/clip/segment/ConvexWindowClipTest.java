@@ -8,11 +8,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.clip.exact.ExactClip;
 
 /** Cyrus–Beck in windows that are no upright rectangles. */
+@Tag("slow")
 class ConvexWindowClipTest {
     private static final CyrusBeck METHOD = new CyrusBeck();
     private static final double[] KITE = {0, -5, 8, 1, 4, 8, -3, 2};

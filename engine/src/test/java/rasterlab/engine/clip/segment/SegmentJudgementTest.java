@@ -2,6 +2,7 @@ package rasterlab.engine.clip.segment;
 
 import java.util.Random;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -15,6 +16,7 @@ class SegmentJudgementTest {
     private static final int ADVERSARIES = FULL ? 100_000 : 10_000;
 
     @Test
+    @Tag("slow")
     void noRandomSegmentIsMisjudged() {
         IntStream.range(0, BLOCKS)
                 .parallel()
@@ -29,6 +31,7 @@ class SegmentJudgementTest {
     }
 
     @Test
+    @Tag("slow")
     void noSegmentThatTouchesOrJustMissesIsMisjudged() {
         IntStream.range(0, ADVERSARIES)
                 .parallel()

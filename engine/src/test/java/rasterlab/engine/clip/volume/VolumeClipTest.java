@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -97,6 +98,7 @@ class VolumeClipTest {
     }
 
     @Test
+    @Tag("slow")
     void noRandomSegmentIsMisjudged() {
         IntStream.range(0, FULL ? 1_000 : 20)
                 .parallel()
@@ -110,6 +112,7 @@ class VolumeClipTest {
     }
 
     @Test
+    @Tag("slow")
     void noSegmentThatTouchesOrJustMissesIsMisjudged() {
         IntStream.range(0, FULL ? 100_000 : 5_000)
                 .parallel()

@@ -11,6 +11,7 @@ import java.util.function.BiPredicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -51,6 +52,7 @@ class DirectPictureTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("looks")
+    @Tag("slow")
     void isTheExactPicture(String scene, String shading, String projection) {
         var request = request(Scenes.named(scene), "pipeline", shading, projection);
         double share =
@@ -109,6 +111,7 @@ class DirectPictureTest {
 
     @ParameterizedTest(name = "{0}: light or another texel is seen where texels hide the surface")
     @EnumSource(names = {"REPLACE", "DECAL"})
+    @Tag("slow")
     void textureThatHidesTheSurfaceIsTheRaysPicture(Mode mode) {
         Scene globe = Scenes.named("globe").with(finish -> finish.with(laid(finish, mode)));
         for (String shading : LIT) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import org.joml.Matrix4d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -57,6 +58,7 @@ class SurfacesTest {
 
     @ParameterizedTest(name = "with {0} threads a bit of the picture of eight lanes is another")
     @ValueSource(ints = {1, 2, 3})
+    @Tag("slow")
     void isTheSameInAnyNumberOfLanes(int threads) {
         EightLanes.assumeThere();
         for (TriangleMesh mesh : List.of(TORUS, CROWDED))
@@ -75,6 +77,7 @@ class SurfacesTest {
     /** All into one picture, as a scene of several bodies is drawn. */
     @ParameterizedTest(name = "{0} threads, {1}: a later frame allocates")
     @CsvSource({"1, ONE", "2, ONE", "1, EIGHT", "2, EIGHT"})
+    @Tag("slow")
     void allocatesNothingAfterTheFirstFrame(int threads, Lanes lanes) {
         if (lanes == Lanes.EIGHT) EightLanes.assumeThere();
         var out = new DepthRaster(160, 100);

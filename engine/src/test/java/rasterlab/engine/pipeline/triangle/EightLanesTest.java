@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -27,6 +28,7 @@ import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.GlMatrices;
 
 /** The picture of eight lanes beside that of one, bit for bit. */
+@Tag("slow")
 class EightLanesTest {
     private static final int PICTURES = 60;
     private static final int TRIANGLES = 60;

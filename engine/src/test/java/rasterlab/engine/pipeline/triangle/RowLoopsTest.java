@@ -12,11 +12,13 @@ import java.util.Set;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
+import org.junit.jupiter.api.Tag;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.scene.VertexQuantity;
 
 /** Each loop of eight lanes beside the plain one, bit for bit. */
+@Tag("slow")
 class RowLoopsTest {
     private static final int WIDTH = 40;
 

@@ -13,11 +13,13 @@ import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.EightLanes;
 
 /** The triangles of a block beside the same ones found one by one, bit for bit. */
+@Tag("slow")
 class TinyBlockTest {
     private static final int TRIANGLES = 2000;
     private static final int WIDTH = 40;

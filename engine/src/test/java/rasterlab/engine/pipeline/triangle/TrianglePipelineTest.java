@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Matrix4d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -73,6 +74,7 @@ class TrianglePipelineTest {
 
     @ParameterizedTest(name = "the picture of {0} threads differs from that of one")
     @ValueSource(ints = {2, 3, 8})
+    @Tag("slow")
     void isTheSameOnAnyNumberOfThreads(int threads) {
         for (Surface surface :
                 List.of(
@@ -88,6 +90,7 @@ class TrianglePipelineTest {
 
     @ParameterizedTest(name = "{0} threads, {1}: a later frame allocates")
     @CsvSource({"1, ONE", "2, ONE", "1, EIGHT", "2, EIGHT"})
+    @Tag("slow")
     void allocatesNothingAfterTheFirstFrame(int threads, Lanes lanes) {
         if (lanes == Lanes.EIGHT) EightLanes.assumeThere();
         var out = new DepthRaster(WIDTH, HEIGHT);
@@ -104,6 +107,7 @@ class TrianglePipelineTest {
     }
 
     @Test
+    @Tag("slow")
     void stopsSoonAndDrawsTheNextFrameRight() {
         var out = new DepthRaster(WIDTH, HEIGHT);
         var surface = new Surface.PerPixel(NORMALS);
@@ -158,6 +162,7 @@ class TrianglePipelineTest {
     }
 
     @Test
+    @Tag("slow")
     void theLargestPictureIsDrawn() {
         var out = new DepthRaster(8192, 8192);
         float[] corners = {-1, -1, -1, 8192, 8192, 8192};

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Random;
 import org.joml.Matrix4d;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.transform.GlMatrices;
 
 /** Very many random meshes: all of them with {@code -Drasterlab.full=true}. */
+@Tag("slow")
 class WatertightTest {
     private static final int MESHES = Boolean.getBoolean("rasterlab.full") ? 100_000 : 3_000;
     private static final int SIDE = 48;

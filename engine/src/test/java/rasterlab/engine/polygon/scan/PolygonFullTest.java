@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
 
 /** Very many polygons against the reference: all of them with {@code -Drasterlab.full=true}. */
+@Tag("slow")
 class PolygonFullTest {
     private static final int POLYGONS = Boolean.getBoolean("rasterlab.full") ? 1_000_000 : 5_000;
     private static final int SIDE = 24;

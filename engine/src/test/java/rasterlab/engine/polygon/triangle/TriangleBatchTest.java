@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Random;
 import java.util.function.DoubleSupplier;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.NearSides;
 import rasterlab.engine.polygon.Points;
 
+@Tag("slow")
 class TriangleBatchTest {
     private static final long SEED = 511;
     private static final int COUNT = 1_300;

@@ -9,12 +9,14 @@ import java.util.List;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.IntRange;
 import rasterlab.contract.Triangulator;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.StarPolygon;
 import rasterlab.engine.study.Deviation;
 
+@Tag("slow")
 class TriangulationPropertyTest {
     private static final TriangulateTopic TOPIC = new TriangulateTopic();
     private static final List<String> ORDERS = List.of("shortest-diagonal", "ear-clipping");

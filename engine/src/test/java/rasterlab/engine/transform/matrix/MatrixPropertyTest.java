@@ -10,12 +10,14 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.DoubleRange;
 import org.joml.Matrix4d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.study.Deviation;
 
+@Tag("slow")
 class MatrixPropertyTest {
     private static final MatrixTopic TOPIC = new MatrixTopic();
 

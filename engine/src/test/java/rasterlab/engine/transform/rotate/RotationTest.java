@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -50,6 +51,7 @@ class RotationTest {
 
     @ParameterizedTest(name = "{0} loses digits at some angle")
     @ValueSource(strings = {"direct", "buneman", "orthonormal", "quaternion", "total-angle"})
+    @Tag("slow")
     void oneTurnIsExactForEveryAngle(String name) {
         long seed = 1986;
         var random = new Random(seed);
@@ -111,6 +113,7 @@ class RotationTest {
 
     @ParameterizedTest
     @MethodSource("methods")
+    @Tag("slow")
     void turnsAMillionPoints(Method<PlaneRotation> method) {
         double[] points = new Random(1).doubles(2_000_000, -1, 1).toArray();
         double[] before = points.clone();

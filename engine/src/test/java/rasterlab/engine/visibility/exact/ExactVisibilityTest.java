@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -18,6 +19,7 @@ import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /** The reference against quotients of whole numbers, and where doubles alone would be wrong. */
+@Tag("slow")
 class ExactVisibilityTest {
     private static final int SCENES = Boolean.getBoolean("rasterlab.full") ? 400 : 30;
     private static final long SEED = 281;

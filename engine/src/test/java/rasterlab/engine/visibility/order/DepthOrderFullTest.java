@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.study.Deviation;
 
 /** Very many scenes against the reference: all of them with {@code -Drasterlab.full=true}. */
+@Tag("slow")
 class DepthOrderFullTest {
     private static final int SCENES = Boolean.getBoolean("rasterlab.full") ? 5_000 : 50;
     private static final long SEED = 1972;

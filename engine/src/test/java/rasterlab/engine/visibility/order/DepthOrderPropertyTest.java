@@ -7,9 +7,11 @@ import java.util.Random;
 import net.jqwik.api.Assume;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.Tag;
 import net.jqwik.api.constraints.IntRange;
 import rasterlab.engine.study.Deviation;
 
+@Tag("slow")
 class DepthOrderPropertyTest {
     private static final DepthOrderTopic TOPIC = new DepthOrderTopic();
     private static final List<String> RIGHT = List.of("newell", "bsp");

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.opengl.context.NoOpenGl;
@@ -14,6 +15,7 @@ import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.tests.bench.BenchWords;
 
 /** The pipeline's pictures beside OpenGL's; skipped where there is no OpenGL. */
+@Tag("slow")
 class OpenGlPictureTest {
     /** The share of pixels that may be off by more than 2 levels. */
     private static final double BOUND = 1e-4;

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
@@ -22,6 +23,7 @@ import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
 import rasterlab.tests.bench.JavaCommand;
 
+@Tag("slow")
 class OwnProcessTest {
     private static final String SAID = "1280×720 → ещё";
 

@@ -7,10 +7,12 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JFrame;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import rasterlab.tests.OwnDisplay;
 
+@Tag("slow")
 @ExtendWith(OwnDisplay.class)
 class DisplayAtRestTest {
     private static final int WINDOWS = 20;

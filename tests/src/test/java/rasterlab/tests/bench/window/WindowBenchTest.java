@@ -8,6 +8,7 @@ import java.awt.GraphicsEnvironment;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import rasterlab.tests.ChildProcess;
@@ -15,6 +16,7 @@ import rasterlab.tests.OwnDisplay;
 import rasterlab.tests.Repository;
 import rasterlab.tests.bench.JavaCommand;
 
+@Tag("slow")
 @ExtendWith(OwnDisplay.class)
 class WindowBenchTest {
     @Test
