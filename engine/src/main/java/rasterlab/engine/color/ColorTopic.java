@@ -7,6 +7,7 @@ import java.util.Map;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.SharedAnswer;
@@ -123,5 +124,10 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     @Override
     public String errorUnit() {
         return "of full share";
+    }
+
+    @Override
+    public Format<ColorConverter, Colors, ColorSheet> format() {
+        return new ColorFormat(this);
     }
 }

@@ -6,6 +6,7 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -129,5 +130,10 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     @Override
     public String errorUnit() {
         return "times what is allowed";
+    }
+
+    @Override
+    public Format<CurveTracer, CurveTask, Polyline> format() {
+        return new CurveFormat(this);
     }
 }

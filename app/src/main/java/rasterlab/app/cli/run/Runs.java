@@ -20,13 +20,7 @@ public final class Runs {
         var watch = new Watch(LONGEST);
         return switch (topic) {
             case "line-plane" -> new LinePlaneRun(watch);
-            case "matrix" -> new MatrixRun(watch);
-            case "transform" -> new TransformRun(watch);
-            case "visible-faces" -> new VisibleFacesRun(watch);
-            case "hidden-surfaces" -> new HiddenSurfacesRun(watch);
             case "spline-function" -> new SplineFunctionRun(watch);
-            case "curve" -> new CurveRun(watch);
-            case "color" -> new ColorRun(watch);
             default -> TopicRunner.of(watch, topicNamed(topic));
         };
     }

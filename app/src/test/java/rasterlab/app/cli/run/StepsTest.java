@@ -34,6 +34,7 @@ import rasterlab.engine.polygon.inside.SteppedPolygonTest;
 import rasterlab.engine.polygon.triangle.SideWalk;
 import rasterlab.engine.polygon.triangle.SteppedTriangleTest;
 import rasterlab.engine.polygon.triangle.TriangleFormat;
+import rasterlab.engine.spline.CurveFormat;
 import rasterlab.engine.spline.CurveWalk;
 import rasterlab.engine.spline.PointStep;
 import rasterlab.engine.spline.SplineWalk;
@@ -98,11 +99,11 @@ class StepsTest {
                         "{\"points\":[[0,0,0]],\"theta\":1,\"phi\":2,\"rho\":3}"),
                 argumentSet(
                         "curve at t",
-                        new CurveRun(WATCH, new OneMethod<>(new BrokenPoint(), null)),
+                        runner(new OneMethod<>(new BrokenPoint(), null), CurveFormat::new),
                         "{\"kind\":\"bezier\",\"points\":[[0,0],[1,0]],\"at\":[0.5]}"),
                 argumentSet(
                         "curve",
-                        new CurveRun(WATCH, new OneMethod<>(new BrokenCurve(), null)),
+                        runner(new OneMethod<>(new BrokenCurve(), null), CurveFormat::new),
                         "{\"kind\":\"bezier\",\"points\":[[0,0],[1,0],[0,1],[2,2]],\"flatness\":1}"),
                 argumentSet(
                         "spline-function",

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -149,5 +150,10 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     @Override
     public String errorUnit() {
         return "of the image's largest coordinate";
+    }
+
+    @Override
+    public Format<PointTransformer, Chain, Output> format() {
+        return new TransformFormat(this);
     }
 }

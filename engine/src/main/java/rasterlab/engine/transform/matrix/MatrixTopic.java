@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.MatrixFormula;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.SharedAnswer;
@@ -146,5 +147,10 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     @Override
     public String errorUnit() {
         return "of the row's largest cell";
+    }
+
+    @Override
+    public Format<MatrixFormula, MatrixCall, double[][]> format() {
+        return new MatrixFormat(this);
     }
 }

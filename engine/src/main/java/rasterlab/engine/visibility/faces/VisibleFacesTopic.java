@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.VisibleFaces;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -76,5 +77,10 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     @Override
     public String errorUnit() {
         return "% of the faces";
+    }
+
+    @Override
+    public Format<VisibleFaces, Body, SeenFaces> format() {
+        return new VisibleFacesFormat(this);
     }
 }

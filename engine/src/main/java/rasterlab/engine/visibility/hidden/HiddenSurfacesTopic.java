@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -98,5 +99,10 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     @Override
     public String errorUnit() {
         return "% of the pixels";
+    }
+
+    @Override
+    public Format<Visibility, SurfaceView, FacePicture> format() {
+        return new HiddenSurfacesFormat(this);
     }
 }

@@ -1,0 +1,29 @@
+package rasterlab.engine.scene;
+
+import java.util.List;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.MadeShape;
+import rasterlab.engine.format.Shape;
+
+/** The corners of a face from outside: at least 3 numbers of vertices. */
+public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
+    /** The field {@code faces}. */
+    public static final Field<List<int[]>> FACES =
+            Field.required("faces", Shape.list("faces", new VertexNumbers(), 0, Shape.MOST_POINTS));
+
+    private static final int MOST = 1_000_000;
+
+    private VertexNumbers() {
+        super(
+                Shape.list(
+                        "vertex numbers",
+                        Shape.whole(Integer.MIN_VALUE, Integer.MAX_VALUE),
+                        3,
+                        MOST));
+    }
+
+    @Override
+    protected int[] made(List<Integer> numbers) {
+        return numbers.stream().mapToInt(Integer::intValue).toArray();
+    }
+}

@@ -1,0 +1,159 @@
+package rasterlab.engine.transform.matrix;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.contract.MatrixFormula;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.ValueSource;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
+
+/** Named matrices from outside: {@code name} and its parameters; {@code matrix} out. */
+public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double[][]> {
+    private static final Field<String> NAME =
+            Field.required(
+                    "name",
+                    Shape.word(NamedMatrices.all().stream().map(NamedMatrix::name).toList()));
+
+    /** Every parameter that any matrix has; a name means the same number of numbers everywhere. */
+    private static final Map<String, Field<double[]>> PARAMETERS = parameters();
+
+    private static final Field<?> MATRIX =
+            Field.required("matrix", Shape.list(Shape.list(Shape.number())));
+
+    MatrixFormat(Topic<MatrixFormula, MatrixCall, double[][]> topic) {
+        super(topic);
+    }
+
+    private static Map<String, Field<double[]>> parameters() {
+        var fields = new LinkedHashMap<String, Field<double[]>>();
+        for (NamedMatrix matrix : NamedMatrices.all())
+            for (MatrixParameter parameter : matrix.parameters())
+                fields.put(
+                        parameter.name(),
+                        Field.optional(
+                                parameter.name(),
+                                parameter.size() == 1
+                                        ? new OneNumber()
+                                        : Shape.numbers(parameter.size(), parameter.size())));
+        return Collections.unmodifiableMap(fields);
+    }
+
+    /** A number alone. */
+    private record OneNumber() implements Shape<double[]> {
+        @Override
+        public double[] read(ValueSource in) throws IOException {
+            return new double[] {in.number()};
+        }
+
+        @Override
+        public void schema(ValueSink out) throws IOException {
+            Shape.number().schema(out);
+        }
+    }
+
+    /** The fields that a matrix by its name may have. */
+    public static List<Field<?>> fields() {
+        var fields = new ArrayList<Field<?>>(PARAMETERS.values());
+        fields.add(0, NAME);
+        return fields;
+    }
+
+    @Override
+    public List<Field<?>> input() {
+        return fields();
+    }
+
+    @Override
+    public boolean open() {
+        return true;
+    }
+
+    @Override
+    public List<Field<?>> answer() {
+        return List.of(MATRIX);
+    }
+
+    @Override
+    public boolean hasSteps() {
+        return false;
+    }
+
+    @Override
+    public String reads() {
+        return """
+            {"name":"ROT3DX", "angle":30}, the names being listed below""";
+    }
+
+    @Override
+    public String answers() {
+        return """
+            {"matrix":[[...],...]} row by row, for points as rows""";
+    }
+
+    @Override
+    public MatrixCall read(Given given) {
+        return call(given);
+    }
+
+    /** The matrix that the fields ask for, each parameter in its range. */
+    public static MatrixCall call(Given given) {
+        NamedMatrix matrix = NamedMatrices.named(given.get(NAME));
+        requireOwn(given, matrix);
+        var numbers = new ArrayList<Double>();
+        for (MatrixParameter parameter : matrix.parameters()) {
+            double[] values =
+                    given.find(PARAMETERS.get(parameter.name()))
+                            .orElseGet(() -> otherwise(given, parameter));
+            for (int i = 0; i < values.length; i++) {
+                require(given, parameter, values[i], i);
+                numbers.add(values[i]);
+            }
+        }
+        return new MatrixCall(matrix.name(), numbers);
+    }
+
+    private static void requireOwn(Given given, NamedMatrix matrix) {
+        List<String> own = matrix.parameters().stream().map(MatrixParameter::name).toList();
+        for (String field :
+                Stream.concat(given.unknown().stream(), given.names().stream().sorted()).toList())
+            if (!field.equals(NAME.name()) && !own.contains(field))
+                throw given.misfit(
+                        field,
+                        matrix.name()
+                                + " has no such parameter; "
+                                + (own.isEmpty()
+                                        ? "it has none"
+                                        : "allowed are " + String.join(", ", own)));
+    }
+
+    private static double[] otherwise(Given given, MatrixParameter parameter) {
+        return new double[] {
+            parameter.otherwise().orElseThrow(() -> given.misfit(parameter.name(), "missing"))
+        };
+    }
+
+    private static void require(Given given, MatrixParameter parameter, double value, int i) {
+        try {
+            parameter.require(value, i);
+        } catch (IllegalArgumentException e) {
+            throw given.misfit(parameter.name(), e.getMessage());
+        }
+    }
+
+    @Override
+    public void write(double[][] rows, ValueSink out) throws IOException {
+        out.name(MATRIX.name());
+        out.startArray();
+        for (double[] row : rows) out.numbers(row);
+        out.endArray();
+    }
+}

@@ -1,0 +1,188 @@
+package rasterlab.engine.visibility.hidden;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.ValueSource;
+import rasterlab.engine.format.Written;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.VertexNumbers;
+import rasterlab.engine.study.Call;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.Projection;
+import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.visibility.SteppedVisibility;
+import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.VisibilityStep;
+
+/** Faces drawn from outside: a mesh and how it is seen; {@code picture} out. */
+final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePicture> {
+    private static final double LARGEST_SCALE = 1e9;
+    private static final Shape<Integer> NUMBER = Shape.whole(-1, Integer.MAX_VALUE);
+    private static final Field<double[]> VERTICES =
+            Field.required("vertices", Shape.points(3, 0, Shape.MOST_POINTS));
+    private static final Field<Double> THETA = Field.required("theta", Shape.number());
+    private static final Field<Double> PHI = Field.required("phi", Shape.number());
+    private static final Field<Double> RHO =
+            Field.required("rho", Shape.number(SphericalView.NEAREST, SphericalView.FARTHEST));
+    private static final Field<int[]> SIZE = Field.required("size", Shape.wholes(2));
+    private static final Field<String> PROJECTION =
+            Field.optional("projection", Shape.word(Projection.names()));
+    private static final Field<Double> SCALE =
+            Field.optional("scale", Shape.numberAbove(0, LARGEST_SCALE));
+    private static final Field<?> PICTURE =
+            Field.required("picture", Shape.list(Shape.list(NUMBER)));
+    private static final Field<?> SPLITS = Field.required("splits", NUMBER);
+    private static final Field<?> WORK = Field.required("work", new Counts());
+
+    HiddenSurfacesFormat(Topic<Visibility, SurfaceView, FacePicture> topic) {
+        super(topic);
+    }
+
+    /** What was counted, by names that each method has of its own. */
+    private static final class Counts implements Shape<Given> {
+        @Override
+        public Given read(ValueSource in) throws IOException {
+            return in.openObject(List.of());
+        }
+
+        @Override
+        public void schema(ValueSink out) throws IOException {
+            out.startObject();
+            out.text("type", "object");
+            out.name("additionalProperties");
+            out.startObject();
+            out.text("type", "integer");
+            out.endObject();
+            out.endObject();
+        }
+    }
+
+    @Override
+    public List<Field<?>> input() {
+        return List.of(VERTICES, VertexNumbers.FACES, THETA, PHI, RHO, SIZE, PROJECTION, SCALE);
+    }
+
+    @Override
+    public List<Field<?>> answer() {
+        return List.of(PICTURE, SPLITS, WORK);
+    }
+
+    @Override
+    public String reads() {
+        return """
+            {"vertices":[[x,y,z],...], "faces":[[i,j,k,...],...], vertex numbers from 0, \
+            flat, convex and counter-clockwise seen from outside, "theta":a, "phi":b, \
+            "rho":r, angles in degrees, "size":[w,h]} and perhaps "projection":NAME, else \
+            perspective, and "scale":pixels per unit, else 1""";
+    }
+
+    @Override
+    public String answers() {
+        return """
+            {"picture":[[f,...],...] rows of face numbers, -1 where there is none, \
+            "splits":n, "work":{"comparisons":n,...}}""";
+    }
+
+    @Override
+    public SurfaceView read(Given given) {
+        int[] size = given.get(SIZE);
+        try {
+            Raster.checkSize(size[0], size[1]);
+            var mesh =
+                    new Mesh(
+                            given.get(VERTICES),
+                            given.get(VertexNumbers.FACES).toArray(int[][]::new));
+            var camera =
+                    new SphericalView(
+                            Math.toRadians(given.get(THETA)),
+                            Math.toRadians(given.get(PHI)),
+                            given.get(RHO));
+            return SurfaceView.of(
+                    mesh,
+                    camera,
+                    given.find(PROJECTION).map(Projection::named).orElse(Projection.PERSPECTIVE),
+                    new PictureFit(size[0], size[1], given.get(SCALE, 1.0)));
+        } catch (IllegalArgumentException e) {
+            throw new Misfit(e.getMessage());
+        }
+    }
+
+    @Override
+    public void write(FacePicture picture, ValueSink out) throws IOException {
+        out.name(PICTURE.name());
+        out.startArray();
+        for (int y = 0; y < picture.height(); y++) {
+            out.startArray();
+            for (int x = 0; x < picture.width(); x++) out.whole(picture.face(x, y));
+            out.endArray();
+        }
+        out.endArray();
+    }
+
+    private void write(DrawnFaces drawn, ValueSink out) throws IOException {
+        write(drawn.picture(), out);
+        out.whole(SPLITS.name(), drawn.work().splits());
+        out.name(WORK.name());
+        out.startObject();
+        for (Map.Entry<String, Long> counted : drawn.work().operations().entrySet())
+            out.whole(counted.getKey().replace(' ', '-'), counted.getValue());
+        out.endObject();
+    }
+
+    @Override
+    protected void check(Call<Visibility> call, SurfaceView view) {
+        if (call.steps()) call.stepped(SteppedVisibility.class);
+    }
+
+    @Override
+    protected Written answered(Call<Visibility> call, SurfaceView view) {
+        if (!call.steps()) {
+            DrawnFaces drawn = DrawnFaces.by(call.method(), view);
+            return out -> write(drawn, out);
+        }
+        SteppedVisibility stepped = call.stepped(SteppedVisibility.class);
+        var all = new ArrayList<Step>();
+        DrawnFaces drawn =
+                DrawnFaces.watched(stepped, view, step -> Steps.add(all, new Step(step)));
+        return out -> {
+            write(drawn, out);
+            Steps.deciding(stepped.decision(), all).write(out);
+        };
+    }
+
+    /** What a method did next. */
+    private record Step(VisibilityStep step) implements Written {
+        @Override
+        public void write(ValueSink out) throws IOException {
+            if (step instanceof VisibilityStep.Drawn drawn) {
+                out.whole("draw", drawn.face());
+            } else if (step instanceof VisibilityStep.Moved moved) {
+                out.whole("move", moved.face());
+                out.whole("before", moved.before());
+            } else if (step instanceof VisibilityStep.Cut cut) {
+                out.whole("cut", cut.face());
+                out.whole("by", cut.by());
+            } else if (step instanceof VisibilityStep.Span span) {
+                out.whole("span", span.face());
+                out.whole("y", span.y());
+                out.whole("from", span.from());
+                out.whole("to", span.to());
+            } else if (step instanceof VisibilityStep.Window window) {
+                out.wholes("window", window.x(), window.y(), window.width(), window.height());
+                out.flag("divided", window.divided());
+            }
+            out.number("decision", step.value());
+        }
+    }
+}
