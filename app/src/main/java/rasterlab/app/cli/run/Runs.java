@@ -19,7 +19,6 @@ public final class Runs {
     public static TopicRun named(String topic) {
         var watch = new Watch(LONGEST);
         return switch (topic) {
-            case "line-plane" -> new LinePlaneRun(watch);
             case "spline-function" -> new SplineFunctionRun(watch);
             default -> TopicRunner.of(watch, topicNamed(topic));
         };

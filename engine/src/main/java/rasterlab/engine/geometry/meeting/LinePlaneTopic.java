@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.LinePlane;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -91,5 +92,10 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     @Override
     public String errorUnit() {
         return "of p* or μ";
+    }
+
+    @Override
+    public Format<LinePlane, PlaneAndLines, Meetings> format() {
+        return new LinePlaneFormat(this);
     }
 }

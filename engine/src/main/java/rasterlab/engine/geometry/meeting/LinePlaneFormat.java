@@ -1,0 +1,168 @@
+package rasterlab.engine.geometry.meeting;
+
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import rasterlab.contract.LinePlane;
+import rasterlab.engine.format.EitherShape;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.Written;
+import rasterlab.engine.geometry.Line;
+import rasterlab.engine.geometry.Plane;
+import rasterlab.engine.geometry.Vector;
+import rasterlab.engine.study.Call;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
+
+/** A line and a plane from outside; where they meet, and how they lie to each other, out. */
+final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
+    private static final Field<double[]> LINE = Field.required("line", Shape.points(3, 2, 2));
+    private static final Field<double[]> PLANE = Field.optional("plane", Shape.points(3, 3, 3));
+    private static final Field<double[]> NORMAL = Field.optional("normal", Shape.numbers(3, 3));
+    private static final Field<double[]> POINT = Field.optional("point", Shape.numbers(3, 3));
+    private static final Shape<Double> NUMBER = EitherShape.orNull(Shape.number());
+
+    LinePlaneFormat(Topic<LinePlane, PlaneAndLines, Meetings> topic) {
+        super(topic);
+    }
+
+    @Override
+    public List<Field<?>> input() {
+        return List.of(LINE, PLANE, NORMAL, POINT);
+    }
+
+    @Override
+    public List<Field<?>> answer() {
+        return List.of(
+                Field.required("mu", NUMBER),
+                Field.optional("point", Shape.numbers(3, 3)),
+                Field.optional("part", Shape.word(List.of("behind", "between", "beyond"))),
+                Field.required("angle", NUMBER),
+                Field.required("cosines", Shape.numbers(3, 3)),
+                Field.required("projection", NUMBER));
+    }
+
+    @Override
+    public boolean hasSteps() {
+        return false;
+    }
+
+    @Override
+    public String reads() {
+        return """
+            {"line":[[x,y,z],[x,y,z]]} with "plane":[[x,y,z],[x,y,z],[x,y,z]] or \
+            "normal":[a,b,c] and "point":[x,y,z]""";
+    }
+
+    @Override
+    public String answers() {
+        return """
+            {"mu":m, "point":[x,y,z], "part":"behind", "between" or "beyond", \
+            "angle":degrees, "cosines":[...] of the line, \
+            "projection": its length along the normal}; where mu is no number, it is null and \
+            point and part are missing""";
+    }
+
+    @Override
+    public PlaneAndLines read(Given given) {
+        return new PlaneAndLines(
+                plane(given), Optional.of(vector(point(given), 0)), List.of(line(given)));
+    }
+
+    /** {@inheritDoc} From outside one sees all that a line and a plane make of each other. */
+    @Override
+    public void write(Meetings meetings, ValueSink out) {
+        throw new AssertionError("a meeting is written with its line and plane");
+    }
+
+    @Override
+    public Supplier<Written> prepared(Call<LinePlane> call, Given given) {
+        Line line = line(given);
+        Plane plane = plane(given);
+        double[] point = point(given);
+        return () -> Found.by(call.method(), line, plane, point);
+    }
+
+    /** What the line and the plane make of each other. */
+    private record Found(double mu, Vector point, double angle, Vector cosines, double projection)
+            implements Written {
+        /**
+         * @param point of the plane, as it was given
+         * @throws IllegalArgumentException if one of the numbers is out of range
+         */
+        static Found by(LinePlane meeting, Line line, Plane plane, double[] point) {
+            double mu =
+                    meeting.meetsThrough(
+                            numbers(plane.normal()),
+                            point,
+                            numbers(line.from()),
+                            numbers(line.through()));
+            return new Found(
+                    mu,
+                    Double.isFinite(mu) ? line.at(mu) : null,
+                    plane.angleWith(line),
+                    line.direction().unit(),
+                    line.direction().projectedOn(plane.normal()));
+        }
+
+        /** A μ that is no number, as the textbook's can be, names no point. */
+        @Override
+        public void write(ValueSink out) throws IOException {
+            out.number("mu", mu);
+            if (point != null) {
+                out.numbers("point", numbers(point));
+                out.text("part", Line.part(mu).name().toLowerCase(Locale.ROOT));
+            }
+            out.number("angle", angle);
+            out.numbers("cosines", numbers(cosines));
+            out.number("projection", projection);
+        }
+    }
+
+    private static Line line(Given given) {
+        double[] ends = given.get(LINE);
+        try {
+            return new Line(vector(ends, 0), vector(ends, 3));
+        } catch (IllegalArgumentException e) {
+            throw new Misfit("/line", e.getMessage());
+        }
+    }
+
+    /** A plane parallel to the given one: methods get its point, so that no c is rounded here. */
+    private static Plane plane(Given given) {
+        boolean byNormal = given.has(NORMAL) && given.has(POINT);
+        if (given.has(NORMAL) != given.has(POINT) || byNormal == given.has(PLANE))
+            throw new Misfit(
+                    "/",
+                    "expected either plane, or normal and point, got "
+                            + String.join(", ", new TreeSet<>(given.names())));
+        try {
+            if (byNormal) return new Plane(vector(given.get(NORMAL), 0), 0);
+            double[] p = given.get(PLANE);
+            return new Plane(Plane.normal(vector(p, 0), vector(p, 3), vector(p, 6)), 0);
+        } catch (IllegalArgumentException e) {
+            throw new Misfit(byNormal ? "/normal" : "/plane", e.getMessage());
+        }
+    }
+
+    /** A point of the plane: the given one, or the second of three. */
+    private static double[] point(Given given) {
+        return given.has(POINT) ? given.get(POINT) : Arrays.copyOfRange(given.get(PLANE), 3, 6);
+    }
+
+    private static Vector vector(double[] numbers, int from) {
+        return new Vector(numbers[from], numbers[from + 1], numbers[from + 2]);
+    }
+
+    private static double[] numbers(Vector v) {
+        return new double[] {v.x(), v.y(), v.z()};
+    }
+}
