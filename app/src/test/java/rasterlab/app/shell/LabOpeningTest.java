@@ -97,6 +97,7 @@ class LabOpeningTest {
                     Map.entry("vertex-normals both-sides-of-a-sheet", EnumSet.of(FACE_NORMAL)),
                     Map.entry("shade-face zero-area-face", EnumSet.of(CORNER_MOVED)),
                     Map.entry("shade interpolated-normal", EnumSet.of(NORMAL_LENGTH)),
+                    Map.entry("shade eye-across-the-mirror", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade huge-normal", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade tiny-normal", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade zero-area-face", EnumSet.of(NORMAL_LENGTH)),

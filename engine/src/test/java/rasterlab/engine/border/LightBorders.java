@@ -32,6 +32,11 @@ final class LightBorders {
     /** What the text of shade-face phong says of distances and normals. */
     private static final double NEAR = 0.1;
 
+    private static final double ROUNDED = 1e-12;
+
+    /** A cosine nearer to 0 has too few right digits for a power below 1. */
+    private static final double STEEP = 1e-4;
+
     private LightBorders() {}
 
     static List<Border<?, ?, ?>> all() {
@@ -141,7 +146,21 @@ final class LightBorders {
                 || UnitVector.length(mixed(units(face.normals()), weights)) < NEAR)
             throw new IllegalArgumentException("too near, or cancelled out");
         requireSteady(face.light(), toLamp, UnitVector.length(toLamp));
+        double[] normal = mixed(units(face.normals()), weights);
+        requireSure(face, normal, toLamp, difference(face.eye(), place));
         return new FacePoints(face, weights);
+    }
+
+    /** Passes where the sign of no cosine next to 0 decides about a highlight. */
+    private static void requireSure(
+            LitFace face, double[] normal, double[] toLamp, double[] toEye) {
+        double[] highlight = face.light().specular().clone();
+        for (int c = 0; c < 3; c++) highlight[c] *= face.material().specular()[c];
+        double nl = cosine(normal, toLamp);
+        double across = 2 * nl * cosine(normal, toEye) - cosine(toLamp, toEye);
+        boolean steep = face.material().shininess() < 1 && face.material().shininess() > 0;
+        if (largest(highlight) > 0 && (Math.abs(nl) < ROUNDED || steep && Math.abs(across) < STEEP))
+            throw new IllegalArgumentException("rounding decides about a highlight");
     }
 
     private static double[] mixed(double[] three, double[] weights) {

@@ -54,8 +54,9 @@ final class FaceMethods {
                         "|n| = 1 everywhere",
                         "1 formula per pixel",
                         "none known where lamp and eye are at least a tenth of the largest"
-                                + " coordinate away, mixed normals are as long and the attenuation is at"
-                                + " most 10; refuses where mixed normals cancel out",
+                                + " coordinate away, mixed normals are as long, the attenuation is at"
+                                + " most 10 and no cosine that decides about a highlight is within"
+                                + " rounding of 0; refuses where mixed normals cancel out",
                         "B. T. Phong, Illumination for computer generated pictures,"
                                 + " Communications of the ACM 18(6), 1975",
                         new PhongFace()));

@@ -36,7 +36,10 @@ public final class ExactShade {
         BigDecimal mirrored = ZERO;
         if (mirrors && nl.signum() > 0) {
             if (isZero(point.toEye())) return nothing;
-            BigDecimal cosine = cosine(reflection, n, l, unit(point.toEye()));
+            BigDecimal cosine =
+                    reflection == Reflection.PHONG && ExactMirror.signum(point) == 0
+                            ? ZERO
+                            : cosine(reflection, n, l, unit(point.toEye()));
             mirrored = power(cosine, point.material().shininess());
         }
         return sum(point, strength, nl.max(ZERO), mirrored);

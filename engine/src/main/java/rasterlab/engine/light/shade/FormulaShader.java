@@ -16,6 +16,9 @@ public final class FormulaShader implements PointShader, TermShader {
     /** A computed n·l nearer to 0 may have the wrong sign. */
     private static final double SURE = 1e-14;
 
+    /** A cosine nearer to 0 has too few right digits for a power below 1. */
+    private static final double STEEP = 1e-6;
+
     private final Reflection reflection;
 
     public FormulaShader(Reflection reflection) {
@@ -71,7 +74,10 @@ public final class FormulaShader implements PointShader, TermShader {
         double[] v = unit("to-eye", point.toEye());
         double cosine =
                 Mirror.cosine(reflection, n[0], n[1], n[2], l[0], l[1], l[2], v[0], v[1], v[2]);
-        return Powers.of(cosine, point.material().shininess());
+        double shininess = point.material().shininess();
+        boolean steep = shininess > 0 && shininess < 1 && cosine < STEEP;
+        if (steep && reflection == Reflection.PHONG) cosine = ExactMirror.cosine(point);
+        return Powers.of(cosine, shininess);
     }
 
     private static double attenuation(LitPoint point) {

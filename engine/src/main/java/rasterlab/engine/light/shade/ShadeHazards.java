@@ -64,6 +64,17 @@ final class ShadeHazards {
                         EXACT,
                         lit(UP, SLANTED, new double[] {0.96, 0, 0.28}, material(0.1, 0.5, 0.3, 2))),
                 hazard(
+                        "eye-across-the-mirror",
+                        "The eye is at right angles to the mirrored light; shininess 0.01 makes much"
+                                + " of a rounding.",
+                        WRONG,
+                        EXACT,
+                        lit(
+                                new double[] {3, 0, 2},
+                                new double[] {1, 0, 0},
+                                new double[] {12, 0, -5},
+                                material(0, 0, 0.5, 0.01))),
+                hazard(
                         "eye-opposite-the-light",
                         "The eye looks at the light through the surface: h has no direction.",
                         DEGRADED,

@@ -14,7 +14,7 @@ final class MatrixHazards {
     private MatrixHazards() {}
 
     static List<Hazard<MatrixCall>> all() {
-        return Stream.of(scales(), steps(), hard()).flatMap(List::stream).toList();
+        return Stream.of(scales(), steps(), hard(), extremes()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<MatrixCall>> scales() {
@@ -89,7 +89,11 @@ final class MatrixHazards {
                         -1,
                         1,
                         1,
-                        Math.nextUp(1.0)),
+                        Math.nextUp(1.0)));
+    }
+
+    private static List<Hazard<MatrixCall>> extremes() {
+        return List.of(
                 exact(
                         "small-pyramid",
                         "a/zmax does not fit in a double, a/zmax/xscreen does: the smallest doubles cancel.",
