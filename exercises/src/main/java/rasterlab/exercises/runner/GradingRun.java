@@ -17,6 +17,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
@@ -31,7 +32,6 @@ import rasterlab.exercises.topic.TopicGradings;
 /** One grading, each try with children of its own. */
 final class GradingRun {
     private final JudgeSettings settings;
-    private final ByteCodeCheck check;
     private final Exercise exercise;
     private final TopicGrading topic;
     private final String source;
@@ -44,7 +44,6 @@ final class GradingRun {
 
     GradingRun(
             JudgeSettings settings,
-            ByteCodeCheck check,
             Exercise exercise,
             String source,
             CaseSelection selection,
@@ -52,7 +51,6 @@ final class GradingRun {
             ReportSheet sheet,
             SpeedMemory memory) {
         this.settings = settings;
-        this.check = check;
         this.exercise = exercise;
         this.topic = TopicGradings.named(exercise.topic());
         this.source = source;
@@ -82,7 +80,9 @@ final class GradingRun {
         if (compiled.verdict() != GradingVerdict.OK)
             return sheet.rejected(compiled.verdict(), compiled.errors());
         String contract = topic.contract().getName().replace('.', '/');
-        ByteCodeCheck.Result checked = check.check(compiled.classes(), contract, source);
+        ByteCodeCheck.Result checked =
+                new ByteCodeCheck(AllowList.of(topic.contract()))
+                        .check(compiled.classes(), contract, source);
         if (!checked.refusals().isEmpty())
             return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
         try (Student student =

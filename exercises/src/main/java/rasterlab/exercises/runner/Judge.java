@@ -9,7 +9,6 @@ import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.runner.scan.AllowList;
-import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
@@ -30,7 +29,6 @@ public final class Judge implements Grading, AutoCloseable {
     private final Launcher launcher;
     private final Box box;
     private final Children children;
-    private final ByteCodeCheck check = new ByteCodeCheck(AllowList.builtIn());
     private final SpeedMemory memory;
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
@@ -109,7 +107,6 @@ public final class Judge implements Grading, AutoCloseable {
         GradingRun run =
                 new GradingRun(
                         settings,
-                        check,
                         exercise,
                         source,
                         cases,

@@ -18,11 +18,13 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.contract.LineRasterizer;
 
 /** The list holds what is harmless and nothing that reaches out. */
 class AllowListTest {
-    private final AllowList list = AllowList.builtIn();
+    private final AllowList list = AllowList.of(LineRasterizer.class);
 
     @ParameterizedTest(name = "harmless, but refused: {0}")
     @ValueSource(
@@ -115,6 +117,33 @@ class AllowListTest {
     private boolean allowed(String use) {
         int dot = use.lastIndexOf('.');
         return list.allows(use.substring(0, dot).replace('.', '/'), use.substring(dot + 1));
+    }
+
+    @ParameterizedTest(name = "{0} leads to {1}")
+    @CsvSource({
+        "rasterlab.contract.LineRasterizer, rasterlab/contract/Pixels, plot",
+        "rasterlab.contract.SegmentClipper, rasterlab/contract/SegmentSink, segment",
+        "rasterlab.contract.FaceShader, rasterlab/contract/LitFace, corners",
+        "rasterlab.contract.FaceShader, rasterlab/contract/SpotCone, shinesAllAround",
+        "rasterlab.contract.PolygonFiller, rasterlab/contract/FillRule, NON_ZERO",
+        "rasterlab.contract.PolygonFiller, rasterlab/contract/FillRule, ordinal",
+        "rasterlab.contract.TextureFilter, rasterlab/contract/TextureFilter$Lookup, color"
+    })
+    void allowsTheTypesThatTheContractLeadsTo(Class<?> contract, String type, String member) {
+        assertTrue(AllowList.of(contract).allows(type, member));
+    }
+
+    @ParameterizedTest(name = "{0} does not lead to {1}.{2}")
+    @CsvSource({
+        "rasterlab.contract.LineRasterizer, rasterlab/contract/LitFace, corners",
+        "rasterlab.contract.PointInTriangle, rasterlab/contract/Pixels, plot",
+        "rasterlab.contract.FaceShader, rasterlab/contract/Numbers, vector",
+        "rasterlab.contract.FaceShader, rasterlab/contract/LitFace, nine",
+        "rasterlab.contract.FaceShader, rasterlab/contract/LitFace, wait",
+        "rasterlab.contract.PolygonFiller, rasterlab/contract/FillRule, describeConstable"
+    })
+    void refusesWhatTheContractDoesNotLeadTo(Class<?> contract, String type, String member) {
+        assertFalse(AllowList.of(contract).allows(type, member));
     }
 
     @Test
