@@ -47,7 +47,7 @@ public final class ViewMatrices {
         Vector3d forward = Directions.between(eye, center);
         if (up.x == 0 && up.y == 0 && up.z == 0)
             throw new IllegalArgumentException("up must not be zero, got " + text(up));
-        Vector3d side = new Vector3d(forward).cross(Directions.unit(up));
+        Vector3d side = Directions.across(eye, center, up);
         if (side.length() < Directions.PARALLEL)
             throw new IllegalArgumentException(
                     "up must lie at least "

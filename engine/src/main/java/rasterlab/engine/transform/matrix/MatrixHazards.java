@@ -81,6 +81,20 @@ final class MatrixHazards {
                         1,
                         0),
                 exact(
+                        "up-near-the-line-of-sight",
+                        "up is 1° off the line of sight, where two digits of a cross product of rounded"
+                                + " directions cancel.",
+                        "LOOKAT",
+                        0,
+                        -74,
+                        0,
+                        67,
+                        0,
+                        0,
+                        37,
+                        41,
+                        1),
+                exact(
                         "narrow-frustum",
                         "far is next to near: the depth's cells are differences of equals.",
                         "GL_FRUSTUM",
