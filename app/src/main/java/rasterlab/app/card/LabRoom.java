@@ -41,6 +41,6 @@ public interface LabRoom<M> {
     /** A card for each topic that it shows; none for a lab that shows no topic's inputs. */
     List<TopicCard<M>> cards();
 
-    /** What the tour shows of it. */
+    /** Pictures of the lab that the tour shows. */
     List<LabShot<M>> shots();
 }

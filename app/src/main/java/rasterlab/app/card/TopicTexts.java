@@ -7,7 +7,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /**
- * What a lab says in the window's language about a topic's methods and hazards. The engine's
+ * Words of a lab about a topic's methods and hazards, in the window's language. The engine's
  * English serves where the texts have no words of their own.
  *
  * @param part what stands before names in the keys of a lab with several topics; "" for one
@@ -24,13 +24,13 @@ public record TopicTexts(Texts texts, String part, Texts labels, String shownAs)
                 card.labels().part());
     }
 
-    /** What the lab calls the hazard; empty where it does not show it. */
+    /** The name of the hazard in the lab; empty where it does not show it. */
     public Optional<String> label(Hazard<?> hazard) {
         String key = "hazard." + shownAs + hazard.name();
         return labels.has(key) ? Optional.of(labels.text(key)) : Optional.empty();
     }
 
-    /** What is special about the hazard. */
+    /** A sentence on why the hazard is special. */
     public String hazard(Hazard<?> hazard) {
         return texts.textOr("hazard." + part + hazard.name(), hazard.description());
     }
@@ -43,7 +43,7 @@ public record TopicTexts(Texts texts, String part, Texts labels, String shownAs)
         return texts.textOr(key(method) + "." + what, english);
     }
 
-    /** What the keys of a method's texts begin with. */
+    /** The beginning of the keys of a method's texts. */
     public String key(Method<?> method) {
         String key = part + method.name();
         return texts.has(key + ".formula") ? key : method.name();

@@ -26,7 +26,7 @@ public record TopicWay<M>(Show<M> show, Optional<Notes<M>> notes, Optional<Cases
     }
 
     /**
-     * What is said beside a picture.
+     * Words that are said beside a picture.
      *
      * @param unlike in what the lab shows an input otherwise than it is; on any thread
      * @param drawsBy whether the picture shows what that method does

@@ -3,7 +3,7 @@ package rasterlab.app.cli;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -23,12 +23,12 @@ record FormWords(Texts texts, Texts report) {
         this(Texts.of("cli", "topic", language), Texts.of("cli", "report", language));
     }
 
-    String reads(TopicRun run) {
-        return texts.textOr(run.topic().name() + ".reads", run.form().input());
+    String reads(TopicRunner<?> run) {
+        return texts.textOr(run.format().topic().name() + ".reads", run.format().reads());
     }
 
-    String answers(TopicRun run) {
-        return texts.textOr(run.topic().name() + ".answers", run.form().answer());
+    String answers(TopicRunner<?> run) {
+        return texts.textOr(run.format().topic().name() + ".answers", run.format().answers());
     }
 
     /** The topic's vocabulary: what each name means. */

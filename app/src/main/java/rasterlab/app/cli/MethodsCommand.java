@@ -9,8 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.cli.run.Runs;
-import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.rooms.LabRooms;
@@ -54,7 +53,7 @@ final class MethodsCommand implements Callable<Integer> {
         out.println(texts.text("topic") + " " + topic.name());
         out.println();
         var forms = new FormWords(console.language().inWindow());
-        TopicRun run = Runs.named(topic.name());
+        TopicRunner<?> run = TopicRunner.named(topic.name());
         printWrapped(label("  ", "reads", "reads", "answers"), forms.reads(run));
         printWrapped(label("  ", "answers", "reads", "answers"), forms.answers(run));
         out.println();

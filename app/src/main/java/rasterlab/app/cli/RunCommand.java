@@ -11,12 +11,13 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import rasterlab.app.cli.run.Runs;
-import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.cli.run.JsonSink;
+import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
+import rasterlab.engine.format.Written;
 import rasterlab.exercises.scene.MethodCase;
 
 /** Runs one method on JSON input. */
@@ -85,9 +86,9 @@ final class RunCommand implements Callable<Integer> {
         if (names.size() < 2)
             throw Complaint.badInput(
                     "needs TOPIC and METHOD, or --scene FILE; see `./lab methods`");
-        TopicRun run = Runs.named(names.get(0));
+        TopicRunner<?> run = TopicRunner.named(names.get(0));
         String method = names.get(1);
-        Runs.requireMethod(run, method);
+        run.requireMethod(method);
         try (var generator = generator()) {
             if (lines) answerLines(run, method, generator);
             else answerWhole(run, method, read(), generator);
@@ -99,7 +100,7 @@ final class RunCommand implements Callable<Integer> {
         if (lines || names.size() > 1)
             throw Complaint.badInput("--scene FILE goes with METHOD alone, and not with --lines");
         MethodCase one = SceneText.methodCase(scene);
-        TopicRun run = Runs.named(one.topic());
+        TopicRunner<?> run = TopicRunner.named(one.topic());
         String method =
                 names.stream()
                         .findFirst()
@@ -108,7 +109,7 @@ final class RunCommand implements Callable<Integer> {
                                 () ->
                                         Complaint.badInput(
                                                 scene + ": names no method; give one: METHOD"));
-        Runs.requireMethod(run, method);
+        run.requireMethod(method);
         try (var generator = generator()) {
             answerWhole(run, method, one.input().getBytes(StandardCharsets.UTF_8), generator);
         }
@@ -124,7 +125,7 @@ final class RunCommand implements Callable<Integer> {
         return generator;
     }
 
-    private void answerWhole(TopicRun run, String method, byte[] text, JsonGenerator out)
+    private void answerWhole(TopicRunner<?> run, String method, byte[] text, JsonGenerator out)
             throws IOException {
         if (text.length > LONGEST_INPUT) throw tooLong("the input");
         writeLine(out, run.answer(method, text, text.length, steps));
@@ -138,7 +139,8 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private void answerLines(TopicRun run, String method, JsonGenerator out) throws IOException {
+    private void answerLines(TopicRunner<?> run, String method, JsonGenerator out)
+            throws IOException {
         var input = new InputLines(console.in(), LONGEST_INPUT);
         while (input.next()) {
             writeLine(out, answered(run, method, input));
@@ -147,7 +149,7 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private TopicRun.Answer answered(TopicRun run, String method, InputLines input) {
+    private Written answered(TopicRunner<?> run, String method, InputLines input) {
         try {
             if (input.tooLong()) throw tooLong("the line");
             if (input.blank())
@@ -156,7 +158,7 @@ final class RunCommand implements Callable<Integer> {
         } catch (Complaint complaint) {
             String said = Complaints.saidToProgram(complaint.getMessage());
             String error = Failures.oneLine(said);
-            return json -> json.writeStringField("error", error);
+            return out -> out.text("error", error);
         }
     }
 
@@ -164,9 +166,9 @@ final class RunCommand implements Callable<Integer> {
         return Complaint.badInput(what + " is longer than " + LONGEST_INPUT + " bytes");
     }
 
-    private static void writeLine(JsonGenerator out, TopicRun.Answer answer) throws IOException {
+    private static void writeLine(JsonGenerator out, Written answer) throws IOException {
         out.writeStartObject();
-        answer.write(out);
+        answer.write(new JsonSink(out));
         out.writeEndObject();
         out.writeRaw('\n');
     }

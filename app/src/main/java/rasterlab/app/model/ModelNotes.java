@@ -15,7 +15,7 @@ public record ModelNotes(Scene scene, String told) {
     /** Notes that a stage has room for. */
     private static final int MOST = 3;
 
-    /** What a note must say to come before those that say none of it, the first first. */
+    /** A note that says one of these comes before those that say none, the first first. */
     private static final List<Pattern> WEIGHTS =
             Stream.of(
                             "left out|altogether|too small beside",

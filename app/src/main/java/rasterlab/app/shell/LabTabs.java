@@ -152,13 +152,13 @@ public final class LabTabs implements AutoCloseable {
         }
     }
 
-    /** What each tab does, seen or not. */
+    /** Tells the work of each tab, seen or not. */
     List<Doing> doing() {
         return tabs.stream().map(tab -> new Doing(tab.name(), tab.playing(), tab.told())).toList();
     }
 
     /**
-     * What the lab of a tab does that its model does not know.
+     * Tells the work of a tab's lab that its model does not know.
      *
      * @param playing how it plays
      * @param told the hazard that is told over its stage

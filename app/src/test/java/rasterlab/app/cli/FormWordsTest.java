@@ -16,8 +16,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.cli.run.Runs;
-import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Translations;
 import rasterlab.engine.Topics;
@@ -42,8 +41,8 @@ class FormWordsTest {
     @ParameterizedTest(name = "the JSON of {0} is explained in English")
     @MethodSource("topics")
     void isRussian(String topic) {
-        TopicRun run = Runs.named(topic);
-        var said = new TreeSet<>(russian.vocabulary(run.topic()).values());
+        TopicRunner<?> run = TopicRunner.named(topic);
+        var said = new TreeSet<>(russian.vocabulary(run.format().topic()).values());
         said.add(russian.reads(run));
         said.add(russian.answers(run));
         for (String each : said)
@@ -53,11 +52,12 @@ class FormWordsTest {
     @ParameterizedTest(name = "a name of the JSON of {0} is translated or dropped")
     @MethodSource("topics")
     void namesStay(String topic) {
-        TopicRun run = Runs.named(topic);
+        TopicRunner<?> run = TopicRunner.named(topic);
         assertEquals(names(english.reads(run)), names(russian.reads(run)));
         assertEquals(names(english.answers(run)), names(russian.answers(run)));
         assertEquals(
-                english.vocabulary(run.topic()).keySet(), russian.vocabulary(run.topic()).keySet());
+                english.vocabulary(run.format().topic()).keySet(),
+                russian.vocabulary(run.format().topic()).keySet());
     }
 
     private static Set<String> names(String form) {
@@ -79,11 +79,11 @@ class FormWordsTest {
     /** What the topic itself says in place of a translation. */
     private static String english(String key) {
         String[] parts = key.split("\\.", 3);
-        TopicRun run = Runs.named(parts[0]);
+        TopicRunner<?> run = TopicRunner.named(parts[0]);
         return switch (parts[1]) {
-            case "reads" -> run.form().input();
-            case "answers" -> run.form().answer();
-            case "word" -> run.topic().vocabulary().get(parts[2]);
+            case "reads" -> run.format().reads();
+            case "answers" -> run.format().answers();
+            case "word" -> run.format().topic().vocabulary().get(parts[2]);
             default -> throw new AssertionError(key + " is the key of nothing");
         };
     }

@@ -17,8 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.cli.run.Runs;
-import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.RussianWords;
@@ -51,7 +50,7 @@ class NumberWordsTest {
     @ParameterizedTest
     @MethodSource("topics")
     void noComplaintOfATopicHasThem(String topic) throws IOException {
-        TopicRun run = Runs.named(topic);
+        TopicRunner<?> run = TopicRunner.named(topic);
         Set<String> complaints = new TreeSet<>();
         for (String input : inputs(topic))
             for (String bad : badInputs(input))
@@ -79,12 +78,12 @@ class NumberWordsTest {
                 .toList();
     }
 
-    private static String first(TopicRun run) {
-        return run.topic().methods().get(0).name();
+    private static String first(TopicRunner<?> run) {
+        return run.format().topic().methods().get(0).name();
     }
 
-    private static String last(TopicRun run) {
-        return run.topic().methods().get(run.topic().methods().size() - 1).name();
+    private static String last(TopicRunner<?> run) {
+        return run.format().topic().methods().get(run.format().topic().methods().size() - 1).name();
     }
 
     private static List<String> inputs(String topic) throws IOException {
@@ -106,7 +105,7 @@ class NumberWordsTest {
         return bad;
     }
 
-    private static List<String> complaint(TopicRun run, String method, String input) {
+    private static List<String> complaint(TopicRunner<?> run, String method, String input) {
         byte[] text = input.getBytes(StandardCharsets.UTF_8);
         try {
             run.answer(method, text, text.length, false);

@@ -3,6 +3,7 @@ package rasterlab.app.study;
 import java.util.List;
 import java.util.Map;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -19,6 +20,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     @Override
     public String name() {
         return whole.name();
+    }
+
+    @Override
+    public Format<C, I, O> format() {
+        return whole.format();
     }
 
     @Override

@@ -49,6 +49,15 @@ public interface ValueSink {
         text(value);
     }
 
+    /**
+     * A sentence for people, whose numbers are written as those of all messages are.
+     *
+     * @param english as the engine says it
+     */
+    default void said(String name, String english) throws IOException {
+        text(name, english);
+    }
+
     /** An array of numbers. */
     default void numbers(double... values) throws IOException {
         startArray();

@@ -33,6 +33,11 @@ public final class SplineFunctionTopic
     }
 
     @Override
+    public SplineFunctionFormat format() {
+        return new SplineFunctionFormat(this);
+    }
+
+    @Override
     public List<Method<SplineFunction>> methods() {
         return SplineMethods.all();
     }

@@ -28,7 +28,7 @@ public abstract class Format<C, I, O> {
         this.topic = topic;
     }
 
-    protected final Topic<C, I, O> topic() {
+    public final Topic<C, I, O> topic() {
         return topic;
     }
 

@@ -123,14 +123,8 @@ public interface Topic<C, I, O> {
         return Map.of();
     }
 
-    /**
-     * What the topic's inputs and answers look like outside the engine.
-     *
-     * @throws UnsupportedOperationException if that is not said yet
-     */
-    default Format<C, I, O> format() {
-        throw new UnsupportedOperationException(name() + " has no format");
-    }
+    /** What the topic's inputs and answers look like outside the engine. */
+    Format<C, I, O> format();
 
     /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
     String item();

@@ -26,6 +26,11 @@ record LinesOf(List<Method<LineRasterizer>> methods)
     }
 
     @Override
+    public Format<LineRasterizer, Segment, PixelRecording> format() {
+        return LINE.format();
+    }
+
+    @Override
     public List<Hazard<Segment>> hazards() {
         return List.of(hazard(new Segment(0, 0, 9, 4)));
     }

@@ -1,6 +1,7 @@
 /**
- * Reads an exercise's JSON strictly, with messages that name the place.
+ * Reads JSON strictly, with messages that name the place.
  *
- * <p>Start with {@link rasterlab.exercises.json.JsonFields}.
+ * <p>A topic's input is read by {@link rasterlab.exercises.json.StrictJson} as its format says, an
+ * exercise's data by {@link rasterlab.exercises.json.JsonFields}.
  */
 package rasterlab.exercises.json;

@@ -2,6 +2,7 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import rasterlab.app.language.Complaints;
 import rasterlab.engine.format.ValueSink;
 
 /** Writes values as JSON. */
@@ -50,6 +51,11 @@ public record JsonSink(JsonGenerator json) implements ValueSink {
     @Override
     public void text(String value) throws IOException {
         json.writeString(value);
+    }
+
+    @Override
+    public void said(String name, String english) throws IOException {
+        text(name, Complaints.saidToProgram(english));
     }
 
     @Override

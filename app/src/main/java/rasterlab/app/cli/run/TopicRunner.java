@@ -1,8 +1,8 @@
 package rasterlab.app.cli.run;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-import java.io.IOException;
+import java.time.Duration;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.Topics;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Written;
@@ -12,38 +12,69 @@ import rasterlab.engine.study.Topic;
 import rasterlab.exercises.json.StrictJson;
 
 /** Runs the methods of any topic on JSON, as the topic's format says. */
-public final class TopicRunner<C> implements TopicRun {
+public final class TopicRunner<C> {
+    private static final Duration LONGEST = Duration.ofSeconds(60);
+
     private final Watch watch;
     private final Topic<C, ?, ?> topic;
     private final Format<C, ?, ?> format;
 
     /**
-     * @param watch gives up a method that does not end
+     * The topic of that name.
+     *
+     * @throws Complaint listing the topics, if there is none
      */
-    static <C> TopicRunner<C> of(Watch watch, Topic<C, ?, ?> topic) {
-        return new TopicRunner<>(watch, topic, topic.format());
+    public static TopicRunner<?> named(String topic) {
+        try {
+            return of(Topics.named(topic));
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 
+    private static <C> TopicRunner<C> of(Topic<C, ?, ?> topic) {
+        return new TopicRunner<>(new Watch(LONGEST), topic, topic.format());
+    }
+
+    /**
+     * @param watch gives up a method that does not end
+     */
     TopicRunner(Watch watch, Topic<C, ?, ?> topic, Format<C, ?, ?> format) {
         this.watch = watch;
         this.topic = topic;
         this.format = format;
     }
 
-    @Override
-    public Topic<?, ?, ?> topic() {
-        return topic;
+    public Format<C, ?, ?> format() {
+        return format;
     }
 
-    @Override
-    public Form form() {
-        return new Form(format.reads(), format.answers());
-    }
-
-    @Override
-    public Answer answer(String method, byte[] text, int length, boolean steps) {
+    /**
+     * Passes if the topic has that method.
+     *
+     * @throws Complaint listing the methods, if it has not
+     */
+    public void requireMethod(String method) {
         try {
-            return new Answered(answered(method, text, length, steps));
+            topic.method(method);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
+    }
+
+    /**
+     * Reads one input and runs a method on it.
+     *
+     * @param method one of the topic's methods
+     * @param text JSON in UTF-8, of which the first {@code length} bytes count
+     * @param steps whether the answer has the recorded walk too
+     * @return the fields of a JSON object
+     * @throws Complaint if the text is not an input of the topic, or the method refuses it, crashes
+     *     or does not end
+     */
+    public Written answer(String method, byte[] text, int length, boolean steps) {
+        try {
+            return answered(method, text, length, steps);
         } catch (Misfit misfit) {
             throw Complaint.badInput(misfit.getMessage());
         }
@@ -54,13 +85,5 @@ public final class TopicRunner<C> implements TopicRun {
         if (steps && !format.hasSteps()) throw call.noSteps();
         Given given = StrictJson.read(text, length, format.input(), format.open());
         return watch.call(method, format.prepared(call, given));
-    }
-
-    /** An answer as JSON. */
-    private record Answered(Written written) implements Answer {
-        @Override
-        public void write(JsonGenerator json) throws IOException {
-            written.write(new JsonSink(json));
-        }
     }
 }

@@ -2,7 +2,6 @@
  * {@code ./lab run}: strict JSON in, one method's answer out.
  *
  * <p>Pixel coordinates as in {@link rasterlab.contract}. Start with {@link
- * rasterlab.app.cli.run.TopicRun}; each topic has one implementation of it. How JSON is read and
- * written is in {@code json}.
+ * rasterlab.app.cli.run.TopicRunner}, which runs any topic as its format says.
  */
 package rasterlab.app.cli.run;

@@ -2,6 +2,7 @@ package rasterlab.app.cli.run;
 
 import java.util.List;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -16,6 +17,12 @@ record OneMethod<C, I, O>(C implementation, O answer) implements Topic<C, I, O> 
     @Override
     public String name() {
         return "topic";
+    }
+
+    /** A test gives the runner a format of its choice. */
+    @Override
+    public Format<C, I, O> format() {
+        throw new UnsupportedOperationException();
     }
 
     @Override

@@ -1,4 +1,4 @@
-package rasterlab.app.cli.run.json;
+package rasterlab.exercises.json;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -12,22 +12,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.Shape;
 
 class StrictJsonTest {
-    private static final JsonField<double[]> POINTS =
-            JsonField.required("points", json -> json.points(2, 1, 3));
-    private static final JsonField<String> RULE =
-            JsonField.optional("rule", json -> json.word(List.of("evenodd", "nonzero")));
-    private static final JsonField<Integer> COUNT =
-            JsonField.optional("count", json -> json.integer(1, 9));
-    private static final JsonField<Double> SIZE = JsonField.optional("size", StrictJson::number);
-    private static final JsonField<String> NAME =
-            JsonField.optional("name", json -> json.text("a name of 1 to 4 letters", 1, 4));
-    private static final JsonField<List<Given>> ITEMS =
-            JsonField.optional(
-                    "items",
-                    json -> json.list("objects", item -> item.object(POINTS, COUNT), 1, 2));
+    private static final Field<double[]> POINTS = Field.required("points", Shape.points(2, 1, 3));
+    private static final Field<String> RULE =
+            Field.optional("rule", Shape.word(List.of("evenodd", "nonzero")));
+    private static final Field<Integer> COUNT = Field.optional("count", Shape.whole(1, 9));
+    private static final Field<Double> SIZE = Field.optional("size", Shape.number());
+    private static final Field<String> NAME =
+            Field.optional("name", Shape.text("a name of 1 to 4 letters", 1, 4));
+    private static final Field<List<Given>> ITEMS =
+            Field.optional("items", Shape.list("objects", Shape.object(POINTS, COUNT), 1, 2));
 
     @Test
     void readsEachKindOfValue() {
@@ -48,8 +47,8 @@ class StrictJsonTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
     void refusesByPlaceValueAndWhatIsAllowed(String fields, String message) {
-        var complaint = assertThrows(Complaint.class, () -> read("{" + fields + "}"));
-        assertEquals(message, complaint.getMessage());
+        var misfit = assertThrows(Misfit.class, () -> read("{" + fields + "}"));
+        assertEquals(message, misfit.getMessage());
     }
 
     static Stream<Arguments> mistakes() {
@@ -103,6 +102,7 @@ class StrictJsonTest {
 
     private static Given read(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
-        return StrictJson.object(bytes, bytes.length, POINTS, RULE, COUNT, SIZE, NAME, ITEMS);
+        return StrictJson.read(
+                bytes, bytes.length, List.of(POINTS, RULE, COUNT, SIZE, NAME, ITEMS), false);
     }
 }
