@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.Main;
 
-/** What a short command loads of the product, which is most of the time it takes. */
+/** Types of the product that a short command loads, which is most of the time it takes. */
 class LoadedTypesTest {
     private static final int MOST = 100;
 

@@ -89,7 +89,7 @@ class TopicTextsTest {
                 .anyMatch(key -> key.startsWith(hazards));
     }
 
-    /** What the engine says of the topics that are explained in that package, by the keys. */
+    /** The engine's English on the topics that are explained in that package, by the keys. */
     private static Map<String, String> english(String feature) {
         var said = new TreeMap<String, String>();
         for (TopicCard<?> card : LabRooms.cards())

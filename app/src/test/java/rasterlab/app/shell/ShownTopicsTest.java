@@ -147,7 +147,7 @@ class ShownTopicsTest {
         return line.toString();
     }
 
-    /** What the labs show, as it is kept, and what is not: the scene and what is noted. */
+    /** The state of the labs as it is kept, and the scene and notes, which are not. */
     private String choices() {
         var choices = new StringJoiner("\n");
         for (Map.Entry<String, Object> lab : LabsFile.choices(models).entrySet())

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.language.Language;
 
-/** What is said over and on a stage, in another language too. */
+/** Tells what is said over and on a stage, in another language too. */
 class ToldHazardTest {
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
 

@@ -15,7 +15,7 @@ import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
 
 /**
- * What circles and ellipses have in common from outside: {@code center}; {@code pixels} out.
+ * Formats of circles and ellipses have this in common: {@code center}; {@code pixels} out.
  *
  * @param <C> the contract that methods implement
  * @param <I> one input

@@ -13,7 +13,7 @@ import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 
-/** What is left of segments, from outside: {@code segments} out, null where nothing is left. */
+/** Writes the parts of segments that are left: {@code segments}, null where nothing is left. */
 public final class PartFormat {
     /** The most segments of one input, and the most corners of a polygon. */
     public static final int MOST = 1_000_000;
@@ -33,7 +33,7 @@ public final class PartFormat {
                 "segments", Shape.list(EitherShape.orNull(Shape.numbers(width, width))));
     }
 
-    /** What is said of a method that is found endless by its own steps. */
+    /** A complaint about a method that is found endless by its own steps. */
     public static GivenUp doesNotEnd(String method, int mostSteps) {
         return new GivenUp(
                 method

@@ -17,7 +17,7 @@ public abstract class MadeShape<S, T> implements Shape<T> {
     }
 
     /**
-     * What the value becomes.
+     * Makes something of the value.
      *
      * @throws IllegalArgumentException if it cannot; the message is told with the value's place
      */

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * What a value may be, and what it becomes.
+ * Says which values are allowed, and what they become.
  *
  * @param <T> what it becomes
  */

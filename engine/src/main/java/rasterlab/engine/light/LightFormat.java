@@ -14,7 +14,7 @@ import rasterlab.engine.format.ValueSource;
 
 /** Materials and lights from outside; a colour is three shares or one number for all. */
 public final class LightFormat {
-    /** What M, L and C stand for in what a topic reads. */
+    /** The meaning of M, L and C in an input that is told to people. */
     public static final String WORDS =
             """
             M = {"ambient":C, "diffuse":C, "specular":C, "emission":C, "shininess":n}, L = \

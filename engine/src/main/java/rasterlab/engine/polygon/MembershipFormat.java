@@ -12,7 +12,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
 
 /**
- * What topics on points inside of something have in common from outside: {@code points}; {@code
+ * Formats of topics on points inside of something have this in common: {@code points}; {@code
  * inside} out, true or false for each.
  *
  * @param <C> the contract that methods implement
@@ -45,7 +45,7 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
         out.endArray();
     }
 
-    /** What a method says of all points; with steps, what its walks say. */
+    /** The method's judgement of all points; with steps, that of its walks. */
     @Override
     protected final Written answered(Call<C> call, ShapeAndPoints input) {
         if (call.steps()) return walked(call, input);
@@ -53,7 +53,7 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
         return out -> write(inside, out);
     }
 
-    /** What judges by the method. */
+    /** A judge that asks the method. */
     protected abstract Membership.Judge judge(C method, ShapeAndPoints input);
 
     /** The same by the walks of the method, and their steps. */

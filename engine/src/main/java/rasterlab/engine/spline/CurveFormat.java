@@ -132,7 +132,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
                 MOST_LEFT, "points on the way to all t", mostLeft(task.curve(), task.at().length));
     }
 
-    /** What de Casteljau's triangle has, for each t; it takes lower degrees for cubics. */
+    /** The points of de Casteljau's triangle for all t; it takes lower degrees for cubics. */
     private static long mostLeft(Curve curve, int at) {
         long order = Math.max(curve.degree(), 3) + 1;
         return at * order * (order + 1) / 2;

@@ -11,7 +11,7 @@ import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 
 /**
- * What a topic's inputs and answers look like outside the engine.
+ * Describes a topic's inputs and answers outside the engine.
  *
  * <p>A topic says its fields, how an input is made of them and how an output is written. Where it
  * takes or answers more than that, such as limits, a window or steps, it overrides a part of {@link
@@ -87,7 +87,7 @@ public abstract class Format<C, I, O> {
         return call.steps() ? new Whole(output, steps(call, input)) : new Whole(output, null);
     }
 
-    /** What the method makes of the input. */
+    /** The method's output for the input. */
     protected O recorded(Call<C> call, I input) {
         return topic.record(call.method(), input, Integer.MAX_VALUE);
     }
@@ -97,7 +97,7 @@ public abstract class Format<C, I, O> {
         throw call.noSteps();
     }
 
-    /** What is left to do. */
+    /** The rest of the work: to run the method. */
     private final class Run implements Supplier<Written> {
         private final Call<C> call;
         private final I input;

@@ -123,7 +123,7 @@ public interface Topic<C, I, O> {
         return Map.of();
     }
 
-    /** What the topic's inputs and answers look like outside the engine. */
+    /** The form of the topic's inputs and answers outside the engine. */
     Format<C, I, O> format();
 
     /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */

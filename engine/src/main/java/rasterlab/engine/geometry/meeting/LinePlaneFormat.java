@@ -91,7 +91,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
         return () -> Found.by(call.method(), line, plane, point);
     }
 
-    /** What the line and the plane make of each other. */
+    /** The meeting of the line and the plane, with the numbers that are told of it. */
     private record Found(double mu, Vector point, double angle, Vector cosines, double projection)
             implements Written {
         /**

@@ -49,7 +49,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
         super(topic);
     }
 
-    /** What was counted, by names that each method has of its own. */
+    /** Counts by names that each method has of its own. */
     private static final class Counts implements Shape<Given> {
         @Override
         public Given read(ValueSource in) throws IOException {
@@ -161,7 +161,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
         };
     }
 
-    /** What a method did next. */
+    /** The next thing that a method did. */
     private record Step(VisibilityStep step) implements Written {
         @Override
         public void write(ValueSink out) throws IOException {

@@ -31,7 +31,7 @@ public final class AllowList {
         contract.forEach(this::add);
     }
 
-    /** What the type declares, and of what it inherits as much as the list allows. */
+    /** Adds the type's own members, and of those it inherits the ones that the list allows. */
     private void add(Class<?> type) {
         Set<String> words = new HashSet<>(Set.of("<init>"));
         for (Method method : type.getDeclaredMethods())
