@@ -19,12 +19,15 @@ import java.util.stream.Stream;
 public record Message(List<Sentence> sentences) {
     public static final Message NONE = new Message(List.of());
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
-    private static final Pattern PIXEL = Pattern.compile("^\\((-?\\d+), (-?\\d+)\\)$");
 
-    private static final Pattern NEGATIVE = Pattern.compile("-\\d+");
+    /** A number as this project writes it: 12, -0.5, 1.5·10³⁰⁰, ∞, NaN. */
+    private static final String NUMBER = "(-?\\d+(\\.\\d+)?(·10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?|-?∞|NaN)";
 
-    /** A number with a fraction. */
-    private static final Pattern BROKEN = Pattern.compile("\\d+\\.\\d+");
+    private static final Pattern ALONE = Pattern.compile(NUMBER);
+
+    /** A pixel, a point, or another row of numbers. */
+    private static final Pattern IN_BRACKETS =
+            Pattern.compile("\\(" + NUMBER + "(, " + NUMBER + ")*\\)");
 
     /**
      * The texts whose places hold numbers and pixels of ours. In all others a number may be a name
@@ -32,7 +35,7 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|drawing\\..*");
 
     private static final JsonMapper MAPPER = new JsonMapper();
 
@@ -52,29 +55,20 @@ public record Message(List<Sentence> sentences) {
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
         }
 
+        /**
+         * A number or numbers in brackets with the language's minus and decimal sign, and with what
+         * it sets between numbers; all else as it is.
+         */
         private static String inForm(String argument, ResourceBundle texts) {
-            if (NEGATIVE.matcher(argument).matches())
-                return argument.replace("-", texts.getString("minus"));
-            return BROKEN.matcher(argument).matches()
-                    ? argument.replace('.', point(texts))
-                    : pixel(argument, texts);
+            if (!ALONE.matcher(argument).matches() && !IN_BRACKETS.matcher(argument).matches())
+                return argument;
+            return argument.replace("-", texts.getString("minus"))
+                    .replace('.', point(texts))
+                    .replace(", ", texts.getString("apart"));
         }
 
         private static char point(ResourceBundle texts) {
             return DecimalFormatSymbols.getInstance(texts.getLocale()).getDecimalSeparator();
-        }
-
-        /**
-         * With what stands between numbers in that language, which a decimal comma does not, and
-         * with its minus.
-         */
-        private static String pixel(String argument, ResourceBundle texts) {
-            return PIXEL.matcher(argument)
-                    .replaceFirst(
-                            pixel ->
-                                    pixel.group()
-                                            .replace(", ", texts.getString("apart"))
-                                            .replace("-", texts.getString("minus")));
         }
     }
 

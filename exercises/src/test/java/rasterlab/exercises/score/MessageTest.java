@@ -65,6 +65,14 @@ class MessageTest {
         assertTrue(typed.in("ru").contains("0.5"), typed.in("ru"));
     }
 
+    @Test
+    @DisplayName("a point or a power of ten keeps its English signs in Russian")
+    void writesPointsAndPowersInTheLanguageAskedFor() {
+        Message row = Message.of("drawing.table.row", 0, "(-0.5, 1.5·10⁻⁷, NaN, -∞)");
+        assertEquals("row 0: (-0.5, 1.5·10⁻⁷, NaN, -∞)", row.in("en"));
+        assertEquals("строка 0: (−0,5; 1,5·10⁻⁷; NaN; −∞)", row.in("ru"));
+    }
+
     @ParameterizedTest(name = "a folder or field called 1.5 gets a Russian comma: {0}")
     @ValueSource(
             strings = {

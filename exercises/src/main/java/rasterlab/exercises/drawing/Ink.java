@@ -1,0 +1,36 @@
+package rasterlab.exercises.drawing;
+
+import java.awt.Color;
+import rasterlab.engine.raster.PixelMark;
+
+/** The colors of the pictures; form always tells the same as color. */
+final class Ink {
+    static final Color PAPER = Color.WHITE;
+
+    /** Lines of a grid or between cells. */
+    static final Color GRID = new Color(0xD8DCE2);
+
+    /** Labels, ticks, and numbers that agree: 4.5 : 1 and more on paper. */
+    static final Color LABEL = new Color(0x5B6673);
+
+    static final Color GIVEN = new Color(0x8A939E);
+
+    /** What is expected, and what agrees in a difference. */
+    static final Color EXPECTED = new Color(0x2B3A4A);
+
+    static final Color ACTUAL = new Color(0x0B62B8);
+
+    static final Color MISSING = new Color(0xB3001B);
+    static final Color EXTRA = PixelMark.COLOUR;
+
+    private Ink() {}
+
+    /** The same color, so far towards paper that a figure filled with it stays readable. */
+    static Color pale(Color color) {
+        return new Color(pale(color.getRed()), pale(color.getGreen()), pale(color.getBlue()));
+    }
+
+    private static int pale(int channel) {
+        return 255 - (255 - channel) / 6;
+    }
+}

@@ -1,0 +1,60 @@
+package rasterlab.exercises.drawing;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+
+/**
+ * Writes numbers for pictures and texts: with few digits, but as many as tell a wrong one from the
+ * right one. The minus is a hyphen, as {@link rasterlab.exercises.score.Message} wants it.
+ */
+final class NumberText {
+    /** Significant digits of a number that need not be told from another one. */
+    static final int USUAL_DIGITS = 6;
+
+    /** Significant digits that tell any two doubles apart. */
+    private static final int ALL_DIGITS = 17;
+
+    private static final int LEAST_PLAIN_EXPONENT = -4;
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+    private NumberText() {}
+
+    /** A number with the usual digits. */
+    static String of(double value) {
+        return of(value, USUAL_DIGITS);
+    }
+
+    /** At most so many significant digits: −0.25, 1.5·10³⁰⁰, NaN, −∞, −0. */
+    static String of(double value, int digits) {
+        if (Double.isNaN(value)) return "NaN";
+        if (Double.isInfinite(value)) return value > 0 ? "∞" : "-∞";
+        if (value == 0) return 1 / value > 0 ? "0" : "-0";
+        BigDecimal rounded =
+                new BigDecimal(value).round(new MathContext(digits)).stripTrailingZeros();
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        if (exponent >= LEAST_PLAIN_EXPONENT && exponent < digits) return rounded.toPlainString();
+        String mantissa = rounded.movePointLeft(exponent).toPlainString();
+        return mantissa + "·10" + raised(exponent);
+    }
+
+    /** The fewest significant digits, from the usual ones on, with which the two look different. */
+    static int telling(double one, double other) {
+        for (int digits = USUAL_DIGITS; digits < ALL_DIGITS; digits++)
+            if (!of(one, digits).equals(of(other, digits))) return digits;
+        return Double.compare(one, other) == 0 ? USUAL_DIGITS : ALL_DIGITS;
+    }
+
+    /** As a picture writes it: with a minus sign. */
+    static String inPicture(String number) {
+        return number.replace('-', '−');
+    }
+
+    /** The exponent as raised digits. */
+    static String raised(int exponent) {
+        var text = new StringBuilder(exponent < 0 ? "⁻" : "");
+        String.valueOf(Math.abs(exponent))
+                .chars()
+                .forEach(c -> text.append(RAISED.charAt(c - '0')));
+        return text.toString();
+    }
+}

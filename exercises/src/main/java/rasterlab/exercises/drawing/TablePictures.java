@@ -1,0 +1,147 @@
+package rasterlab.exercises.drawing;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.exercises.drawing.TableComparison.Cell;
+import rasterlab.exercises.drawing.TableComparison.State;
+import rasterlab.exercises.score.Message;
+
+/** Draws the answer of a case whose output is a table of numbers. */
+public final class TablePictures {
+    /** Rows of a picture; around the first wrong one where there are more. */
+    static final int MOST_ROWS = 16;
+
+    private static final int MOST_COLUMNS = 12;
+
+    /** In pixels; fewer columns are shown where they would be wider. */
+    private static final int WIDEST = 900;
+
+    private final TableComparison table;
+    private final TableLabels labels;
+    private final ShownRange rows;
+    private final ShownRange columns;
+    private final TableSheet sheet;
+
+    private TablePictures(TableComparison table, TableLabels labels) {
+        this.table = table;
+        this.labels = labels;
+        Cell center = table.firstWrong().orElse(new Cell(0, 0));
+        rows = ShownRange.around(center.row(), MOST_ROWS, table.rows());
+        ShownRange fitting = null;
+        TableSheet drawn = null;
+        for (int most = MOST_COLUMNS; drawn == null || drawn.width() > WIDEST && most > 0; most--) {
+            fitting = ShownRange.around(center.column(), most, table.columns());
+            drawn = new TableSheet(table, labels, rows.lines(), fitting.lines());
+        }
+        columns = fitting;
+        sheet = drawn;
+    }
+
+    /**
+     * Draws the expected numbers, the actual ones, and the differences actual − expected, in which
+     * wrong, missing and extra cells stand in a frame with a sign. The pictures show at most 16
+     * rows, around the first wrong one. A wrong number has as many digits as tell it from the right
+     * one, any other up to 6.
+     *
+     * @param labels names of the rows and columns
+     * @param expected the right numbers, row by row; NaN and infinities too
+     * @param actual the numbers to look at; rows may be more, fewer, longer or shorter
+     * @param agreement decides which cells are right
+     * @return three pictures of one size: expected, actual, difference
+     */
+    public static List<DrawnPicture> of(
+            TableLabels labels, double[][] expected, double[][] actual, Agreement agreement) {
+        return new TablePictures(new TableComparison(expected, actual, agreement), labels).drawn();
+    }
+
+    /** A row of truth values as numbers: 1 for true, 0 for false. */
+    public static double[] numbers(boolean... values) {
+        var numbers = new double[values.length];
+        for (int i = 0; i < values.length; i++) numbers[i] = values[i] ? 1 : 0;
+        return numbers;
+    }
+
+    private List<DrawnPicture> drawn() {
+        return List.of(
+                new DrawnPicture(
+                        "expected",
+                        PngBytes.small(sheet.numbers(table::expected, Ink.EXPECTED)),
+                        numbersSaid(table::expected)),
+                new DrawnPicture(
+                        "actual",
+                        PngBytes.small(sheet.numbers(table::actual, Ink.ACTUAL)),
+                        numbersSaid(table::actual)),
+                new DrawnPicture(
+                        "difference", PngBytes.small(sheet.difference()), differenceSaid()));
+    }
+
+    /** The size, and the numbers that the picture shows, row by row. */
+    private Message numbersSaid(TableSheet.Cells cells) {
+        Message said = Message.of("drawing.table.size", table.rows(), table.columns());
+        if (!rows.isWhole())
+            said =
+                    said.and(
+                            Message.of(
+                                    "drawing.table.rows",
+                                    labels.row(rows.first()),
+                                    labels.row(rows.last())));
+        if (!columns.isWhole())
+            said =
+                    said.and(
+                            Message.of(
+                                    "drawing.table.columns",
+                                    labels.column(columns.first()),
+                                    labels.column(columns.last())));
+        for (int row = rows.first(); row <= rows.last(); row++) {
+            List<String> numbers = inRow(row, cells);
+            if (!numbers.isEmpty())
+                said =
+                        said.and(
+                                Message.of(
+                                        "drawing.table.row",
+                                        labels.row(row),
+                                        "(" + String.join(", ", numbers) + ")"));
+        }
+        return said;
+    }
+
+    private List<String> inRow(int row, TableSheet.Cells cells) {
+        var numbers = new ArrayList<String>();
+        for (int column = columns.first(); column <= columns.last(); column++) {
+            String text = cells.text(row, column);
+            if (!text.isEmpty()) numbers.add(text);
+        }
+        return numbers;
+    }
+
+    private Message differenceSaid() {
+        if (table.firstWrong().isEmpty()) return Message.of("drawing.same");
+        int right = table.count(State.RIGHT);
+        int wrong = table.count(State.WRONG);
+        int missing = table.count(State.MISSING);
+        int extra = table.count(State.EXTRA);
+        Message said = Message.of("drawing.table.wrong", wrong, right + wrong + missing);
+        if (missing > 0) said = said.and(Message.of("drawing.table.missing", missing));
+        if (extra > 0) said = said.and(Message.of("drawing.table.extra", extra));
+        return said.and(firstSaid(table.firstWrong().orElseThrow()));
+    }
+
+    private Message firstSaid(Cell cell) {
+        String row = labels.row(cell.row());
+        String column = labels.column(cell.column());
+        String expected = table.expected(cell.row(), cell.column());
+        String actual = table.actual(cell.row(), cell.column());
+        return switch (table.state(cell.row(), cell.column())) {
+            case MISSING -> Message.of("drawing.table.first-missing", row, column, expected);
+            case EXTRA -> Message.of("drawing.table.first-extra", row, column, actual);
+            default ->
+                    Message.of(
+                            "drawing.table.first",
+                            row,
+                            column,
+                            expected,
+                            actual,
+                            table.difference(cell.row(), cell.column()));
+        };
+    }
+}
