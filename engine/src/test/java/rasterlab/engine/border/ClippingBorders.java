@@ -15,9 +15,6 @@ import rasterlab.engine.clip.volume.VolumeClipTopic;
 
 /** Segments and polygons to clip. */
 final class ClippingBorders {
-    /** More than the roundings of which one is the least share that is not right, 10⁻¹². */
-    private static final double MOST_STEPS = 0x1p42;
-
     private ClippingBorders() {}
 
     static List<Border<?, ?, ?>> all() {
@@ -29,7 +26,6 @@ final class ClippingBorders {
                                 ClippingBorders::polygon,
                                 (method, input, message) ->
                                         !ProperInput.is(input.window(), input.subject()))
-                        .excusing((input, exact, actual) -> isNarrow(input.window()))
                         .slow(0.2),
                 Border.of(new VolumeClipTopic(), ClippingBorders::volume)
                         .promising(ClippingBorders::inTheVolume)
@@ -68,21 +64,6 @@ final class ClippingBorders {
                         ? PlaneBorders.coordinates(draws, 3)
                         : PolygonInWindow.rectangle(box.xmin(), box.ymin(), box.xmax(), box.ymax());
         return new PolygonInWindow(window, PlaneBorders.coordinates(draws, 3 + draws.pick(3)));
-    }
-
-    /** Whether one rounding of a corner is a larger share of the window than counts as right. */
-    private static boolean isNarrow(double[] window) {
-        for (int axis = 0; axis < 2; axis++) {
-            double least = Double.POSITIVE_INFINITY;
-            double most = Double.NEGATIVE_INFINITY;
-            for (int i = axis; i < window.length; i += 2) {
-                least = Math.min(least, window[i]);
-                most = Math.max(most, window[i]);
-            }
-            double step = Math.max(Math.ulp(least), Math.ulp(most));
-            if (most / 2 - least / 2 < MOST_STEPS * step) return true;
-        }
-        return false;
     }
 
     private static SegmentsInVolume volume(Draws draws) {

@@ -66,8 +66,7 @@ public final class PolygonClipTopic
                         "at most two tests for each edge and side, and one more for corners before"
                                 + " the first outside; each crossing is computed without rounding"
                                 + " and ordered along the rim",
-                        "none known for simple subjects, others are refused; in a window a few"
-                                + " doubles wide the rounding of a corner shows",
+                        "none known for simple subjects; others are refused",
                         "K. Weiler and P. Atherton, Hidden surface removal using polygon area"
                                 + " sorting, SIGGRAPH 1977"),
                 new WeilerAtherton());

@@ -37,9 +37,12 @@ record RimPoint(int side, Fraction along, boolean falling, double x, double y)
         return new RimPoint(side, along, end < start, x, y);
     }
 
+    /**
+     * Whether x changes most along a side: a difference of doubles is 0 only between equal ones.
+     */
     private static boolean isLevel(Ring window, int side) {
-        double width = Math.abs(window.x(side + 1) / 2 - window.x(side) / 2);
-        return width >= Math.abs(window.y(side + 1) / 2 - window.y(side) / 2);
+        double width = Math.abs(window.x(side + 1) - window.x(side));
+        return width >= Math.abs(window.y(side + 1) - window.y(side));
     }
 
     /** Order counter-clockwise along the rim, from the window's first corner. */
