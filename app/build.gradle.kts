@@ -35,6 +35,7 @@ dependencies {
     runtimeOnly(variantOf(libs.lwjgl.opengl) { classifier("natives-windows-arm64") })
     implementation(libs.lwjgl3.awt)
     testImplementation(libs.jqwik)
+    testImplementation(libs.json.schema.validator)
 }
 
 application {

@@ -1,21 +1,28 @@
 package rasterlab.app.cli;
 
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.card.TopicTexts;
+import rasterlab.app.cli.run.JsonSink;
 import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Texts;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.TopicSchema;
 
 /** Lists topics, their methods and hazards. */
 @Command(
@@ -36,15 +43,39 @@ final class MethodsCommand implements Callable<Integer> {
     @Parameters(arity = "0..1", paramLabel = "TOPIC", description = "only this one")
     private String topic;
 
+    @Option(
+            names = "--schema",
+            description = {
+                "prints a JSON Schema (draft 2020-12) of what `./lab run` reads for TOPIC;",
+                "$defs has it as input, and as output what is answered"
+            })
+    private boolean schema;
+
     MethodsCommand(Console console) {
         this.console = console;
         texts = console.language().texts();
     }
 
     @Override
-    public Integer call() {
-        TopicChoice.of(topic).forEach(this::print);
+    public Integer call() throws IOException {
+        if (schema) printSchema();
+        else TopicChoice.of(topic).forEach(this::print);
         return ExitCode.DONE;
+    }
+
+    private void printSchema() throws IOException {
+        if (topic == null) throw Complaint.badInput("--schema needs TOPIC; see `./lab methods`");
+        Topic<?, ?, ?> one = TopicChoice.one(topic);
+        JsonGenerator json =
+                new JsonFactory()
+                        .createGenerator(console.out())
+                        .disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
+                        .useDefaultPrettyPrinter();
+        json.writeStartObject();
+        TopicSchema.write(one.format(), new JsonSink(json));
+        json.writeEndObject();
+        json.writeRaw('\n');
+        json.close();
     }
 
     private void print(Topic<?, ?, ?> topic) {

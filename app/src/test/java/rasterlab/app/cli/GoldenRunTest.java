@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,7 +63,7 @@ class GoldenRunTest {
 
     private static List<String> answers(String topic) throws IOException {
         var lines = new ArrayList<String>();
-        for (String input : inputs(topic))
+        for (String input : GoldenInputs.of(topic))
             for (Method<?> method : topicNamed(topic).methods()) {
                 lines.add(line(input, topic, method.name()));
                 lines.add(line(input, topic, method.name(), "--steps"));
@@ -75,16 +74,6 @@ class GoldenRunTest {
 
     private static Topic<?, ?, ?> topicNamed(String name) {
         return Topics.all().stream().filter(t -> t.name().equals(name)).findFirst().orElseThrow();
-    }
-
-    private static List<String> inputs(String topic) throws IOException {
-        try (InputStream in = GoldenRunTest.class.getResourceAsStream("../golden/inputs.txt")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8)
-                    .lines()
-                    .filter(line -> line.startsWith(topic + " "))
-                    .map(line -> line.substring(topic.length() + 1))
-                    .toList();
-        }
     }
 
     private static String line(String input, String topic, String method, String... options) {

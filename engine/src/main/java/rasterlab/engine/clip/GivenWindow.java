@@ -7,6 +7,7 @@ import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
 
 /**
@@ -44,6 +45,17 @@ public record GivenWindow(boolean upright, double[] numbers) {
                             new Part(),
                             3,
                             MOST_CORNERS));
+        }
+
+        @Override
+        public void schema(ValueSink out) throws IOException {
+            out.startObject();
+            out.name("anyOf");
+            out.startArray();
+            Shape.numbers(4, 4).schema(out);
+            Shape.points(2, 3, MOST_CORNERS).schema(out);
+            out.endArray();
+            out.endObject();
         }
 
         @Override

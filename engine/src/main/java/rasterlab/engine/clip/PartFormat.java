@@ -30,7 +30,7 @@ public final class PartFormat {
      */
     public static Field<?> segments(int width) {
         return Field.required(
-                "segments", Shape.list(EitherShape.orNull(Shape.numbers(width, width))));
+                "segments", Shape.list(EitherShape.orNull(Shape.numbersOrNull(width, width))));
     }
 
     /** A complaint about a method that is found endless by its own steps. */

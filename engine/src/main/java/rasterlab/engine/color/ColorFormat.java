@@ -77,6 +77,11 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     }
 
     @Override
+    protected List<List<Field<?>>> groups() {
+        return COLOURS.stream().<List<Field<?>>>map(List::of).toList();
+    }
+
+    @Override
     public List<Field<?>> answer() {
         var fields = new ArrayList<Field<?>>();
         for (ColorModel model : MODELS)

@@ -12,6 +12,7 @@ import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.ValueSource;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.Raster;
@@ -25,15 +26,36 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
     private static final String ROW = "a text of 1 to " + SIDE + " characters";
     private static final Field<List<String>> PICTURE =
             Field.required("picture", Shape.list("rows", Shape.text(ROW, 1, 2 * SIDE), 1, SIDE));
-    private static final Field<int[]> SEED = Field.required("seed", Shape.wholes(2));
+    private static final Field<int[]> SEED =
+            Field.required(
+                    "seed",
+                    Shape.told(
+                            Shape.wholes(2),
+                            Shape.list("whole numbers", Shape.whole(0, SIDE - 1), 2, 2)));
     private static final Field<String> WITH =
             Field.required("with", Shape.text("a text of one character", 1, 2));
     private static final Field<Integer> CONNECTIVITY =
-            Field.required("connectivity", Shape.whole(Integer.MIN_VALUE, Integer.MAX_VALUE));
+            Field.required("connectivity", new Connectivity());
     private static final Field<?> FILLED = Field.required("picture", Shape.list(Shape.text()));
 
     FillFormat(Topic<SeedFiller, FillTask, PixelRecording> topic) {
         super(topic);
+    }
+
+    /** 4 or 8, refused with words of its own. */
+    private record Connectivity() implements Shape<Integer> {
+        @Override
+        public Integer read(ValueSource in) throws IOException {
+            return in.whole(Integer.MIN_VALUE, Integer.MAX_VALUE);
+        }
+
+        @Override
+        public void schema(ValueSink out) throws IOException {
+            out.startObject();
+            out.name("enum");
+            out.wholes(4, 8);
+            out.endObject();
+        }
     }
 
     @Override

@@ -71,6 +71,11 @@ public interface Shape<T> {
         return new NumbersShape(least, most);
     }
 
+    /** {@code least} to {@code most} numbers of an answer, each null where there is none. */
+    static Shape<List<Double>> numbersOrNull(int least, int most) {
+        return new ListShape<>("numbers", EitherShape.orNull(number()), least, most);
+    }
+
     /** {@code least} to {@code most} points of {@code dimension} coordinates, one after another. */
     static Shape<double[]> points(int dimension, int least, int most) {
         return new PointsShape(dimension, least, most);
@@ -93,6 +98,15 @@ public interface Shape<T> {
     /** A list of any length. */
     static <T> Shape<List<T>> list(Shape<T> item) {
         return new ListShape<>("values", item, 0, Integer.MAX_VALUE);
+    }
+
+    /**
+     * A value of a shape, of which a schema says more: what the whole input refuses by itself.
+     *
+     * @param told of the values that are not refused
+     */
+    static <T> Shape<T> told(Shape<T> shape, Shape<?> told) {
+        return new ToldShape<>(shape, told);
     }
 
     /** An object with these fields. */

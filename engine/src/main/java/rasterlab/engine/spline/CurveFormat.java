@@ -36,10 +36,16 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
     private static final Field<String> KIND = Field.required("kind", Shape.word(KINDS));
     private static final Field<double[]> POINTS =
             Field.required("points", Shape.points(2, 1, MOST));
-    private static final Field<double[]> AT = Field.optional("at", Shape.numbers(1, MOST));
-    private static final Field<Double> FLATNESS = Field.optional("flatness", Shape.number());
+    private static final Field<double[]> AT =
+            Field.optional(
+                    "at",
+                    Shape.told(
+                            Shape.numbers(1, MOST),
+                            Shape.list("numbers", Shape.number(0, 1), 1, MOST)));
+    private static final Field<Double> FLATNESS =
+            Field.optional("flatness", Shape.told(Shape.number(), Shape.number(SMALLEST, LARGEST)));
     private static final Field<?> TRACED =
-            Field.required("points", Shape.list(Shape.numbers(2, 2)));
+            Field.required("points", Shape.list(Shape.numbersOrNull(2, 2)));
     private static final Field<?> SEGMENTS =
             Field.required("segments", Shape.whole(-1, Integer.MAX_VALUE));
 
@@ -50,6 +56,11 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
     @Override
     public List<Field<?>> input() {
         return List.of(KIND, POINTS, AT, FLATNESS);
+    }
+
+    @Override
+    protected List<List<Field<?>>> groups() {
+        return List.of(List.of(AT), List.of(FLATNESS));
     }
 
     @Override

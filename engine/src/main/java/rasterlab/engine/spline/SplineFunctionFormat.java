@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
+import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.MadeShape;
@@ -38,9 +39,10 @@ public final class SplineFunctionFormat
     private static final Field<double[]> Y = Field.required("y", Shape.numbers(0, MOST));
     private static final Field<SplineEnds> ENDS = Field.optional("ends", new EndsShape());
     private static final Field<double[]> AT = Field.required("at", Shape.numbers(0, MOST));
-    private static final Field<?> VALUES = Field.required("y", Shape.list(Shape.number()));
+    private static final Field<?> VALUES =
+            Field.required("y", Shape.list(EitherShape.orNull(Shape.number())));
     private static final Field<?> COEFFICIENTS =
-            Field.required("coefficients", Shape.list(Shape.numbers(4, 4)));
+            Field.required("coefficients", Shape.list(Shape.numbersOrNull(4, 4)));
     private static final Field<?> NOTE = Field.optional("note", Shape.text());
 
     public SplineFunctionFormat(Topic<SplineFunction, SplineProblem, SplineValues> topic) {
@@ -56,6 +58,29 @@ public final class SplineFunctionFormat
 
         EndsShape() {
             super(Shape.object(KIND, LEFT, RIGHT));
+        }
+
+        /** {@inheritDoc} Slopes have both, other kinds none but 0. */
+        @Override
+        public void schema(ValueSink out) throws IOException {
+            Shape<String> others =
+                    Shape.word(KINDS.keySet().stream().filter(k -> !k.equals("slopes")).toList());
+            Shape<Double> none = Shape.number(0, 0);
+            out.startObject();
+            out.name("anyOf");
+            out.startArray();
+            Shape.object(
+                            Field.required(KIND.name(), Shape.word(List.of("slopes"))),
+                            Field.required(LEFT.name(), LEFT.shape()),
+                            Field.required(RIGHT.name(), RIGHT.shape()))
+                    .schema(out);
+            Shape.object(
+                            Field.required(KIND.name(), others),
+                            Field.optional(LEFT.name(), none),
+                            Field.optional(RIGHT.name(), none))
+                    .schema(out);
+            out.endArray();
+            out.endObject();
         }
 
         @Override

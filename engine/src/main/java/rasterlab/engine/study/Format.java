@@ -7,6 +7,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.ObjectShape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 
@@ -38,6 +39,20 @@ public abstract class Format<C, I, O> {
     /** Whether an input may have fields whose names {@link #read} looks at by itself. */
     public boolean open() {
         return false;
+    }
+
+    /**
+     * Groups of fields of which an input has exactly one, with all its fields; none where that does
+     * not matter.
+     */
+    protected List<List<Field<?>>> groups() {
+        return List.of();
+    }
+
+    /** Writes what a schema says about an input, without what stands around it. */
+    protected void writeInputSchema(ValueSink out) throws IOException {
+        new ObjectShape(input()).writeSchema(out);
+        if (!groups().isEmpty()) TopicSchema.writeOneOf(groups(), out);
     }
 
     /** The fields of an answer, but for those of its steps. */

@@ -22,7 +22,7 @@ final class PolygonClipFormat extends Format<PolygonClipper, PolygonInWindow, Li
     private static final Field<double[]> POLYGON =
             Field.required("polygon", Shape.points(2, 0, PartFormat.MOST));
     private static final Field<?> POLYGONS =
-            Field.required("polygons", Shape.list(Shape.list(Shape.numbers(2, 2))));
+            Field.required("polygons", Shape.list(Shape.list(Shape.numbersOrNull(2, 2))));
 
     PolygonClipFormat(Topic<PolygonClipper, PolygonInWindow, List<double[]>> topic) {
         super(topic);

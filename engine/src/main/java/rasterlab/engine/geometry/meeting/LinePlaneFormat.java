@@ -40,6 +40,11 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
     }
 
     @Override
+    protected List<List<Field<?>>> groups() {
+        return List.of(List.of(PLANE), List.of(NORMAL, POINT));
+    }
+
+    @Override
     public List<Field<?>> answer() {
         return List.of(
                 Field.required("mu", NUMBER),

@@ -26,7 +26,7 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
     private static final Field<double[]> POINTS =
             Field.required("points", Shape.points(3, 0, Shape.MOST_POINTS));
     private static final Field<?> INTENSITY =
-            Field.required("intensity", Shape.list(Shape.numbers(3, 3)));
+            Field.required("intensity", Shape.list(Shape.numbersOrNull(3, 3)));
 
     FaceFormat(Topic<FaceShader, FacePoints, double[]> topic) {
         super(topic);

@@ -28,7 +28,7 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
             Field.required(
                     "triangles", Shape.list("triangles", Shape.wholes(3), 0, Shape.MOST_POINTS));
     private static final Field<?> NORMALS =
-            Field.required("normals", Shape.list(Shape.numbers(3, 3)));
+            Field.required("normals", Shape.list(Shape.numbersOrNull(3, 3)));
 
     NormalsFormat(Topic<VertexNormals, Triangles, Images> topic) {
         super(topic);

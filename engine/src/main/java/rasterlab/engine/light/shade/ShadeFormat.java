@@ -21,7 +21,7 @@ import rasterlab.engine.study.Topic;
 
 /** A shaded point from outside: its directions and its light; {@code intensity} out. */
 final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
-    private static final Shape<double[]> RGB = Shape.numbers(3, 3);
+    private static final Shape<?> RGB = Shape.numbersOrNull(3, 3);
     private static final Field<double[]> NORMAL = LightFormat.vector("normal");
     private static final Field<double[]> TO_LIGHT = LightFormat.vector("to-light");
     private static final Field<double[]> TO_EYE = LightFormat.vector("to-eye");

@@ -22,7 +22,7 @@ final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
     private static final Field<Integer> PIXELS =
             Field.required("pixels", Shape.whole(1, TexturedSpan.MOST_PIXELS));
     private static final Field<?> COORDINATES =
-            Field.required("coordinates", Shape.list(Shape.numbers(2, 2)));
+            Field.required("coordinates", Shape.list(Shape.numbersOrNull(2, 2)));
 
     MappingFormat(Topic<TextureMapper, TexturedSpan, Images> topic) {
         super(topic);

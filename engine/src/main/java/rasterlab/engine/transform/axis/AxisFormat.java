@@ -27,7 +27,7 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
             Field.required("direction", Shape.numbers(3, 3));
     private static final Field<Double> DEGREES = Field.required("degrees", Shape.number());
     private static final Field<?> TURNED =
-            Field.required("points", Shape.list(Shape.numbers(3, 3)));
+            Field.required("points", Shape.list(Shape.numbersOrNull(3, 3)));
 
     AxisFormat(Topic<AxisRotation, AxisTurn, Images> topic) {
         super(topic);

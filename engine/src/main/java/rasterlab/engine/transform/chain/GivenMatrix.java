@@ -3,7 +3,6 @@ package rasterlab.engine.transform.chain;
 import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.EitherShape;
-import rasterlab.engine.format.ObjectShape;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSource;
 import rasterlab.engine.transform.matrix.MatrixCall;
@@ -12,11 +11,12 @@ import rasterlab.engine.transform.matrix.NamedMatrices;
 
 /** A matrix from outside: by its name, or by its rows. */
 final class GivenMatrix extends EitherShape<double[][]> {
+    private static final Shape<MatrixCall> NAMED = MatrixFormat.shape();
     private static final Shape<List<double[]>> ROWS =
             Shape.list("rows of 3 or 4 numbers", Shape.numbers(3, 4), 3, 4);
 
     GivenMatrix() {
-        super(new ObjectShape(MatrixFormat.fields()), ROWS);
+        super(NAMED, ROWS);
     }
 
     @Override
@@ -35,7 +35,7 @@ final class GivenMatrix extends EitherShape<double[][]> {
     }
 
     private static double[][] named(ValueSource in) throws IOException {
-        MatrixCall call = MatrixFormat.call(in.openObject(MatrixFormat.fields()));
+        MatrixCall call = NAMED.read(in);
         double[] numbers = call.numbers().stream().mapToDouble(Double::doubleValue).toArray();
         try {
             return NamedMatrices.named(call.name()).rows(numbers);

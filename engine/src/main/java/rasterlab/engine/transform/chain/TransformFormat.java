@@ -38,8 +38,9 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
             Field.required(
                     "points", Shape.list("points", Shape.numbers(2, 4), 0, Shape.MOST_POINTS));
     private static final Field<?> IMAGES =
-            Field.required("points", Shape.list(EitherShape.orNull(Shape.numbers(2, 3))));
-    private static final Field<?> H = Field.required("h", Shape.list(Shape.number()));
+            Field.required("points", Shape.list(EitherShape.orNull(Shape.numbersOrNull(2, 3))));
+    private static final Field<?> H =
+            Field.required("h", Shape.list(EitherShape.orNull(Shape.number())));
 
     TransformFormat(Topic<PointTransformer, Chain, Output> topic) {
         super(topic);

@@ -18,7 +18,7 @@ import rasterlab.engine.study.Topic;
 
 /** Named matrices from outside: {@code name} and its parameters; {@code matrix} out. */
 public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double[][]> {
-    private static final Field<String> NAME =
+    static final Field<String> NAME =
             Field.required(
                     "name",
                     Shape.word(NamedMatrices.all().stream().map(NamedMatrix::name).toList()));
@@ -27,7 +27,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
     private static final Map<String, Field<double[]>> PARAMETERS = parameters();
 
     private static final Field<?> MATRIX =
-            Field.required("matrix", Shape.list(Shape.list(Shape.number())));
+            Field.required("matrix", Shape.list(Shape.numbersOrNull(3, 4)));
 
     MatrixFormat(Topic<MatrixFormula, MatrixCall, double[][]> topic) {
         super(topic);
@@ -61,7 +61,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
     }
 
     /** The fields that a matrix by its name may have. */
-    public static List<Field<?>> fields() {
+    static List<Field<?>> fields() {
         var fields = new ArrayList<Field<?>>(PARAMETERS.values());
         fields.add(0, NAME);
         return fields;
@@ -70,6 +70,16 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
     @Override
     public List<Field<?>> input() {
         return fields();
+    }
+
+    /** A matrix by its name. */
+    public static Shape<MatrixCall> shape() {
+        return new MatrixCallShape();
+    }
+
+    @Override
+    protected void writeInputSchema(ValueSink out) throws IOException {
+        MatrixCallShape.writeSchema(out);
     }
 
     @Override
@@ -105,7 +115,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
     }
 
     /** The matrix that the fields ask for, each parameter in its range. */
-    public static MatrixCall call(Given given) {
+    static MatrixCall call(Given given) {
         NamedMatrix matrix = NamedMatrices.named(given.get(NAME));
         requireOwn(given, matrix);
         var numbers = new ArrayList<Double>();

@@ -1,7 +1,9 @@
 package rasterlab.engine.transform.matrix;
 
+import java.io.IOException;
 import java.util.OptionalDouble;
 import java.util.function.DoublePredicate;
+import rasterlab.engine.format.ValueSink;
 
 /**
  * One parameter of a named matrix.
@@ -37,6 +39,32 @@ public record MatrixParameter(String name, int size, Range range, OptionalDouble
 
         boolean allows(double value) {
             return Double.isFinite(value) && holds.test(value);
+        }
+
+        /** Writes what a JSON Schema says about the range of a number. */
+        void writeSchema(ValueSink out) throws IOException {
+            switch (this) {
+                case ANY, DEGREES -> {}
+                case NOT_ZERO -> {
+                    out.name("not");
+                    out.startObject();
+                    out.whole("const", 0);
+                    out.endObject();
+                }
+                case POSITIVE -> out.whole("exclusiveMinimum", 0);
+                case INSIDE_UNIT -> {
+                    out.whole("exclusiveMinimum", 0);
+                    out.whole("exclusiveMaximum", 1);
+                }
+                case UNIT -> {
+                    out.whole("minimum", 0);
+                    out.whole("maximum", 1);
+                }
+                case HALF_TURN -> {
+                    out.whole("exclusiveMinimum", 0);
+                    out.whole("exclusiveMaximum", 180);
+                }
+            }
         }
     }
 

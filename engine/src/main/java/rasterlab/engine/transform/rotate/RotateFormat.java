@@ -31,7 +31,7 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
     private static final Field<Integer> TIMES =
             Field.optional("times", Shape.whole(0, PlaneRotation.MOST_TIMES));
     private static final Field<?> TURNED =
-            Field.required("points", Shape.list(Shape.numbers(2, 2)));
+            Field.required("points", Shape.list(Shape.numbersOrNull(2, 2)));
 
     public RotateFormat(Topic<PlaneRotation, Turns, Images> topic) {
         super(topic);

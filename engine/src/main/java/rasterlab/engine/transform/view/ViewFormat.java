@@ -27,7 +27,8 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     private static final Field<Double> PHI = Field.required("phi", Shape.number());
     private static final Field<Double> RHO =
             Field.required("rho", Shape.numberAbove(0, Coordinates.LARGEST));
-    private static final Field<?> SEEN = Field.required("points", Shape.list(Shape.numbers(3, 3)));
+    private static final Field<?> SEEN =
+            Field.required("points", Shape.list(Shape.numbersOrNull(3, 3)));
 
     public ViewFormat(Topic<EyeView, Look, Images> topic) {
         super(topic);

@@ -31,7 +31,8 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
                     Shape.list(
                             Shape.object(
                                     Field.required("polygon", NUMBER),
-                                    Field.required("corners", Shape.list(Shape.numbers(3, 3))))));
+                                    Field.required(
+                                            "corners", Shape.list(Shape.numbersOrNull(3, 3))))));
 
     DepthOrderFormat(Topic<DepthOrder, Sight, Painting> topic) {
         super(topic);
