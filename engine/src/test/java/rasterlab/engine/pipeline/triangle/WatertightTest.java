@@ -32,10 +32,11 @@ class WatertightTest {
             makeSlivers(xy, random);
             var coverage = Coverage.of(PixelSpace.mesh(xy, closed(rings, sides)), view, SIDE, SIDE);
             for (int i = 0; i < SIDE * SIDE; i++)
-                assertEquals(
-                        coverage.counterClockwise[i],
-                        coverage.clockwise[i],
-                        "seed %d, pixel (%d, %d)".formatted(seed, i % SIDE, i / SIDE));
+                if (coverage.counterClockwise[i] != coverage.clockwise[i])
+                    assertEquals(
+                            coverage.counterClockwise[i],
+                            coverage.clockwise[i],
+                            "seed %d, pixel (%d, %d)".formatted(seed, i % SIDE, i / SIDE));
         }
     }
 
