@@ -25,7 +25,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.Picture
 import rasterlab.exercises.runner.Isolation
-import rasterlab.exercises.score.CasePictures
+import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
@@ -155,9 +155,9 @@ class Classroom(
             2,
             5,
             Message.quoted("secret of $name <img src=x onerror=alert(1)>").and(Message.of("pixel.missing", "(1, 2)")),
-            Optional.of(
-                CasePictures("a part\n#+-.", Optional.of(part()), byteArrayOf(1), byteArrayOf(2), byteArrayOf(3)),
-            ),
+            listOf("expected", "actual", "difference").mapIndexed { number, kind ->
+                CasePicture(kind, byteArrayOf((number + 1).toByte()), Message.rows("a part\n#+-."), Optional.of(part()))
+            },
             """{"from":[0,0],"to":[3,1]}""",
         )
 

@@ -2,16 +2,16 @@ package rasterlab.app.cli;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Optional;
+import java.util.List;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Report;
 
 /**
- * Writes a report's pictures as PNG: CASE-expected, CASE-actual and CASE-difference; beside them
+ * Writes a report's pictures as PNG: CASE-KIND, such as CASE-difference; beside them
  * CASE.scene.json, with which {@code ./lab run --scene} shows what is right.
  */
 final class CasePictureFiles {
@@ -26,15 +26,13 @@ final class CasePictureFiles {
     static int write(Report report, Path folder) {
         int files = 0;
         for (CaseReport judged : report.cases()) {
-            Optional<CasePictures> pictures = judged.pictures();
+            List<CasePicture> pictures = judged.pictures();
             if (pictures.isEmpty()) continue;
             if (files == 0) WholeFile.requireFolder(folder);
             String start = judged.name();
-            WholeFile.write(folder.resolve(start + "-expected.png"), pictures.get().expectedPng());
-            WholeFile.write(folder.resolve(start + "-actual.png"), pictures.get().actualPng());
-            WholeFile.write(
-                    folder.resolve(start + "-difference.png"), pictures.get().differencePng());
-            files += 3;
+            for (CasePicture one : pictures)
+                WholeFile.write(folder.resolve(start + "-" + one.kind() + ".png"), one.png());
+            files += pictures.size();
             if (!judged.scene().isEmpty()) {
                 byte[] scene = judged.scene().getBytes(StandardCharsets.UTF_8);
                 WholeFile.write(folder.resolve(start + SceneText.EXTENSION), scene);

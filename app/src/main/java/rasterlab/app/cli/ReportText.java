@@ -3,8 +3,10 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Points;
@@ -95,18 +97,27 @@ final class ReportText {
 
     /** Below the case's name too, with which the names of its picture files begin. */
     private void printPicture(Exercise exercise, CaseReport judged) {
-        judged.pictures()
+        CasePicture.of(judged.pictures(), CasePicture.DIFFERENCE)
                 .ifPresent(
-                        pictures -> {
+                        difference -> {
                             out.println();
                             String name = judged.name();
                             String title = exercise.caseTitle(name, language());
                             out.println(title.equals(name) ? name : title + ", " + name);
-                            out.println("(" + texts.text("legend") + ")");
-                            pictures.cut()
-                                    .map(part -> part.said().in(language()))
-                                    .ifPresent(said -> out.println("  " + said));
-                            pictures.rows().forEach(row -> out.println("  " + row));
+                            lines(difference).forEach(out::println);
                         });
+    }
+
+    /** A difference of pixels as its rows, another one in words. */
+    private Stream<String> lines(CasePicture difference) {
+        List<String> rows = difference.rows();
+        if (rows.isEmpty())
+            return difference.text().in(language()).lines().map(line -> "  " + line);
+        Stream<String> part =
+                difference.part().filter(known -> !known.isWhole()).stream()
+                        .map(known -> known.said().in(language()));
+        return Stream.concat(
+                Stream.of("(" + texts.text("legend") + ")"),
+                Stream.concat(part, rows.stream()).map(line -> "  " + line));
     }
 }

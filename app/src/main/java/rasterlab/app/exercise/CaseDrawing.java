@@ -5,11 +5,12 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.PicturePart;
 
 /**
@@ -17,7 +18,7 @@ import rasterlab.exercises.score.PicturePart;
  *
  * @param pixels that each of them shows, across and down
  * @param part which ones these are; empty where that is not known
- * @param rasters by the names in {@link #KEYS}
+ * @param rasters by their kinds
  */
 record CaseDrawing(
         Dimension pixels, Optional<PicturePart> part, Map<String, RasterPicture> rasters) {
@@ -38,24 +39,20 @@ record CaseDrawing(
     /**
      * @throws IOException if they are no pictures, or of several sizes
      */
-    static CaseDrawing of(CasePictures from) throws IOException {
-        List<BufferedImage> decoded =
-                List.of(
-                        decoded(from.expectedPng()),
-                        decoded(from.actualPng()),
-                        decoded(from.differencePng()));
-        BufferedImage first = decoded.get(0);
-        for (BufferedImage other : decoded) requireAlike(first, other);
-        Dimension told = pixels(from.rows());
+    static CaseDrawing of(List<CasePicture> from) throws IOException {
+        var decoded = new LinkedHashMap<String, BufferedImage>();
+        for (CasePicture one : from) decoded.put(one.kind(), decoded(one.png()));
+        BufferedImage first = decoded.get(from.get(0).kind());
+        for (BufferedImage other : decoded.values()) requireAlike(first, other);
+        Dimension told = pixels(from.get(0).rows());
         int dots = dots(told, first);
         var pixels = dots > 0 ? told : new Dimension(first.getWidth(), first.getHeight());
+        var rasters = new LinkedHashMap<String, RasterPicture>();
+        decoded.forEach(
+                (kind, picture) ->
+                        rasters.put(kind, RasterPicture.of(picture, pixels, Math.max(1, dots))));
         return new CaseDrawing(
-                pixels,
-                from.part().filter(part -> isOf(part, pixels)),
-                Map.of(
-                        KEYS.get(0), RasterPicture.of(decoded.get(0), pixels, Math.max(1, dots)),
-                        KEYS.get(1), RasterPicture.of(decoded.get(1), pixels, Math.max(1, dots)),
-                        KEYS.get(2), RasterPicture.of(decoded.get(2), pixels, Math.max(1, dots))));
+                pixels, from.get(0).part().filter(part -> isOf(part, pixels)), rasters);
     }
 
     /** Columns and rows. */

@@ -72,7 +72,7 @@ record Outcome(
     /** The case with the smallest picture of those that went wrong and can be drawn. */
     Optional<TriedCase> smallestCounterexample() {
         return cases.stream()
-                .filter(one -> !one.right() && one.pictures().isPresent())
+                .filter(one -> !one.right() && !one.pictures().isEmpty())
                 .min(Comparator.comparingInt(TriedCase::pixels));
     }
 

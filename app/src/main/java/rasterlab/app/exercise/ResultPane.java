@@ -40,7 +40,7 @@ final class ResultPane extends JPanel {
     private final JLabel viewLabel;
     private final NameChooser view;
     private final JPanel words = new JPanel();
-    private final CasePicture picture;
+    private final CaseCanvas picture;
     private final JButton open;
     private final transient RoomsKept kept;
     private transient Optional<Outcome> shown = Optional.empty();
@@ -66,11 +66,11 @@ final class ResultPane extends JPanel {
         this.lab = lab;
         table = new CaseTable(texts, this::chosen);
         remarks = new RemarkList(texts, toLine);
-        picture = new CasePicture(texts, onFailure);
+        picture = new CaseCanvas(texts, onFailure);
         view =
                 new NameChooser(
                         "view",
-                        CasePicture.VIEWS,
+                        CaseCanvas.VIEWS,
                         key -> texts.text("view." + key),
                         picture::choose);
         viewLabel = Controls.label("view", texts, view);
@@ -220,8 +220,8 @@ final class ResultPane extends JPanel {
                         .isPresent();
         String words = smallest ? texts.text("smallest", said) : said;
         reason.setText(words.isEmpty() ? hint(chosen) : words);
-        picture.show(chosen.flatMap(TriedCase::pictures));
-        view.setEnabled(chosen.flatMap(TriedCase::pictures).isPresent());
+        picture.show(chosen.map(TriedCase::pictures).orElse(List.of()));
+        view.setEnabled(chosen.filter(one -> !one.pictures().isEmpty()).isPresent());
         Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
         Optional<String> obstacle = scene.flatMap(this::obstacle);
         open.setEnabled(scene.isPresent() && obstacle.isEmpty());

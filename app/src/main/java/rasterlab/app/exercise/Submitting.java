@@ -6,8 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.Points;
 import rasterlab.exercises.score.PublishedVerdict;
@@ -63,7 +64,7 @@ final class Submitting {
                 switch (next.get().type()) {
                     case "position" -> follower.waits(data.path("position").asInt());
                     case "case" -> {
-                        judged.add(tried(data, Said.NOTHING, Optional.empty()));
+                        judged.add(tried(data, Said.NOTHING, List.of()));
                         follower.judged(List.copyOf(judged));
                     }
                     case "done" -> {
@@ -122,7 +123,7 @@ final class Submitting {
         }
     }
 
-    private static TriedCase tried(JsonNode one, Said said, Optional<CasePictures> pictures) {
+    private static TriedCase tried(JsonNode one, Said said, List<CasePicture> pictures) {
         JsonNode scene = one.path("scene");
         var verdict =
                 new PublishedVerdict(
@@ -140,16 +141,15 @@ final class Submitting {
                 scene.isObject() ? scene.toString() : "");
     }
 
-    private Optional<CasePictures> pictures(JsonNode addresses)
+    private List<CasePicture> pictures(JsonNode addresses)
             throws IOException, InterruptedException {
-        if (!addresses.isObject()) return Optional.empty();
-        return Optional.of(
-                new CasePictures(
-                        addresses.path("text").asText(),
-                        PicturePart.ofData(addresses.path("part").toString()),
-                        picture(addresses, "expected"),
-                        picture(addresses, "actual"),
-                        picture(addresses, "difference")));
+        if (!addresses.isObject()) return List.of();
+        var text = Message.rows(addresses.path("text").asText());
+        var part = PicturePart.ofData(addresses.path("part").toString());
+        var pictures = new ArrayList<CasePicture>();
+        for (String kind : CaseDrawing.KEYS)
+            pictures.add(new CasePicture(kind, picture(addresses, kind), text, part));
+        return List.copyOf(pictures);
     }
 
     private byte[] picture(JsonNode addresses, String which)

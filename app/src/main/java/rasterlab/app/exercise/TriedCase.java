@@ -2,9 +2,8 @@ package rasterlab.app.exercise;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
@@ -23,7 +22,7 @@ record TriedCase(
         int points,
         int of,
         Said said,
-        Optional<CasePictures> pictures,
+        List<CasePicture> pictures,
         String scene) {
     static TriedCase of(CaseReport report) {
         return new TriedCase(
@@ -45,7 +44,7 @@ record TriedCase(
     }
 
     private static TriedCase untried(Exercise.Case one) {
-        return new TriedCase(one.name(), "", 0, one.points(), Said.NOTHING, Optional.empty(), "");
+        return new TriedCase(one.name(), "", 0, one.points(), Said.NOTHING, List.of(), "");
     }
 
     /** Those whose own names are kept from the student get numbers, by which they are chosen. */
@@ -63,13 +62,15 @@ record TriedCase(
     }
 
     TriedCase withoutVerdict() {
-        return new TriedCase(name, "", 0, of, Said.NOTHING, Optional.empty(), scene);
+        return new TriedCase(name, "", 0, of, Said.NOTHING, List.of(), scene);
     }
 
     /** Pixels that its pictures show; 0 where it has none. */
     int pixels() {
-        return pictures.map(drawn -> CaseDrawing.pixels(drawn.rows()))
-                .map(size -> size.width * size.height)
+        return pictures.stream()
+                .map(one -> CaseDrawing.pixels(one.rows()))
+                .mapToInt(size -> size.width * size.height)
+                .max()
                 .orElse(0);
     }
 

@@ -15,7 +15,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
@@ -92,13 +92,12 @@ class ReportTextTest {
                         0,
                         1,
                         Message.NONE,
-                        Optional.of(
-                                new CasePictures(
-                                        "#..",
-                                        Optional.empty(),
+                        List.of(
+                                new CasePicture(
+                                        CasePicture.DIFFERENCE,
                                         new byte[0],
-                                        new byte[0],
-                                        new byte[0])),
+                                        Message.rows("#.."),
+                                        Optional.empty())),
                         "");
         return new Report(
                 GradingVerdict.WRONG,

@@ -28,8 +28,9 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /** Which case of a result is chosen and in sight. */
 class CaseChoiceTest {
@@ -152,7 +153,7 @@ class CaseChoiceTest {
     void hiddenCasesAreChosenApart() throws Exception {
         Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
         TriedCase hidden =
-                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, Optional.empty(), "");
+                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
         var outcome =
                 new Outcome(
                         "",
@@ -183,7 +184,7 @@ class CaseChoiceTest {
     @DisplayName("hidden cases share one name while they are graded")
     void hiddenCasesAreToldApartWhileTheyAreGraded() throws Exception {
         TriedCase hidden =
-                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, Optional.empty(), "");
+                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
@@ -323,9 +324,12 @@ class CaseChoiceTest {
 
     private static TriedCase drawn(TriedCase one, int pixels) {
         byte[] png = png(pixels);
-        var pictures = new CasePictures("-".repeat(pixels), Optional.empty(), png, png, png);
-        return new TriedCase(
-                one.name(), one.verdict(), 0, one.of(), Said.NOTHING, Optional.of(pictures), "");
+        Message rows = Message.rows("-".repeat(pixels));
+        List<CasePicture> pictures =
+                CaseDrawing.KEYS.stream()
+                        .map(kind -> new CasePicture(kind, png, rows, Optional.empty()))
+                        .toList();
+        return new TriedCase(one.name(), one.verdict(), 0, one.of(), Said.NOTHING, pictures, "");
     }
 
     private static byte[] png(int width) {

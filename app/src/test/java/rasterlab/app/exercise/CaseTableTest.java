@@ -26,7 +26,7 @@ class CaseTableTest {
 
     private static TriedCase one(String verdict) {
         return new TriedCase(
-                "last-pixel-is-dropped", verdict, 0, 4, Said.NOTHING, Optional.empty(), "");
+                "last-pixel-is-dropped", verdict, 0, 4, Said.NOTHING, List.of(), "");
     }
 
     @Test

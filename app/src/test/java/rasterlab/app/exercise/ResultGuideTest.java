@@ -175,7 +175,7 @@ class ResultGuideTest {
                                     0,
                                     open.of(),
                                     Said.of(said::in),
-                                    Optional.empty(),
+                                    List.of(),
                                     "");
                     Outcome plain = outcome(GradingVerdict.WRONG);
                     var result =

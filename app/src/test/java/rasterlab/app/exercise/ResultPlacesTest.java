@@ -99,7 +99,7 @@ class ResultPlacesTest {
         ResultPane pane = made.get();
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(pane, width, height);
         assertEquals(4, ((JTable) named(pane, "cases")).getColumnCount(), "no verdicts");
-        var picture = (CasePicture) named(pane, "case.picture");
+        var picture = (CaseCanvas) named(pane, "case.picture");
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
         assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
         PlacedCase placed = picture.arranged(CaseDrawing.KEYS).orElseThrow();
@@ -131,7 +131,7 @@ class ResultPlacesTest {
                                                 0,
                                                 one.of(),
                                                 Said.of(said::in),
-                                                Optional.empty(),
+                                                List.of(),
                                                 ""))
                         .toList();
         return new Outcome(
@@ -163,7 +163,7 @@ class ResultPlacesTest {
     }
 
     private static void assertUseful(ResultPane pane) {
-        var picture = (CasePicture) named(pane, "case.picture");
+        var picture = (CaseCanvas) named(pane, "case.picture");
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
         assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
         var table = (JTable) named(pane, "cases");

@@ -100,7 +100,7 @@ final class ShownResult {
      * @param verdict its code, "" before there is one
      */
     static TriedCase judged(TriedCase one, String verdict) {
-        return new TriedCase(one.name(), verdict, 0, one.of(), Said.NOTHING, Optional.empty(), "");
+        return new TriedCase(one.name(), verdict, 0, one.of(), Said.NOTHING, List.of(), "");
     }
 
     /** Also where another part of the tab is in sight; null where there is none. */

@@ -15,9 +15,9 @@ import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.exercises.drawing.PixelPictures;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
-import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -149,10 +149,11 @@ public final class LineJudge {
                 FirstDifference.of(wanted, actual)
                         .map(
                                 first ->
-                                        CasePictures.of(
+                                        PixelPictures.of(
                                                 difference,
                                                 amiss.filter(difference.right()::contains),
-                                                first.pixel())),
+                                                first.pixel()))
+                        .orElse(List.of()),
                 Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)),
                 finding.explanations());
     }

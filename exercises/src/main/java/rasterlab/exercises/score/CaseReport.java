@@ -1,5 +1,6 @@
 package rasterlab.exercises.score;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -10,7 +11,7 @@ import java.util.regex.Pattern;
  * @param name lower-case with hyphens; what mistake it catches
  * @param points earned, 0 to {@code of}
  * @param said why points were lost, and of speed what was measured; else nothing
- * @param pictures for a wrong case whose answer can be drawn
+ * @param pictures of a wrong case whose answer can be drawn, each of another kind; else none
  * @param scene the case as a scene file (JSON) that the lab opens; empty where the case is hidden
  */
 public record CaseReport(
@@ -20,7 +21,7 @@ public record CaseReport(
         int points,
         int of,
         Message said,
-        Optional<CasePictures> pictures,
+        List<CasePicture> pictures,
         String scene) {
     /** The name of a case whose own is kept from the student. */
     static final String HIDDEN = "hidden";
@@ -29,6 +30,12 @@ public record CaseReport(
     static final String SPEED = "speed";
 
     private static final Pattern NUMBERED = Pattern.compile(HIDDEN + " (\\d+)");
+
+    public CaseReport {
+        pictures = List.copyOf(pictures);
+        if (pictures.stream().map(CasePicture::kind).distinct().count() < pictures.size())
+            throw new IllegalArgumentException("two pictures of '" + name + "' are of one kind");
+    }
 
     /** Whether a case is called so because its own name is kept from the student. */
     public static boolean isHidden(String name) {
@@ -66,6 +73,6 @@ public record CaseReport(
                 || visibility == Disclosure.AFTER_DEADLINE && afterDeadline) return this;
         String shown = visibility == Disclosure.NEVER ? HIDDEN : name;
         return new CaseReport(
-                shown, visibility, verdict, points, of, verdict.hint(), Optional.empty(), "");
+                shown, visibility, verdict, points, of, verdict.hint(), List.of(), "");
     }
 }

@@ -8,7 +8,7 @@ import rasterlab.engine.raster.Plotted;
  * What is to be said about one answer.
  *
  * @param said what is wrong; nothing when nothing is
- * @param pictures where something can be shown
+ * @param pictures that show it; none where nothing can be shown
  * @param drawn what was plotted, where it is not right
  * @param explanations of a wrong answer, each some mistakes that together explain it; several where
  *     it cannot be told which they are
@@ -16,12 +16,13 @@ import rasterlab.engine.raster.Plotted;
 public record Finding(
         GradingVerdict verdict,
         Message said,
-        Optional<CasePictures> pictures,
+        List<CasePicture> pictures,
         Optional<Plotted> drawn,
         List<List<Cause>> explanations) {
     public static final Finding OK = of(GradingVerdict.OK, Message.NONE);
 
     public Finding {
+        pictures = List.copyOf(pictures);
         explanations = List.copyOf(explanations);
     }
 
@@ -32,7 +33,7 @@ public record Finding(
 
     /** The same with what explains it. */
     public static Finding of(GradingVerdict verdict, Message said, List<List<Cause>> explanations) {
-        return new Finding(verdict, said, Optional.empty(), Optional.empty(), explanations);
+        return new Finding(verdict, said, List.of(), Optional.empty(), explanations);
     }
 
     public boolean right() {

@@ -18,6 +18,12 @@ import java.util.stream.Stream;
  */
 public record Message(List<Sentence> sentences) {
     public static final Message NONE = new Message(List.of());
+
+    private static final String ROWS = "rows";
+
+    /** Above what a picture of pixels has in its rows. */
+    private static final int MOST_IN_ROWS = 10_000;
+
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
 
     /** A number as this project writes it: 12, -0.5, 1.5·10³⁰⁰, ∞, NaN. */
@@ -45,7 +51,8 @@ public record Message(List<Sentence> sentences) {
      */
     public record Sentence(String key, List<String> arguments) {
         public Sentence {
-            arguments = arguments.stream().map(VisibleText::lines).toList();
+            int most = key.equals(ROWS) ? MOST_IN_ROWS : VisibleText.MOST;
+            arguments = arguments.stream().map(one -> VisibleText.lines(one, most)).toList();
         }
 
         private String in(ResourceBundle texts) {
@@ -86,6 +93,11 @@ public record Message(List<Sentence> sentences) {
     /** What somebody else says, in the language it is in; nothing where the text is empty. */
     public static Message quoted(String text) {
         return text.isEmpty() ? NONE : of("quoted", text);
+    }
+
+    /** Rows of characters, one for each pixel of a picture: in no language. */
+    public static Message rows(String rows) {
+        return of(ROWS, rows);
     }
 
     public Message and(Message more) {

@@ -11,9 +11,9 @@ import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelWindow;
 
 /**
- * Which pixels a case's pictures show.
+ * Which pixels a case's picture shows.
  *
- * @param shown the columns and rows of the pictures
+ * @param shown the columns and rows of the picture
  * @param whole those of all that is expected or drawn
  * @param pixel the one that the case's message names, or another that a smaller part is to show
  */
@@ -35,7 +35,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
         return new PicturePart(shown.around(pixel.x(), pixel.y(), columns, rows), whole, pixel);
     }
 
-    /** The rows of characters of {@link CasePictures#text}, without the line on the part. */
+    /** The rows of characters of {@link CasePicture#text}, without the line on the part. */
     public List<String> rows(String text) {
         return text.lines().skip(isWhole() ? 0 : 1).toList();
     }

@@ -3,7 +3,6 @@ package rasterlab.exercises.score;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.OptionalInt;
 
 /** Points for speed, in bands, because a measured time is never the same twice. */
@@ -122,6 +121,6 @@ public final class SpeedPoints {
 
     private static CaseReport report(GradingVerdict verdict, int points, int of, Message said) {
         return new CaseReport(
-                CaseReport.SPEED, Disclosure.OPEN, verdict, points, of, said, Optional.empty(), "");
+                CaseReport.SPEED, Disclosure.OPEN, verdict, points, of, said, List.of(), "");
     }
 }

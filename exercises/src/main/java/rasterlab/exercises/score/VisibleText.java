@@ -13,16 +13,21 @@ final class VisibleText {
 
     /** The text over several lines as it is; its beginning where it is long. */
     static String lines(String text) {
+        return lines(text, MOST);
+    }
+
+    /** The same of at most so many characters. */
+    static String lines(String text, int most) {
         var visible = new StringBuilder();
         text.replace("\r\n", "\n")
                 .codePoints()
-                .limit(MOST)
+                .limit(most)
                 .forEach(
                         c -> {
                             if (c == '\n' || c == '\t' || hasShape(c)) visible.appendCodePoint(c);
                             else visible.append(escape(c));
                         });
-        return text.codePointCount(0, text.length()) <= MOST ? visible.toString() : visible + "…";
+        return text.codePointCount(0, text.length()) <= most ? visible.toString() : visible + "…";
     }
 
     /** The same in one line. */

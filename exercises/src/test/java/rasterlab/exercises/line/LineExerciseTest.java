@@ -31,7 +31,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
@@ -152,7 +152,13 @@ class LineExerciseTest {
         assertEquals(
                 GradingVerdict.WRONG, new LineJudge(loose, false).judge(tied, answer).verdict());
         Finding finding = new LineJudge(strict, true).judge(tied, answer);
-        assertEquals("#-.\n.+#", finding.pictures().orElseThrow().text());
+        assertEquals("#-.\n.+#", text(finding, CasePicture.DIFFERENCE));
+        assertEquals("##.\n..#", text(finding, CasePicture.EXPECTED));
+        assertEquals("#..\n.##", text(finding, CasePicture.ACTUAL));
+    }
+
+    private static String text(Finding finding, String kind) {
+        return CasePicture.of(finding.pictures(), kind).orElseThrow().text().in("en");
     }
 
     /** The engine says in English what is wrong first; a form that is not known stays English. */
@@ -268,7 +274,7 @@ class LineExerciseTest {
         Answer answer = new Answer(Answer.Ending.RETURNED, drawn, "", "", 0, "");
         Finding finding = new LineJudge(demand, true).judge(segment, answer);
         assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
-        PicturePart part = finding.pictures().flatMap(CasePictures::part).orElseThrow();
+        PicturePart part = finding.pictures().get(0).part().orElseThrow();
         assertTrue(part.shown().contains(300, 0), part::toString);
         assertEquals(new Pixel(300, 0), part.pixel());
     }
@@ -276,8 +282,8 @@ class LineExerciseTest {
     private static void assertMarked(Segment segment, PixelRecording drawn, Answer.Ending ending) {
         LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Answer answer = new Answer(ending, drawn, "", "", 0, "");
-        CasePictures pictures =
-                new LineJudge(demand, true).judge(segment, answer).pictures().orElseThrow();
-        assertFalse(Arrays.equals(pictures.expectedPng(), pictures.differencePng()));
+        List<CasePicture> pictures = new LineJudge(demand, true).judge(segment, answer).pictures();
+        assertEquals(3, pictures.size());
+        assertFalse(Arrays.equals(pictures.get(0).png(), pictures.get(2).png()));
     }
 }

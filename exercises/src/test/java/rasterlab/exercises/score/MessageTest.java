@@ -30,7 +30,7 @@ class MessageTest {
 
     /** What other sentences only stand in. */
     private static final Set<String> SAME =
-            Set.of("join.list", "join.example", "join.end", "quoted", "folder.at");
+            Set.of("join.list", "join.example", "join.end", "quoted", "rows", "folder.at");
 
     private static final Message TWO =
             Message.of("pixel.missing", "(1, 2)").and(Message.of("known-fault", "naive"));

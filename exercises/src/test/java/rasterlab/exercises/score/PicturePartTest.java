@@ -1,6 +1,7 @@
 package rasterlab.exercises.score;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -13,23 +14,26 @@ import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
+import rasterlab.exercises.drawing.PixelPictures;
 
 class PicturePartTest {
     @Test
     @DisplayName("a cut picture is not called a part of one, or only in English")
     void aCutPictureTellsItsPlace() {
-        CasePictures pictures = line(1001, 500);
-        PicturePart part = pictures.cut().orElseThrow();
+        CasePicture picture = line(1001, 500);
+        PicturePart part = picture.part().orElseThrow();
+        assertFalse(part.isWhole());
         assertEquals("columns 460..539 of 0..1000, rows 0..0 of 0..0", part.said().in("en"));
         assertEquals("столбцы 460..539 из 0..1000, строки 0..0 из 0..0", part.said().in("ru"));
-        assertEquals(part.said().in("en"), pictures.text().lines().findFirst().orElseThrow());
-        assertEquals(List.of("#".repeat(80)), pictures.rows());
+        assertEquals(
+                part.said().in("en"), picture.text().in("ru").lines().findFirst().orElseThrow());
+        assertEquals(List.of("#".repeat(80)), picture.rows());
     }
 
     @Test
     @DisplayName("a whole picture is called a part")
     void aWholePictureIsNone() {
-        assertTrue(line(80, 0).cut().isEmpty());
+        assertTrue(line(80, 0).part().orElseThrow().isWhole());
         assertEquals(List.of("#".repeat(80)), line(80, 0).rows());
     }
 
@@ -60,10 +64,11 @@ class PicturePartTest {
         assertEquals(Optional.empty(), PicturePart.ofData(data));
     }
 
-    private static CasePictures line(int pixels, int around) {
+    private static CasePicture line(int pixels, int around) {
         PixelRecording drawn = new PixelRecording(pixels);
         for (int x = 0; x < pixels; x++) drawn.plot(x, 0);
         PixelDifference same = PixelDifference.of(drawn, drawn);
-        return CasePictures.of(same, PixelSet.EMPTY, new Pixel(around, 0));
+        List<CasePicture> all = PixelPictures.of(same, PixelSet.EMPTY, new Pixel(around, 0));
+        return CasePicture.of(all, CasePicture.DIFFERENCE).orElseThrow();
     }
 }

@@ -1,31 +1,21 @@
 package rasterlab.exercises.score;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.engine.raster.Pixel;
-import rasterlab.engine.raster.PixelDifference;
-import rasterlab.engine.raster.PixelMark;
-import rasterlab.engine.raster.PixelRecording;
-import rasterlab.engine.raster.PixelSet;
 
 /** What a student is shown and what not. */
 class ReportTest {
-    private static final CasePictures PICTURES =
-            new CasePictures("#", Optional.empty(), new byte[1], new byte[1], new byte[1]);
+    private static final CasePicture PICTURE =
+            new CasePicture("input", new byte[1], Message.rows("#"), Optional.empty());
 
     @ParameterizedTest
     @CsvSource({
@@ -46,7 +36,7 @@ class ReportTest {
                         0,
                         3,
                         Message.quoted("pixel (1; 1) is missing"),
-                        Optional.of(PICTURES),
+                        List.of(PICTURE),
                         "{}");
         Report report =
                 new Report(
@@ -59,7 +49,7 @@ class ReportTest {
         CaseReport cut = report.forStudent(late).cases().get(0);
         assertEquals(name, cut.name());
         assertEquals(message, cut.message());
-        assertEquals(shown, cut.pictures().isPresent());
+        assertEquals(shown ? List.of(PICTURE) : List.of(), cut.pictures());
         assertEquals(shown ? "{}" : "", cut.scene());
         assertEquals(3, cut.of());
     }
@@ -135,68 +125,22 @@ class ReportTest {
     }
 
     @Test
-    void picturesTellMissingAndExtraByShape() throws IOException {
-        BufferedImage missing = picture(pictures("-"));
-        BufferedImage extra = picture(pictures("+"));
-        assertEquals(33, missing.getWidth());
-        assertEquals(PixelMark.ARGB, extra.getRGB(16, 16), "the cross has the colour of each lab");
-        assertNotEquals(missing.getRGB(16, 16), extra.getRGB(16, 16), "ring is open, cross is not");
-        assertNotEquals(missing.getRGB(16, 7), missing.getRGB(16, 16));
+    void twoPicturesOfOneKindAreRefused() {
+        var thrown =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> drawn(GradingVerdict.WRONG, List.of(PICTURE, PICTURE)));
+        assertEquals("two pictures of 'gap' are of one kind", thrown.getMessage());
     }
 
-    @Test
-    void aRightPixelThatIsDrawnAgainIsCrossedOut() throws IOException {
-        PixelRecording again = new PixelRecording(1);
-        again.plot(1, 0);
-        CasePictures pictures =
-                CasePictures.of(difference("###"), PixelSet.of(again), new Pixel(1, 0));
-        BufferedImage picture = picture(pictures);
-        assertEquals(PixelMark.ARGB, picture.getRGB(32 + 16, 16));
-        assertNotEquals(PixelMark.ARGB, picture.getRGB(16, 16), "drawn once");
+    private static CaseReport drawn(GradingVerdict verdict, List<CasePicture> pictures) {
+        return new CaseReport("gap", Disclosure.OPEN, verdict, 0, 3, Message.NONE, pictures, "{}");
     }
 
     @Test
     void hiddenCasesAreToldApart() {
         assertEquals("hidden 2", CaseReport.ownTitle(CaseReport.hidden(2), "en").orElseThrow());
         assertEquals("скрытый 2", CaseReport.ownTitle(CaseReport.hidden(2), "ru").orElseThrow());
-    }
-
-    private static BufferedImage picture(CasePictures pictures) throws IOException {
-        return ImageIO.read(new ByteArrayInputStream(pictures.differencePng()));
-    }
-
-    /** Around the last pixel. */
-    private static CasePictures pictures(String row) {
-        return CasePictures.of(difference(row), PixelSet.EMPTY, new Pixel(row.length() - 1, 0));
-    }
-
-    /** One row of # right, + extra and - missing pixels. */
-    private static PixelDifference difference(String row) {
-        PixelRecording exact = new PixelRecording(99);
-        PixelRecording actual = new PixelRecording(99);
-        for (int x = 0; x < row.length(); x++) {
-            if ("#-".indexOf(row.charAt(x)) >= 0) exact.plot(x, 0);
-            if ("#+".indexOf(row.charAt(x)) >= 0) actual.plot(x, 0);
-        }
-        return PixelDifference.of(exact, actual);
-    }
-
-    @Test
-    void expectedAndActualLeaveOutWhatTheOtherHas() {
-        CasePictures both = pictures("#+-#");
-        CasePictures exact = pictures("#.##");
-        CasePictures drawn = pictures("##.#");
-        assertArrayEquals(exact.differencePng(), both.expectedPng());
-        assertArrayEquals(drawn.differencePng(), both.actualPng());
-    }
-
-    @Test
-    void theBeginningOfALongPictureIsTheOneThatTheTextShows() throws IOException {
-        CasePictures pictures = pictures("#".repeat(90) + "-");
-        BufferedImage picture = picture(pictures);
-        assertEquals(80 * 8 + 1, picture.getWidth());
-        assertTrue(pictures.text().endsWith("#-"), pictures::text);
-        assertNotEquals(picture.getRGB(4, 4), picture.getRGB(79 * 8 + 4, 4), "the last is missing");
     }
 
     @Test

@@ -3,7 +3,7 @@ package rasterlab.exercises.score;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
-import java.util.Optional;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,7 +58,7 @@ class VisibleTextTest {
                         0,
                         3,
                         Message.quoted(text),
-                        Optional.empty(),
+                        List.of(),
                         "")
                 .message();
     }

@@ -8,6 +8,7 @@ import io.ktor.server.response.respondBytes
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
+import rasterlab.exercises.score.CasePicture
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
@@ -18,6 +19,9 @@ import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submissions
 import kotlin.jvm.optionals.getOrNull
+
+/** Ends the name of a picture. */
+private const val PNG = ".png"
 
 /** What there is to know about one submission. */
 class Results(
@@ -42,7 +46,7 @@ class Results(
         }
     }
 
-    /** @param picture "expected.png", "actual.png" or "difference.png" */
+    /** @param picture its kind with [PNG] behind it, such as "difference.png" */
     fun picture(
         who: Identity,
         id: String,
@@ -56,13 +60,9 @@ class Results(
                 ?.report
                 ?.seenBy(who)
                 ?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
-        val pictures = cases.firstOrNull { it.name() == case && it.pictures().isPresent }?.pictures()?.getOrNull()
-        return when (picture) {
-            "expected.png" -> pictures?.expectedPng()
-            "actual.png" -> pictures?.actualPng()
-            "difference.png" -> pictures?.differencePng()
-            else -> null
-        } ?: throw Rejection.UnknownPicture(case, picture)
+        val pictures = cases.firstOrNull { it.name() == case && it.pictures().isNotEmpty() }?.pictures().orEmpty()
+        val found = CasePicture.of(pictures, picture.removeSuffix(PNG)).getOrNull()
+        return found?.png()?.takeIf { picture.endsWith(PNG) } ?: throw Rejection.UnknownPicture(case, picture)
     }
 }
 

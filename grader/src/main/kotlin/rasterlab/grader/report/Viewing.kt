@@ -10,6 +10,7 @@ import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
+import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.PublishedVerdict
@@ -156,12 +157,12 @@ fun CaseReport.view(
 ): CaseView {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
     val pictures =
-        pictures().getOrNull()?.let {
+        CasePicture.of(pictures(), CasePicture.DIFFERENCE).getOrNull()?.let {
             PicturesView(
                 "$folder/expected.png",
                 "$folder/actual.png",
                 "$folder/difference.png",
-                it.text(),
+                it.text().`in`(language),
                 it.part().getOrNull(),
             )
         }

@@ -1,7 +1,7 @@
 package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
-import rasterlab.exercises.score.CasePictures
+import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
@@ -14,7 +14,6 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
 import java.sql.ResultSet
 import java.time.Instant
-import java.util.Optional
 import kotlin.jvm.optionals.getOrNull
 
 /**
@@ -131,7 +130,9 @@ class Reports(
         position: Int,
         case: CaseReport,
     ) {
-        val pictures = case.pictures().getOrNull()
+        val difference = CasePicture.of(case.pictures(), CasePicture.DIFFERENCE).getOrNull()
+
+        fun png(kind: String) = CasePicture.of(case.pictures(), kind).getOrNull()?.png()
         handle
             .createUpdate(
                 """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
@@ -149,11 +150,11 @@ class Reports(
             .bind("message", case.message())
             .bind("data", case.said().data())
             .bind("scene", case.scene())
-            .bind("text", pictures?.text())
-            .bind("part", pictures?.part()?.getOrNull()?.data())
-            .bind("expected", pictures?.expectedPng())
-            .bind("actual", pictures?.actualPng())
-            .bind("difference", pictures?.differencePng())
+            .bind("text", difference?.text()?.`in`("en"))
+            .bind("part", difference?.part()?.getOrNull()?.data())
+            .bind("expected", png(CasePicture.EXPECTED))
+            .bind("actual", png(CasePicture.ACTUAL))
+            .bind("difference", png(CasePicture.DIFFERENCE))
             .execute()
     }
 
@@ -191,13 +192,10 @@ class Reports(
             .map { row, _ ->
                 val pictures =
                     row.getString("picture_text")?.let {
-                        CasePictures(
-                            it,
-                            PicturePart.ofData(row.getString("picture_part").orEmpty()),
-                            row.getBytes("expected_png"),
-                            row.getBytes("actual_png"),
-                            row.getBytes("difference_png"),
-                        )
+                        val part = PicturePart.ofData(row.getString("picture_part").orEmpty())
+                        listOf(CasePicture.EXPECTED, CasePicture.ACTUAL, CasePicture.DIFFERENCE).map { kind ->
+                            CasePicture(kind, row.getBytes("${kind}_png"), Message.rows(it), part)
+                        }
                     }
                 CaseReport(
                     row.getString("name"),
@@ -206,7 +204,7 @@ class Reports(
                     row.getInt("points"),
                     row.getInt("points_of"),
                     said(row),
-                    Optional.ofNullable(pictures),
+                    pictures.orEmpty(),
                     row.getString("scene"),
                 )
             }.list()

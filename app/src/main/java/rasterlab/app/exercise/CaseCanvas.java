@@ -18,11 +18,11 @@ import javax.swing.Timer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.language.Texts;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.PicturePart;
 
 /** A case's pictures, each with its name below: all in sight, alone, or in turn. */
-final class CasePicture extends SelfDrawn {
+final class CaseCanvas extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
     static final List<String> VIEWS =
@@ -36,7 +36,7 @@ final class CasePicture extends SelfDrawn {
     private final transient Texts texts;
     private final transient Consumer<Throwable> onFailure;
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
-    private transient Optional<CasePictures> pictures = Optional.empty();
+    private transient List<CasePicture> pictures = List.of();
     private transient CaseDrawing drawing = CaseDrawing.NONE;
     private String view = VIEWS.get(0);
     private boolean second;
@@ -44,7 +44,7 @@ final class CasePicture extends SelfDrawn {
     /**
      * @param onFailure told of a picture that cannot be read
      */
-    CasePicture(Texts texts, Consumer<Throwable> onFailure) {
+    CaseCanvas(Texts texts, Consumer<Throwable> onFailure) {
         super(AccessibleRole.CANVAS);
         this.texts = texts;
         this.onFailure = onFailure;
@@ -52,20 +52,23 @@ final class CasePicture extends SelfDrawn {
         getAccessibleContext().setAccessibleName(texts.text("case.picture"));
     }
 
-    void show(Optional<CasePictures> next) {
+    void show(List<CasePicture> next) {
         if (!next.equals(pictures)) {
             pictures = next;
-            drawing = next.map(this::decoded).orElse(CaseDrawing.NONE);
-            next.ifPresent(
-                    drawn -> getAccessibleContext().setAccessibleDescription(inWords(drawn)));
+            drawing = next.isEmpty() ? CaseDrawing.NONE : decoded(next);
+            CasePicture.of(next, CasePicture.DIFFERENCE)
+                    .ifPresent(
+                            drawn ->
+                                    getAccessibleContext()
+                                            .setAccessibleDescription(inWords(drawn)));
         }
         repaint();
     }
 
-    private String inWords(CasePictures drawn) {
+    private String inWords(CasePicture drawn) {
         Stream<String> rows = drawn.rows().stream();
-        return Stream.concat(drawn.cut().map(this::said).stream(), rows)
-                .collect(Collectors.joining("\n"));
+        Optional<PicturePart> cut = drawn.part().filter(part -> !part.isWhole());
+        return Stream.concat(cut.map(this::said).stream(), rows).collect(Collectors.joining("\n"));
     }
 
     private String said(PicturePart part) {
@@ -73,7 +76,7 @@ final class CasePicture extends SelfDrawn {
         return texts.text("case.part", place);
     }
 
-    private CaseDrawing decoded(CasePictures from) {
+    private CaseDrawing decoded(List<CasePicture> from) {
         try {
             return CaseDrawing.of(from);
         } catch (IOException e) {

@@ -12,6 +12,7 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.DisplayName;
@@ -24,7 +25,8 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelWindow;
-import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.PicturePart;
 
 class CasePictureTest {
@@ -34,11 +36,12 @@ class CasePictureTest {
     @DisplayName("pictures of two sizes, as another server may send them, end in an unclear error")
     void picturesOfTwoSizesAreToldWithTheirSizes() throws Exception {
         var failures = new ArrayList<Throwable>();
-        var pictures = new CasePictures("#", Optional.empty(), png(9, 9), png(9, 5), png(9, 9));
+        List<CasePicture> pictures =
+                pictures("#", Optional.empty(), png(9, 9), png(9, 5), png(9, 9));
         EventQueue.invokeAndWait(
                 () ->
-                        new CasePicture(Texts.of("exercise", Language.ENGLISH), failures::add)
-                                .show(Optional.of(pictures)));
+                        new CaseCanvas(Texts.of("exercise", Language.ENGLISH), failures::add)
+                                .show(pictures));
         assertEquals(
                 List.of("a case's pictures are of 9×9 and 9×5 pixels"),
                 failures.stream().map(Throwable::getMessage).toList());
@@ -60,7 +63,7 @@ class CasePictureTest {
         String text = "columns and rows\n#..#.\n.-...\n....+";
         EventQueue.invokeAndWait(
                 () -> {
-                    CasePicture shown = shown(language, pictures(text, part, png(41, 25)));
+                    CaseCanvas shown = shown(language, pictures(text, part, png(41, 25)));
                     shown.setSize(600, 300);
                     assertEquals(List.of(said), words(shown));
                     String told = shown.getAccessibleContext().getAccessibleDescription();
@@ -75,7 +78,7 @@ class CasePictureTest {
         var part = new PicturePart(whole, whole, new Pixel(80, 35));
         EventQueue.invokeAndWait(
                 () -> {
-                    CasePicture shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
+                    CaseCanvas shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
                     shown.setSize(400, 130);
                     String said = String.join(" ", words(shown));
                     assertTrue(said.matches("A part: columns .* of 10..89, rows .*"), said);
@@ -91,7 +94,7 @@ class CasePictureTest {
         var part = new PicturePart(whole, whole, new Pixel(x, y));
         EventQueue.invokeAndWait(
                 () -> {
-                    CasePicture shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
+                    CaseCanvas shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
                     shown.setSize(400, 130);
                     Rectangle seen = shown.arranged(CaseDrawing.KEYS).orElseThrow().part();
                     assertTrue(seen.contains(x - 10, y), seen::toString);
@@ -106,7 +109,7 @@ class CasePictureTest {
         var part = new PicturePart(shown, everything, new Pixel(-2147483600, -2147483640));
         EventQueue.invokeAndWait(
                 () -> {
-                    CasePicture picture =
+                    CaseCanvas picture =
                             shown(language, pictures("columns\n" + LARGE, part, png()));
                     picture.setSize(300, 260);
                     List<String> lines = words(picture);
@@ -126,20 +129,31 @@ class CasePictureTest {
                 });
     }
 
-    private static List<String> words(CasePicture shown) {
+    private static List<String> words(CaseCanvas shown) {
         return shown.arranged(CaseDrawing.KEYS).orElseThrow().words();
     }
 
-    private static CasePicture shown(Language language, CasePictures pictures) {
+    private static CaseCanvas shown(Language language, List<CasePicture> pictures) {
         ShownResult.install(LabTheme.LIGHT, 14);
-        var shown = new CasePicture(Texts.of("exercise", language), failure -> {});
+        var shown = new CaseCanvas(Texts.of("exercise", language), failure -> {});
         shown.setFont(UIManager.getFont("Label.font"));
-        shown.show(Optional.of(pictures));
+        shown.show(pictures);
         return shown;
     }
 
-    private static CasePictures pictures(String text, PicturePart part, byte[] png) {
-        return new CasePictures(text, Optional.of(part), png, png, png);
+    private static List<CasePicture> pictures(String text, PicturePart part, byte[] png) {
+        return pictures(text, Optional.of(part), png, png, png);
+    }
+
+    /** One of each kind. */
+    private static List<CasePicture> pictures(
+            String text, Optional<PicturePart> part, byte[]... pngs) {
+        return IntStream.range(0, pngs.length)
+                .mapToObj(
+                        i ->
+                                new CasePicture(
+                                        CaseDrawing.KEYS.get(i), pngs[i], Message.rows(text), part))
+                .toList();
     }
 
     /** Of a picture of 80 × 40 pixels. */

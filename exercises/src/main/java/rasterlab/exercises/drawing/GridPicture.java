@@ -1,16 +1,11 @@
-package rasterlab.exercises.score;
+package rasterlab.exercises.drawing;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import javax.imageio.ImageIO;
-import javax.imageio.stream.MemoryCacheImageOutputStream;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelSet;
@@ -74,7 +69,7 @@ final class GridPicture {
         for (int y = 0; y < height; y += cell) graphics.drawLine(0, y, width, y);
         pixels.accept(graphics);
         graphics.dispose();
-        return encoded(image);
+        return PngBytes.of(image);
     }
 
     private void squares(Graphics2D graphics, PixelSet pixels) {
@@ -91,17 +86,5 @@ final class GridPicture {
         for (int i = 0; i < pixels.size(); i++)
             if (box.contains(pixels.x(i), pixels.y(i)))
                 corner.accept((pixels.x(i) - box.xmin()) * cell, (pixels.y(i) - box.ymin()) * cell);
-    }
-
-    private static byte[] encoded(BufferedImage image) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        // in memory: what ImageIO takes by itself may lie in a temporary file
-        try (var out = new MemoryCacheImageOutputStream(bytes)) {
-            if (!ImageIO.write(image, "png", out))
-                throw new AssertionError("this JDK writes no PNG");
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
     }
 }
