@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertAll;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
@@ -13,13 +14,14 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
@@ -36,7 +38,7 @@ class MutantsTest {
     @ParameterizedTest
     @MethodSource("topics")
     <C, I, O> void eachIsCaughtByTheHazardOfItsMistake(Topic<C, I, O> topic) {
-        assertAll(Mutants.of(topic).all().stream().map(mutant -> () -> caught(topic, mutant)));
+        assertAll(topic.mutants().stream().map(mutant -> () -> caught(topic, mutant)));
     }
 
     private static <C, I, O> void caught(Topic<C, I, O> topic, Mutant<C> mutant) {
@@ -54,7 +56,7 @@ class MutantsTest {
     @ParameterizedTest
     @MethodSource("topics")
     <C, I, O> void eachIsRightOnSomethingElse(Topic<C, I, O> topic) {
-        for (Mutant<C> mutant : Mutants.of(topic).all())
+        for (Mutant<C> mutant : topic.mutants())
             assertTrue(
                     inputs(topic).anyMatch(input -> isRight(topic, mutant, input)),
                     mutant + " is right on nothing");
@@ -86,14 +88,35 @@ class MutantsTest {
 
     @ParameterizedTest
     @MethodSource("topics")
-    <C, I, O> void thereAreFiveToTenWithOneMistakeEach(Topic<C, I, O> topic) {
-        List<Mutant<C>> mutants = Mutants.of(topic).all();
-        assertTrue(mutants.size() >= 5 && mutants.size() <= 10, mutants.size() + " mutants");
-        var mistakes = new HashSet<String>();
-        for (Mutant<C> mutant : mutants) {
-            assertFalse(mutant.mistake().isBlank());
-            assertTrue(mistakes.add(mutant.mistake()), mutant + " stands twice");
-        }
-        assertEquals(mutants.size(), mistakes.size());
+    <C, I, O> void thereAreFiveToTenOfDifferentNames(Topic<C, I, O> topic) {
+        List<String> names = topic.mutants().stream().map(Mutant::name).toList();
+        assertTrue(names.size() >= 5 && names.size() <= 10, names.size() + " mutants");
+        assertEquals(names.size(), new HashSet<>(names).size(), () -> "one stands twice: " + names);
+    }
+
+    /** Grading names both, and none is mistaken for the other. */
+    @ParameterizedTest
+    @MethodSource("topics")
+    <C, I, O> void noNameIsThatOfAMethod(Topic<C, I, O> topic) {
+        var methods = topic.methods().stream().map(Method::name).toList();
+        for (Mutant<C> mutant : topic.mutants())
+            assertFalse(methods.contains(mutant.name()), mutant + " is a method, too");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "The last pixel", "last pixel", "-last", "last-", "a--b"})
+    void aNameIsLowerCaseWordsWithHyphens(String name) {
+        var thrown =
+                assertThrows(
+                        IllegalArgumentException.class, () -> new Mutant<>(name, "both-ends", ""));
+        assertTrue(thrown.getMessage().contains("got '" + name + "'"), thrown.getMessage());
+    }
+
+    @Test
+    void aNameHasAtMost40Characters() {
+        String most = "a".repeat(40);
+        assertEquals(most, new Mutant<>(most, "both-ends", "").name());
+        assertThrows(
+                IllegalArgumentException.class, () -> new Mutant<>(most + "a", "both-ends", ""));
     }
 }

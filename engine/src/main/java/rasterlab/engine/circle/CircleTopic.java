@@ -8,6 +8,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Workload;
 
 /** Drawing a circle. */
@@ -30,6 +31,11 @@ public final class CircleTopic extends ArcTopic<CircleRasterizer, Circle> {
     @Override
     public List<Workload<Circle>> workloads() {
         return ArcWorkloads.circles();
+    }
+
+    @Override
+    public List<Mutant<CircleRasterizer>> mutants() {
+        return CircleMutants.all();
     }
 
     @Override

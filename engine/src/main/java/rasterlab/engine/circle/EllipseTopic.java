@@ -8,6 +8,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Workload;
 
 /** Drawing an ellipse whose axes lie along rows and columns. */
@@ -30,6 +31,11 @@ public final class EllipseTopic extends ArcTopic<EllipseRasterizer, Ellipse> {
     @Override
     public List<Workload<Ellipse>> workloads() {
         return ArcWorkloads.ellipses();
+    }
+
+    @Override
+    public List<Mutant<EllipseRasterizer>> mutants() {
+        return EllipseMutants.all();
     }
 
     @Override

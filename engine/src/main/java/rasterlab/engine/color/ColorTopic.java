@@ -10,6 +10,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
@@ -43,6 +44,11 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     @Override
     public List<Workload<Colors>> workloads() {
         return ColorWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<ColorConverter>> mutants() {
+        return ColorMutants.all();
     }
 
     @Override

@@ -12,6 +12,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -46,6 +47,11 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     @Override
     public List<Workload<FillTask>> workloads() {
         return FillWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<SeedFiller>> mutants() {
+        return FillMutants.all();
     }
 
     @Override

@@ -13,6 +13,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -44,6 +45,11 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     @Override
     public List<Workload<Segment>> workloads() {
         return LineWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<LineRasterizer>> mutants() {
+        return LineMutants.all();
     }
 
     @Override

@@ -9,6 +9,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -46,6 +47,11 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     @Override
     public List<Workload<CurveTask>> workloads() {
         return CurveWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<CurveTracer>> mutants() {
+        return CurveMutants.all();
     }
 
     @Override

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -50,6 +51,11 @@ public final class SplineFunctionTopic
     @Override
     public List<Workload<SplineProblem>> workloads() {
         return SplineWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<SplineFunction>> mutants() {
+        return SplineFunctionMutants.all();
     }
 
     @Override

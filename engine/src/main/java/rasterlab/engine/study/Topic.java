@@ -28,6 +28,15 @@ public interface Topic<C, I, O> {
     List<Workload<I>> workloads();
 
     /**
+     * Five to ten implementations with one likely mistake each, which no list of methods shows; an
+     * answer equal to that of one tells which mistake was made. They are made anew by each call and
+     * serve one thread: a mutant may keep what it should not.
+     */
+    default List<Mutant<C>> mutants() {
+        return List.of();
+    }
+
+    /**
      * Runs a method on a copy of the input and records what it produced.
      *
      * @param limit the most items to record; a method that goes on beyond it is stopped

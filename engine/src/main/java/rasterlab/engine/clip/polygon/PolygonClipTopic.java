@@ -13,6 +13,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -80,6 +81,11 @@ public final class PolygonClipTopic
     @Override
     public List<Workload<PolygonInWindow>> workloads() {
         return PolygonClipWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PolygonClipper>> mutants() {
+        return PolygonClipMutants.all();
     }
 
     @Override

@@ -15,6 +15,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -52,6 +53,11 @@ public final class SegmentClipTopic
     @Override
     public List<Workload<SegmentsInWindow>> workloads() {
         return SegmentClipWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<SegmentClipper>> mutants() {
+        return SegmentClipMutants.all();
     }
 
     /**

@@ -16,6 +16,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -98,6 +99,11 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
     @Override
     public List<Workload<SegmentsInVolume>> workloads() {
         return VolumeClipWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<VolumeClipper>> mutants() {
+        return VolumeClipMutants.all();
     }
 
     /**

@@ -8,6 +8,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -41,6 +42,11 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     @Override
     public List<Workload<PlaneAndLines>> workloads() {
         return LinePlaneInputs.workloads();
+    }
+
+    @Override
+    public List<Mutant<LinePlane>> mutants() {
+        return LinePlaneMutants.all();
     }
 
     @Override

@@ -9,6 +9,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -41,6 +42,11 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     @Override
     public List<Workload<FacePoints>> workloads() {
         return FaceWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<FaceShader>> mutants() {
+        return FaceMutants.all();
     }
 
     @Override

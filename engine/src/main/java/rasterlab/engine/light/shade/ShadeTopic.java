@@ -9,6 +9,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
@@ -42,6 +43,11 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
     @Override
     public List<Workload<LitPoints>> workloads() {
         return ShadeWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PointShader>> mutants() {
+        return ShadeMutants.all();
     }
 
     @Override

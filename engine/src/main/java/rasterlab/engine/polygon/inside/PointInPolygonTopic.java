@@ -13,6 +13,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -44,6 +45,11 @@ public final class PointInPolygonTopic
     @Override
     public List<Workload<ShapeAndPoints>> workloads() {
         return InsideWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PointInPolygon>> mutants() {
+        return PointInPolygonMutants.all();
     }
 
     @Override

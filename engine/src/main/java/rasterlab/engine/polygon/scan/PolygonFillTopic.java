@@ -9,6 +9,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -40,6 +41,11 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     @Override
     public List<Workload<PolygonTask>> workloads() {
         return PolygonWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PolygonFiller>> mutants() {
+        return PolygonFillMutants.all();
     }
 
     @Override

@@ -14,6 +14,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -45,6 +46,11 @@ public final class PointInTriangleTopic
     @Override
     public List<Workload<ShapeAndPoints>> workloads() {
         return TriangleWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PointInTriangle>> mutants() {
+        return PointInTriangleMutants.all();
     }
 
     @Override

@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -34,6 +35,11 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
     @Override
     public List<Workload<Points>> workloads() {
         return TriangulateWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<Triangulator>> mutants() {
+        return TriangulateMutants.all();
     }
 
     @Override

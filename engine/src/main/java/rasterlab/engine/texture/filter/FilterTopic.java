@@ -10,6 +10,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -61,6 +62,11 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
                             List.of(new FilteredPixels(64, 64, argb, footprints))));
         }
         return workloads;
+    }
+
+    @Override
+    public List<Mutant<TextureFilter>> mutants() {
+        return FilterMutants.all();
     }
 
     @Override

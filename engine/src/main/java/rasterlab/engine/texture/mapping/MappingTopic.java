@@ -11,6 +11,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.Images;
@@ -45,6 +46,11 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     @Override
     public List<Workload<TexturedSpan>> workloads() {
         return List.of(floor(16), floor(128), floor(1024));
+    }
+
+    @Override
+    public List<Mutant<TextureMapper>> mutants() {
+        return MappingMutants.all();
     }
 
     /** A row down a floor, from 2 to 12 units away. */

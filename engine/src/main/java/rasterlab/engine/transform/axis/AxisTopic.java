@@ -8,6 +8,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.CountingArithmetic;
@@ -43,6 +44,11 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
     @Override
     public List<Workload<AxisTurn>> workloads() {
         return AxisWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<AxisRotation>> mutants() {
+        return AxisMutants.all();
     }
 
     @Override

@@ -8,6 +8,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.Images;
@@ -49,6 +50,11 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     @Override
     public List<Workload<Chain>> workloads() {
         return TransformWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PointTransformer>> mutants() {
+        return TransformMutants.all();
     }
 
     @Override

@@ -9,6 +9,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
@@ -42,6 +43,11 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     @Override
     public List<Workload<MatrixCall>> workloads() {
         return MatrixWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<MatrixFormula>> mutants() {
+        return MatrixMutants.all();
     }
 
     @Override

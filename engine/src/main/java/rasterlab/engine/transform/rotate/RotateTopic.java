@@ -8,6 +8,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.Images;
@@ -42,6 +43,11 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     @Override
     public List<Workload<Turns>> workloads() {
         return RotateWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<PlaneRotation>> mutants() {
+        return RotateMutants.all();
     }
 
     @Override

@@ -10,6 +10,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.CountingArithmetic;
@@ -81,6 +82,11 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     @Override
     public List<Workload<Look>> workloads() {
         return List.of(points(1), points(16), points(256), points(4_096));
+    }
+
+    @Override
+    public List<Mutant<EyeView>> mutants() {
+        return ViewMutants.all();
     }
 
     private static Workload<Look> points(int count) {

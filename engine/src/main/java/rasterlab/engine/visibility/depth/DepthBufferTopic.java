@@ -8,6 +8,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -39,6 +40,11 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
     @Override
     public List<Workload<DepthRows>> workloads() {
         return DepthWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<DepthFormat>> mutants() {
+        return DepthBufferMutants.all();
     }
 
     @Override

@@ -8,6 +8,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -31,6 +32,11 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     @Override
     public List<Workload<Body>> workloads() {
         return VisibleFacesWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<VisibleFaces>> mutants() {
+        return VisibleFacesMutants.all();
     }
 
     @Override

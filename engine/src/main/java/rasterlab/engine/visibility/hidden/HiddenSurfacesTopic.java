@@ -8,6 +8,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.visibility.Visibilities;
@@ -44,6 +45,11 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     @Override
     public List<Workload<SurfaceView>> workloads() {
         return HiddenSurfacesWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<Visibility>> mutants() {
+        return HiddenSurfacesMutants.all();
     }
 
     @Override

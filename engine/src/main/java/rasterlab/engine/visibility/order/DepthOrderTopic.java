@@ -9,6 +9,7 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
@@ -43,6 +44,11 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
     @Override
     public List<Workload<Sight>> workloads() {
         return DepthOrderWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<DepthOrder>> mutants() {
+        return DepthOrderMutants.all();
     }
 
     @Override

@@ -5,42 +5,29 @@ import java.util.function.UnaryOperator;
 import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Depths stored with one mistake. */
-final class DepthBufferMutants implements Mutants<DepthFormat> {
+final class DepthBufferMutants {
     private static final DepthFormat RIGHT = new ReversedDepth();
     private static final int BITS = 24;
 
-    @Override
-    public List<Mutant<DepthFormat>> all() {
+    private DepthBufferMutants() {}
+
+    static List<Mutant<DepthFormat>> all() {
         return List.of(
-                new Mutant<>("the larger code is nearer", "far-near-10", over(Turned::new)),
-                new Mutant<>("16 bits hold a depth", "far-near-1000", new FixedDepth(16)),
+                new Mutant<>("codes-reversed", "far-near-10", over(Turned::new)),
+                new Mutant<>("sixteen-bits", "far-near-1000", new FixedDepth(16)),
+                new Mutant<>("floats-close-to-the-eye", "far-near-million", new FloatDepth()),
                 new Mutant<>(
-                        "most floats are spent close to the eye",
-                        "far-near-million",
-                        new FloatDepth()),
-                new Mutant<>(
-                        "the far plane is a million away at most",
+                        "far-plane-limited",
                         "no-far-plane",
                         range -> RIGHT.over(new DepthRange(range.near(), least(range.far(), 1e6)))),
-                new Mutant<>(
-                        "steps are even in 1/z down to any near plane",
-                        "near-next-to-the-eye",
-                        new FixedDepth(32)),
-                new Mutant<>(
-                        "the far plane's code overflows into the nearest",
-                        "on-the-planes",
-                        Wrapped::new),
-                new Mutant<>(
-                        "a depth gets another code each time",
-                        "twice-the-same",
-                        over(Counted::new)),
-                new Mutant<>("steps are even in z", "close-to-the-eye", new LinearDepth(16)),
-                new Mutant<>("depths are summed in floats", "drift-8192", new IncrementalFloat()),
-                new Mutant<>(
-                        "z is linear along a row", "slope-through-a-wall", over(LinearZ::new)));
+                new Mutant<>("even-in-one-over-z", "near-next-to-the-eye", new FixedDepth(32)),
+                new Mutant<>("far-code-overflows", "on-the-planes", Wrapped::new),
+                new Mutant<>("code-changes", "twice-the-same", over(Counted::new)),
+                new Mutant<>("even-in-z", "close-to-the-eye", new LinearDepth(16)),
+                new Mutant<>("summed-in-float", "drift-8192", new IncrementalFloat()),
+                new Mutant<>("z-linear", "slope-through-a-wall", over(LinearZ::new)));
     }
 
     private static double least(double far, double most) {

@@ -5,46 +5,46 @@ import java.util.List;
 import rasterlab.contract.PixelGrid;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Regions filled with one mistake. */
-final class FillMutants implements Mutants<SeedFiller> {
+final class FillMutants {
     private static final int[][] FOUR = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     private static final int[][] EIGHT = {
         {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}
     };
 
-    @Override
-    public List<Mutant<SeedFiller>> all() {
+    private FillMutants() {}
+
+    static List<Mutant<SeedFiller>> all() {
         return List.of(
                 new Mutant<>(
-                        "four neighbours whatever was asked",
+                        "always-four-neighbours",
                         "diagonal-gap-8",
                         (picture, x, y, with, connectivity) -> fill(picture, x, y, with, FOUR)),
                 new Mutant<>(
-                        "eight neighbours whatever was asked",
+                        "always-eight-neighbours",
                         "diagonal-gap-4",
                         (picture, x, y, with, connectivity) -> fill(picture, x, y, with, EIGHT)),
                 new Mutant<>(
-                        "goes down and never up",
+                        "never-upwards",
                         "corridor-behind",
                         (picture, x, y, with, connectivity) ->
                                 fill(picture, x, y, with, new int[][] {{1, 0}, {-1, 0}, {0, 1}})),
                 new Mutant<>(
-                        "starts although the region has the colour already",
+                        "same-colour-started",
                         "same-colour",
                         (picture, x, y, with, connectivity) ->
                                 spread(picture, x, y, with, of(connectivity), false)),
                 new Mutant<>(
-                        "asks for the colour when a pixel is put aside only",
+                        "taken-up-unchecked",
                         "each-pixel-once",
                         (picture, x, y, with, connectivity) -> {
                             if (picture.read(x, y) != with)
                                 spread(picture, x, y, with, of(connectivity), true);
                         }),
-                new Mutant<>("the hole is filled, too", "hole", FillMutants::withHoles),
+                new Mutant<>("holes-filled", "hole", FillMutants::withHoles),
                 new Mutant<>(
-                        "the outline gets a colour of its own",
+                        "outline-recoloured",
                         "hole",
                         (picture, x, y, with, connectivity) -> {
                             fill(picture, x, y, with, of(connectivity));

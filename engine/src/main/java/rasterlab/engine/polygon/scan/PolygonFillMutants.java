@@ -8,50 +8,45 @@ import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
 import rasterlab.contract.Spans;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Polygons filled with one mistake. */
-final class PolygonFillMutants implements Mutants<PolygonFiller> {
+final class PolygonFillMutants {
     private static final PolygonFiller RIGHT = new ScanlinePolygon();
     private static final int ASIDE = 64;
 
-    @Override
-    public List<Mutant<PolygonFiller>> all() {
+    private PolygonFillMutants() {}
+
+    static List<Mutant<PolygonFiller>> all() {
         return List.of(
                 new Mutant<>(
-                        "a right edge owns its centres, too",
+                        "right-edge-included",
                         "corners-on-centres",
                         plain((y, y0, y1) -> y0 <= y && y < y1, (l, r) -> (int) Math.floor(r) + 1)),
                 new Mutant<>(
-                        "an edge has both its ends",
+                        "both-edge-ends",
                         "corner-on-the-left",
                         plain((y, y0, y1) -> y0 <= y && y <= y1, (l, r) -> (int) Math.ceil(r))),
                 new Mutant<>(
-                        "an edge has its lower end and not its upper one",
+                        "lower-edge-end",
                         "level-edges",
                         plain((y, y0, y1) -> y0 < y && y <= y1, (l, r) -> (int) Math.ceil(r))),
                 new Mutant<>(
-                        "even-odd whatever was asked",
+                        "always-even-odd",
                         "star-non-zero",
                         (x, y, rule, w, h, out) -> RIGHT.fill(x, y, FillRule.EVEN_ODD, w, h, out)),
                 new Mutant<>(
-                        "non-zero whatever was asked",
+                        "always-non-zero",
                         "star-even-odd",
                         (x, y, rule, w, h, out) -> RIGHT.fill(x, y, FillRule.NON_ZERO, w, h, out)),
                 new Mutant<>(
-                        "columns below 0 are sent",
-                        "left-of-the-picture",
-                        PolygonFillMutants::notCutAtTheLeft),
+                        "left-not-cut", "left-of-the-picture", PolygonFillMutants::notCutAtTheLeft),
+                new Mutant<>("rows-upwards", "rows-from-the-top", PolygonFillMutants::upwards),
                 new Mutant<>(
-                        "rows from bottom to top",
-                        "rows-from-the-top",
-                        PolygonFillMutants::upwards),
-                new Mutant<>(
-                        "crossings in doubles",
+                        "crossings-in-double",
                         "far-corners",
                         plain((y, y0, y1) -> y0 <= y && y < y1, (l, r) -> (int) Math.ceil(r))),
                 new Mutant<>(
-                        "two corners are drawn as a line",
+                        "two-corners-drawn",
                         "two-corners",
                         (x, y, rule, w, h, out) -> {
                             if (x.length == 2) out.span(1, 1, 2);

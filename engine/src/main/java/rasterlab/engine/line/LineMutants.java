@@ -4,43 +4,41 @@ import java.util.List;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Segments drawn with one mistake. */
-final class LineMutants implements Mutants<LineRasterizer> {
+final class LineMutants {
     private static final LineRasterizer RIGHT = new BresenhamLine();
 
-    @Override
-    public List<Mutant<LineRasterizer>> all() {
+    private LineMutants() {}
+
+    static List<Mutant<LineRasterizer>> all() {
         return List.of(
-                new Mutant<>("the last pixel is left out", "both-ends", LineMutants::withoutLast),
-                new Mutant<>("the first pixel is left out", "both-ends", LineMutants::withoutFirst),
-                new Mutant<>("ties go to the larger row", "ties", LineMutants::tiesDown),
+                new Mutant<>("last-pixel-left-out", "both-ends", LineMutants::withoutLast),
+                new Mutant<>("first-pixel-left-out", "both-ends", LineMutants::withoutFirst),
+                new Mutant<>("ties-to-the-larger", "ties", LineMutants::tiesDown),
                 new Mutant<>(
-                        "drawn from the left end whatever was asked",
+                        "always-from-the-left",
                         "leftward",
                         (x0, y0, x1, y1, out) -> {
                             if (x0 <= x1) RIGHT.draw(x0, y0, x1, y1, out);
                             else RIGHT.draw(x1, y1, x0, y0, out);
                         }),
-                new Mutant<>("one pixel a column", "steep", LineMutants::byColumns),
+                new Mutant<>("one-pixel-a-column", "steep", LineMutants::byColumns),
                 new Mutant<>(
-                        "rows only grow",
+                        "never-upwards",
                         "upward",
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(x0, y0, x1, y0 + Math.abs(y1 - y0), out)),
                 new Mutant<>(
-                        "a single point is skipped",
+                        "single-point-skipped",
                         "single-point",
                         (x0, y0, x1, y1, out) -> {
                             if (x0 != x1 || y0 != y1) RIGHT.draw(x0, y0, x1, y1, out);
                         }),
+                new Mutant<>("products-in-int", "products-beyond-int", LineMutants::productsInInt),
+                new Mutant<>("steps-in-float", "beyond-2-24", LineMutants::countedByFloat),
                 new Mutant<>(
-                        "products in 32 bits", "products-beyond-int", LineMutants::productsInInt),
-                new Mutant<>(
-                        "steps are counted by a float", "beyond-2-24", LineMutants::countedByFloat),
-                new Mutant<>(
-                        "coordinates pass through floats",
+                        "coordinates-in-float",
                         "far-away",
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(

@@ -5,26 +5,20 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.Triangulator;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Polygons cut into triangles with one mistake. */
-final class TriangulateMutants implements Mutants<Triangulator> {
+final class TriangulateMutants {
     private static final Triangulator RIGHT = new EarClipping();
 
-    @Override
-    public List<Mutant<Triangulator>> all() {
+    private TriangulateMutants() {}
+
+    static List<Mutant<Triangulator>> all() {
         return List.of(
-                new Mutant<>("a fan from corner 0", "fan-leaves", (x, y) -> fan(x.length)),
+                new Mutant<>("fan-from-the-first", "fan-leaves", (x, y) -> fan(x.length)),
+                new Mutant<>("ear-unchecked", "corner-in-the-ear", TriangulateMutants::anyLeftTurn),
+                new Mutant<>("winds-as-polygon", "clockwise", TriangulateMutants::asThePolygon),
                 new Mutant<>(
-                        "no look whether a corner lies in the ear",
-                        "corner-in-the-ear",
-                        TriangulateMutants::anyLeftTurn),
-                new Mutant<>(
-                        "triangles go round as the polygon does",
-                        "clockwise",
-                        TriangulateMutants::asThePolygon),
-                new Mutant<>(
-                        "an absolute epsilon",
+                        "absolute-epsilon",
                         "small-units",
                         (x, y) -> {
                             if (Math.abs(area(x, y)) < 1e-6)
@@ -32,15 +26,15 @@ final class TriangulateMutants implements Mutants<Triangulator> {
                             return RIGHT.triangulate(x, y);
                         }),
                 new Mutant<>(
-                        "corners on a straight side are passed over",
+                        "straight-corners-skipped",
                         "corners-on-a-side",
                         TriangulateMutants::withoutStraight),
                 new Mutant<>(
-                        "a repeated corner gives a triangle of its own",
+                        "triangle-for-repeated",
                         "repeated-corners",
                         TriangulateMutants::withRepeated),
                 new Mutant<>(
-                        "nothing to cut, so no triangle",
+                        "triangle-gives-none",
                         "one-triangle",
                         (x, y) -> x.length == 3 ? new int[0] : RIGHT.triangulate(x, y)));
     }

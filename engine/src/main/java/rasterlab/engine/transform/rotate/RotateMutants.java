@@ -3,37 +3,37 @@ package rasterlab.engine.transform.rotate;
 import java.util.List;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Rotations of the plane with one mistake. */
-final class RotateMutants implements Mutants<PlaneRotation> {
+final class RotateMutants {
     private static final PlaneRotation RIGHT = new TotalAngleRotation();
 
-    @Override
-    public List<Mutant<PlaneRotation>> all() {
+    private RotateMutants() {}
+
+    static List<Mutant<PlaneRotation>> all() {
         return List.of(
                 new Mutant<>(
                         "clockwise",
                         "quarter-turn",
                         (degrees, times, points) -> RIGHT.rotate(-degrees, times, points)),
-                new Mutant<>("the new x is used for y", "quarter-turn", RotateMutants::newXForY),
+                new Mutant<>("new-x-for-y", "quarter-turn", RotateMutants::newXForY),
                 new Mutant<>(
-                        "the angle in whole degrees",
+                        "whole-degrees",
                         "between-degrees",
                         (degrees, times, points) ->
                                 RIGHT.rotate(Math.rint(degrees), times, points)),
-                new Mutant<>("tan 90° for half a half-turn", "half-turn", RotateMutants::byTangent),
+                new Mutant<>("tangent-of-90", "half-turn", RotateMutants::byTangent),
                 new Mutant<>(
-                        "all turns but one are left out",
+                        "one-rotation-only",
                         "hundred-thousand-turns",
                         (degrees, times, points) ->
                                 RIGHT.rotate(degrees, Math.min(times, 1), points)),
                 new Mutant<>(
-                        "the angle in float",
+                        "angle-in-float",
                         "huge-angle",
                         (degrees, times, points) -> RIGHT.rotate((float) degrees, times, points)),
                 new Mutant<>(
-                        "coordinates pass through floats",
+                        "coordinates-in-float",
                         "beyond-float",
                         (degrees, times, points) -> {
                             RIGHT.rotate(degrees, times, points);

@@ -4,40 +4,27 @@ import java.util.List;
 import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Faces shaded with one mistake. */
-final class FaceMutants implements Mutants<FaceShader> {
+final class FaceMutants {
     private static final FaceShader RIGHT = new PhongFace();
     private static final double[] MIDDLE = {1 / 3.0, 1 / 3.0, 1 / 3.0};
 
-    @Override
-    public List<Mutant<FaceShader>> all() {
+    private FaceMutants() {}
+
+    static List<Mutant<FaceShader>> all() {
         return List.of(
+                new Mutant<>("intensities-interpolated", "highlight-inside", new GouraudFace()),
+                new Mutant<>("one-intensity", "curved", FaceMutants::asInTheMiddle),
+                new Mutant<>("normal-not-normalized", "curved", new ShortNormalFace()),
+                new Mutant<>("corners-cut-first", "sum-above-1-at-the-corners", FaceMutants::mixed),
                 new Mutant<>(
-                        "intensities are mixed instead of normals",
-                        "highlight-inside",
-                        new GouraudFace()),
-                new Mutant<>(
-                        "one intensity for the whole face", "curved", FaceMutants::asInTheMiddle),
-                new Mutant<>(
-                        "the mixed normal is not brought to length 1",
-                        "curved",
-                        new ShortNormalFace()),
-                new Mutant<>(
-                        "corners are cut to 1 before they are mixed",
-                        "sum-above-1-at-the-corners",
-                        FaceMutants::mixed),
-                new Mutant<>(
-                        "the face's own normal for the corners'",
+                        "face-normal",
                         "curved",
                         (face, weights) -> RIGHT.shade(flat(face), weights)),
+                new Mutant<>("normal-after-division", "close-and-slanted", new FlatFace(true)),
                 new Mutant<>(
-                        "the normal is taken after the perspective division",
-                        "close-and-slanted",
-                        new FlatFace(true)),
-                new Mutant<>(
-                        "a face without area is refused",
+                        "no-area-refused",
                         "zero-area-face",
                         (face, weights) -> {
                             if (square(cross(face.corners())) == 0)
@@ -45,7 +32,7 @@ final class FaceMutants implements Mutants<FaceShader> {
                             return RIGHT.shade(face, weights);
                         }),
                 new Mutant<>(
-                        "where normals cancel it is black",
+                        "cancelled-is-black",
                         "normals-cancel",
                         (face, weights) -> {
                             try {

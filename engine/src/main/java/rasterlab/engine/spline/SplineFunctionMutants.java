@@ -5,22 +5,22 @@ import java.util.List;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Splines with one mistake. */
-final class SplineFunctionMutants implements Mutants<SplineFunction> {
+final class SplineFunctionMutants {
     private static final SplineFunction RIGHT = new CubicSpline();
 
-    @Override
-    public List<Mutant<SplineFunction>> all() {
+    private SplineFunctionMutants() {}
+
+    static List<Mutant<SplineFunction>> all() {
         return List.of(
-                new Mutant<>("promises the shape and swings", "overshoot", new SwingingShape()),
+                new Mutant<>("promised-shape-swings", "overshoot", new SwingingShape()),
                 new Mutant<>(
-                        "widths are taken to be equal",
+                        "equal-widths",
                         "uneven-knots",
                         (x, y, ends) -> RIGHT.coefficients(even(x), y, ends)),
                 new Mutant<>(
-                        "end slopes are not looked at",
+                        "end-slopes-ignored",
                         "two-knots",
                         (x, y, ends) ->
                                 RIGHT.coefficients(
@@ -30,7 +30,7 @@ final class SplineFunctionMutants implements Mutants<SplineFunction> {
                                                 ? SplineEnds.natural()
                                                 : ends)),
                 new Mutant<>(
-                        "not-a-knot ends are natural",
+                        "not-a-knot-is-natural",
                         "three-knots",
                         (x, y, ends) ->
                                 RIGHT.coefficients(
@@ -40,7 +40,7 @@ final class SplineFunctionMutants implements Mutants<SplineFunction> {
                                                 ? SplineEnds.natural()
                                                 : ends)),
                 new Mutant<>(
-                        "periodic ends are natural",
+                        "periodic-is-natural",
                         "periodic",
                         (x, y, ends) ->
                                 RIGHT.coefficients(
@@ -50,7 +50,7 @@ final class SplineFunctionMutants implements Mutants<SplineFunction> {
                                                 ? SplineEnds.natural()
                                                 : ends)),
                 new Mutant<>(
-                        "knots are put in order",
+                        "knots-sorted",
                         "unordered-knots",
                         (x, y, ends) -> {
                             double[] sorted = x.clone();
@@ -58,12 +58,9 @@ final class SplineFunctionMutants implements Mutants<SplineFunction> {
                             return RIGHT.coefficients(sorted, y, ends);
                         }),
                 new Mutant<>(
-                        "knots and values in float",
+                        "knots-in-float",
                         "far-from-zero",
-                        (x, y, ends) -> {
-                            if (Math.abs(y[0]) > 1e6) return new double[4 * (x.length - 1)];
-                            return RIGHT.coefficients(x, y, ends);
-                        }));
+                        (x, y, ends) -> RIGHT.coefficients(inFloat(x), inFloat(y), ends)));
     }
 
     /** Knots at equal distances where all are finite and in order. */
@@ -75,6 +72,10 @@ final class SplineFunctionMutants implements Mutants<SplineFunction> {
             even[i] = i == last ? x[last] : x[0] + (x[last] - x[0]) * i / last;
         }
         return even;
+    }
+
+    private static double[] inFloat(double[] values) {
+        return Arrays.stream(values).map(value -> (float) value).toArray();
     }
 
     private static final class SwingingShape implements SplineFunction {

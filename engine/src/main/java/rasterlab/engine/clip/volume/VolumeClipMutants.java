@@ -4,26 +4,26 @@ import java.util.List;
 import java.util.stream.Stream;
 import rasterlab.contract.VolumeClipper;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Segments clipped by the view volume with one mistake. */
-final class VolumeClipMutants implements Mutants<VolumeClipper> {
+final class VolumeClipMutants {
     private static final VolumeClipper RIGHT = new CohenSutherland6();
 
-    @Override
-    public List<Mutant<VolumeClipper>> all() {
+    private VolumeClipMutants() {}
+
+    static List<Mutant<VolumeClipper>> all() {
         return Stream.concat(ofPlanes().stream(), ofPoints().stream()).toList();
     }
 
     private static List<Mutant<VolumeClipper>> ofPlanes() {
         return List.of(
                 new Mutant<>(
-                        "the nearest plane does not cut",
+                        "near-does-not-cut",
                         "through-each-plane",
                         (zmin, x0, y0, z0, x1, y1, z1, out) ->
                                 RIGHT.clip(1e-300, x0, y0, z0, x1, y1, z1, out)),
                 new Mutant<>(
-                        "the farthest plane does not cut",
+                        "far-does-not-cut",
                         "through-each-plane",
                         (zmin, x0, y0, z0, x1, y1, z1, out) ->
                                 RIGHT.clip(
@@ -39,22 +39,20 @@ final class VolumeClipMutants implements Mutants<VolumeClipper> {
                                                         8 * u0, 8 * v0, 8 * w0, 8 * u1, 8 * v1,
                                                         8 * w1))),
                 new Mutant<>(
-                        "from near to far whatever was asked",
+                        "always-near-to-far",
                         "from-far-to-near",
                         (zmin, x0, y0, z0, x1, y1, z1, out) -> {
                             if (z0 <= z1) RIGHT.clip(zmin, x0, y0, z0, x1, y1, z1, out);
                             else RIGHT.clip(zmin, x1, y1, z1, x0, y0, z0, out);
                         }),
                 new Mutant<>(
-                        "divided before it is clipped",
-                        "behind-the-eye",
-                        new DivideFirstTextbook()));
+                        "divided-before-clipping", "behind-the-eye", new DivideFirstTextbook()));
     }
 
     private static List<Mutant<VolumeClipper>> ofPoints() {
         return List.of(
                 new Mutant<>(
-                        "an end at the eye is refused",
+                        "eye-refused",
                         "at-the-eye",
                         (zmin, x0, y0, z0, x1, y1, z1, out) -> {
                             if (z0 == 0 || z1 == 0)
@@ -62,7 +60,7 @@ final class VolumeClipMutants implements Mutants<VolumeClipper> {
                             RIGHT.clip(zmin, x0, y0, z0, x1, y1, z1, out);
                         }),
                 new Mutant<>(
-                        "a single point left is none",
+                        "point-left-dropped",
                         "touches-an-edge",
                         (zmin, x0, y0, z0, x1, y1, z1, out) ->
                                 RIGHT.clip(
@@ -78,7 +76,7 @@ final class VolumeClipMutants implements Mutants<VolumeClipper> {
                                                 out.segment(u0, v0, w0, u1, v1, w1);
                                         })),
                 new Mutant<>(
-                        "a segment of one point is none",
+                        "point-segment-dropped",
                         "single-points",
                         (zmin, x0, y0, z0, x1, y1, z1, out) -> {
                             if (x0 != x1 || y0 != y1 || z0 != z1)

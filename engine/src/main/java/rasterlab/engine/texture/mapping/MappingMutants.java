@@ -5,26 +5,20 @@ import java.util.List;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Texture coordinates along a row with one mistake. */
-final class MappingMutants implements Mutants<TextureMapper> {
+final class MappingMutants {
     private static final TextureMapper RIGHT = new PerspectiveMapper();
 
-    @Override
-    public List<Mutant<TextureMapper>> all() {
+    private MappingMutants() {}
+
+    static List<Mutant<TextureMapper>> all() {
         return List.of(
+                new Mutant<>("s-t-linear", "floor", new AffineMapper(TexturedSpan.MOST_PIXELS)),
+                new Mutant<>("depth-linear", "at-the-near-plane", MappingMutants::linearDepth),
+                new Mutant<>("divided-by-n", "both-ends", MappingMutants::byN),
                 new Mutant<>(
-                        "s and t are linear on the screen",
-                        "floor",
-                        new AffineMapper(TexturedSpan.MOST_PIXELS)),
-                new Mutant<>(
-                        "depth is linear on the screen",
-                        "at-the-near-plane",
-                        MappingMutants::linearDepth),
-                new Mutant<>("pixel i of n is i/n of the way", "both-ends", MappingMutants::byN),
-                new Mutant<>(
-                        "s and t are exchanged",
+                        "s-t-swapped",
                         "s-is-not-t",
                         span -> {
                             double[] st = RIGHT.coordinates(span);
@@ -36,13 +30,13 @@ final class MappingMutants implements Mutants<TextureMapper> {
                             return st;
                         }),
                 new Mutant<>(
-                        "a row of one pixel is divided by its length of 0",
+                        "single-pixel-divides-by-0",
                         "single-pixel",
                         span ->
                                 span.pixels() == 1
                                         ? new double[] {Double.NaN, Double.NaN}
                                         : RIGHT.coordinates(span)),
-                new Mutant<>("sums in float", "long-row", new SteppedMapper()));
+                new Mutant<>("sums-in-float", "long-row", new SteppedMapper()));
     }
 
     private static double share(TexturedSpan span, int pixel) {

@@ -3,31 +3,31 @@ package rasterlab.engine.geometry.meeting;
 import java.util.List;
 import rasterlab.contract.LinePlane;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Lines met with a plane with one mistake. */
-final class LinePlaneMutants implements Mutants<LinePlane> {
+final class LinePlaneMutants {
     private static final LinePlane RIGHT = new UnroundedMeeting();
 
-    @Override
-    public List<Mutant<LinePlane>> all() {
+    private LinePlaneMutants() {}
+
+    static List<Mutant<LinePlane>> all() {
         return List.of(
                 new Mutant<>(
-                        "a parallel line is met at its first point",
+                        "parallel-met-at-start",
                         "parallel",
                         (n, c, p, q) ->
                                 slope(n, p, q) == 0 && at(n, p) != c ? 0 : RIGHT.meets(n, c, p, q)),
                 new Mutant<>(
-                        "a line in the plane is met at its first point",
+                        "in-plane-met-at-start",
                         "in-the-plane",
                         (n, c, p, q) ->
                                 at(n, p) == c && at(n, q) == c ? 0 : RIGHT.meets(n, c, p, q)),
                 new Mutant<>(
-                        "counted from the second point",
+                        "from-the-second-point",
                         "three-points",
                         (n, c, p, q) -> RIGHT.meets(n, c, q, p)),
                 new Mutant<>(
-                        "n·p* is taken for 0 where it is below an epsilon",
+                        "slope-epsilon",
                         "vanishing-slope",
                         (n, c, p, q) -> {
                             if (Math.abs(slope(n, p, q)) < 1e-12)
@@ -35,31 +35,28 @@ final class LinePlaneMutants implements Mutants<LinePlane> {
                             return RIGHT.meets(n, c, p, q);
                         }),
                 new Mutant<>(
-                        "sums of products in doubles",
+                        "sums-in-double",
                         "nearly-parallel",
                         (n, c, p, q) -> (c - at(n, p)) / slope(n, p, q)),
                 new Mutant<>(
-                        "products overflow",
+                        "products-overflow",
                         "huge",
                         (n, c, p, q) ->
                                 Double.isFinite(slope(n, p, q))
                                         ? RIGHT.meets(n, c, p, q)
                                         : Double.NaN),
                 new Mutant<>(
-                        "the plane's point is rounded into c",
+                        "plane-point-rounded",
                         "plane-far-away",
                         (n, c, p, q) -> RIGHT.meets(n, c, p, q)),
                 new Mutant<>(
-                        "μ is kept to sixteen places, and with it the point",
+                        "sixteen-decimal-places",
                         "point-near-the-start",
                         (n, c, p, q) -> {
                             double mu = RIGHT.meets(n, c, p, q);
                             return Math.abs(mu) < 1e-16 ? 0 : mu;
                         }),
-                new Mutant<>(
-                        "the second point counts as beyond",
-                        "at-the-second-point",
-                        new BeyondAtOnce()));
+                new Mutant<>("second-point-beyond", "at-the-second-point", new BeyondAtOnce()));
     }
 
     private static double at(double[] n, double[] p) {

@@ -5,45 +5,41 @@ import java.util.Collections;
 import java.util.List;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Points sent through matrices with one mistake. */
-final class TransformMutants implements Mutants<PointTransformer> {
+final class TransformMutants {
     private static final PointTransformer RIGHT = new DoubleTransformer();
 
-    @Override
-    public List<Mutant<PointTransformer>> all() {
+    private TransformMutants() {}
+
+    static List<Mutant<PointTransformer>> all() {
         return List.of(
+                new Mutant<>("last-matrix-first", "shift-then-turn", TransformMutants::backwards),
                 new Mutant<>(
-                        "the last matrix first", "shift-then-turn", TransformMutants::backwards),
-                new Mutant<>(
-                        "points for columns",
+                        "points-as-columns",
                         "shift-in-the-last-row",
                         (dimension, matrices, points, h) ->
                                 RIGHT.transform(dimension, transposed(matrices), points, h)),
+                new Mutant<>("not-divided", "many-representations", TransformMutants::undivided),
                 new Mutant<>(
-                        "not divided by H", "many-representations", TransformMutants::undivided),
-                new Mutant<>(
-                        "h is taken for 1",
+                        "h-taken-for-1",
                         "many-representations",
                         (dimension, matrices, points, h) -> {
                             Arrays.fill(h, 1);
                             RIGHT.transform(dimension, matrices, points, h);
                         }),
-                new Mutant<>("divided by |H|", "behind-the-eye", TransformMutants::dividedBySize),
                 new Mutant<>(
-                        "H is 1 after the division",
+                        "divided-by-absolute-h", "behind-the-eye", TransformMutants::dividedBySize),
+                new Mutant<>(
+                        "h-becomes-1",
                         "behind-the-eye",
                         (dimension, matrices, points, h) -> {
                             RIGHT.transform(dimension, matrices, points, h);
                             Arrays.fill(h, 1);
                         }),
+                new Mutant<>("infinity-stays", "at-the-eye", TransformMutants::keptAtInfinity),
                 new Mutant<>(
-                        "a point at infinity stays where it was",
-                        "at-the-eye",
-                        TransformMutants::keptAtInfinity),
-                new Mutant<>(
-                        "coordinates pass through floats",
+                        "coordinates-in-float",
                         "beyond-float",
                         (dimension, matrices, points, h) -> {
                             RIGHT.transform(dimension, matrices, points, h);

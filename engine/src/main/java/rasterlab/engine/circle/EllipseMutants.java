@@ -4,46 +4,43 @@ import java.util.List;
 import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Ellipses drawn with one mistake. */
-final class EllipseMutants implements Mutants<EllipseRasterizer> {
+final class EllipseMutants {
     private static final EllipseRasterizer RIGHT = new MidpointEllipse();
 
-    @Override
-    public List<Mutant<EllipseRasterizer>> all() {
+    private EllipseMutants() {}
+
+    static List<Mutant<EllipseRasterizer>> all() {
         return List.of(
                 new Mutant<>(
-                        "half-axes are swapped",
+                        "half-axes-swapped",
                         "very-flat",
                         (x, y, a, b, out) -> RIGHT.draw(x, y, b, a, out)),
                 new Mutant<>(
-                        "ends where row 0 is reached",
+                        "middle-row-left-out",
                         "very-flat",
                         (x, y, a, b, out) -> keep(x, y, a, b, (u, v) -> v > 0 || b == 0, out)),
                 new Mutant<>(
-                        "ends where column 0 is left",
+                        "middle-column-left-out",
                         "very-tall",
                         (x, y, a, b, out) -> keep(x, y, a, b, (u, v) -> u > 0 || a == 0, out)),
+                new Mutant<>("columns-only", "corner", EllipseMutants::columnsOnly),
                 new Mutant<>(
-                        "one row for each column and no more",
-                        "corner",
-                        EllipseMutants::columnsOnly),
-                new Mutant<>(
-                        "without extent it draws nothing",
+                        "point-skipped",
                         "point",
                         (x, y, a, b, out) -> {
                             if (a > 0 || b > 0) RIGHT.draw(x, y, a, b, out);
                         }),
                 new Mutant<>(
-                        "F in 32 bits",
+                        "products-in-int",
                         "products-beyond-int",
                         (x, y, a, b, out) -> {
                             if ((long) a * a * b == (int) ((long) a * a * b))
                                 RIGHT.draw(x, y, a, b, out);
                         }),
                 new Mutant<>(
-                        "a half-axis of 0 is taken for none",
+                        "upright-line-skipped",
                         "upright-line",
                         (x, y, a, b, out) -> {
                             if (a > 0 || b == 0) RIGHT.draw(x, y, a, b, out);
@@ -67,7 +64,7 @@ final class EllipseMutants implements Mutants<EllipseRasterizer> {
 
     private static void columnsOnly(int x0, int y0, int a, int b, Pixels out) {
         var rows = new int[a + 1];
-        new ExactEllipse(a, b).quadrant((u, v) -> rows[u] = Math.max(rows[u], v));
+        RIGHT.draw(0, 0, a, b, (u, v) -> rows[Math.abs(u)] = Math.max(rows[Math.abs(u)], v));
         keep(x0, y0, a, b, (u, v) -> v == rows[u], out);
     }
 }

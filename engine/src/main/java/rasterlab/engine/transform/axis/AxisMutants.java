@@ -3,14 +3,14 @@ package rasterlab.engine.transform.axis;
 import java.util.List;
 import rasterlab.contract.AxisRotation;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Rotations about an axis with one mistake. */
-final class AxisMutants implements Mutants<AxisRotation> {
+final class AxisMutants {
     private static final AxisRotation RIGHT = new RodriguesRotation();
 
-    @Override
-    public List<Mutant<AxisRotation>> all() {
+    private AxisMutants() {}
+
+    static List<Mutant<AxisRotation>> all() {
         return List.of(
                 new Mutant<>(
                         "clockwise",
@@ -18,34 +18,32 @@ final class AxisMutants implements Mutants<AxisRotation> {
                         (through, direction, degrees, points) ->
                                 RIGHT.rotate(through, direction, -degrees, points)),
                 new Mutant<>(
-                        "degrees for radians",
+                        "degrees-for-radians",
                         "quarter-turn",
                         (through, direction, degrees, points) ->
                                 RIGHT.rotate(through, direction, Math.toDegrees(degrees), points)),
                 new Mutant<>(
-                        "the axis goes through the origin",
+                        "axis-through-origin",
                         "axis-through-far-point",
                         (through, direction, degrees, points) ->
                                 RIGHT.rotate(new double[3], direction, degrees, points)),
                 new Mutant<>(
-                        "an axis along z is always taken upwards",
+                        "always-upwards",
                         "axis-against-z",
                         (through, direction, degrees, points) -> {
                             double[] up = direction.clone();
                             if (up[0] == 0 && up[1] == 0) up[2] = Math.abs(up[2]);
                             RIGHT.rotate(through, up, degrees, points);
                         }),
+                new Mutant<>("square-overflows", "huge-direction", AxisMutants::bySquares),
+                new Mutant<>("square-vanishes", "tiny-direction", AxisMutants::bySquares),
                 new Mutant<>(
-                        "the squared length overflows", "huge-direction", AxisMutants::bySquares),
-                new Mutant<>(
-                        "the squared length vanishes", "tiny-direction", AxisMutants::bySquares),
-                new Mutant<>(
-                        "the angle in float",
+                        "angle-in-float",
                         "many-turns",
                         (through, direction, degrees, points) ->
                                 RIGHT.rotate(through, direction, (float) degrees, points)),
                 new Mutant<>(
-                        "x and y of the direction exchanged",
+                        "direction-x-y-swapped",
                         "axis-along-x",
                         (through, direction, degrees, points) ->
                                 RIGHT.rotate(

@@ -7,7 +7,6 @@ import java.util.stream.IntStream;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.PixelPoint;
 import rasterlab.engine.visibility.ViewedMesh;
@@ -16,44 +15,31 @@ import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /** Surfaces hidden with one mistake. */
-final class HiddenSurfacesMutants implements Mutants<Visibility> {
+final class HiddenSurfacesMutants {
     private static final VisibilityWork UNCOUNTED = new VisibilityWork(0, 0, 0, 0);
 
-    @Override
-    public List<Mutant<Visibility>> all() {
+    private HiddenSurfacesMutants() {}
+
+    static List<Mutant<Visibility>> all() {
         return List.of(
-                method(
-                        "depths are rounded and a corner is left out",
-                        "vase-mean-z",
-                        "painter-textbook"),
-                method("mean depths decide", "mean-mis-sorts", "painter"),
-                method("faces are painted as they come", "cyclic-overlap", "none"),
+                method("rounded-and-a-corner-less", "vase-mean-z", "painter-textbook"),
+                method("mean-depth-decides", "mean-mis-sorts", "painter"),
+                method("painted-as-given", "cyclic-overlap", "none"),
                 new Mutant<>(
-                        "what is painted once stays",
+                        "first-painted-stays",
                         "interpenetration",
                         (view, paint, out, cancelled) ->
                                 named("none").draw(view, once(paint), out, cancelled)),
+                new Mutant<>("later-of-equals", "coplanar", HiddenSurfacesMutants::laterFirst),
                 new Mutant<>(
-                        "of equal depths the later is seen",
-                        "coplanar",
-                        HiddenSurfacesMutants::laterFirst),
+                        "plane-rounding-decides", "coplanar-turned", rays(z -> z, true, false)),
+                new Mutant<>("near-does-not-cut", "through-a-face", rays(z -> z, false, false)),
+                new Mutant<>("behind-is-before", "behind-the-eye", rays(Math::abs, true, false)),
                 new Mutant<>(
-                        "the rounding of a plane decides",
-                        "coplanar-turned",
-                        rays(z -> z, true, false)),
-                new Mutant<>(
-                        "the near plane cuts nothing",
-                        "through-a-face",
-                        rays(z -> z, false, false)),
-                new Mutant<>(
-                        "faces behind the eye are before it",
-                        "behind-the-eye",
-                        rays(Math::abs, true, false)),
-                new Mutant<>(
-                        "what is as good as parallel is met before all else",
+                        "parallel-met-first",
                         "edge-on-by-a-hair",
                         rays(z -> Double.isInfinite(z) ? -Double.MAX_VALUE : z, true, true)),
-                method("sums of 24 bits hold a depth", "long-span-drift", "z24"));
+                method("summed-in-24-bits", "long-span-drift", "z24"));
     }
 
     private static Mutant<Visibility> method(String mistake, String hazard, String name) {

@@ -5,48 +5,41 @@ import java.util.List;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Colours written in another model with one mistake. */
-final class ColorMutants implements Mutants<ColorConverter> {
+final class ColorMutants {
     private static final ColorConverter RIGHT = new FormulaColors();
-    private static final double[] BLACK = {0, 0, 0};
 
-    @Override
-    public List<Mutant<ColorConverter>> all() {
+    private ColorMutants() {}
+
+    static List<Mutant<ColorConverter>> all() {
+        double[] black = {0, 0, 0};
         return List.of(
+                new Mutant<>("negative-hues", "pure-colours", ColorMutants::negativeHues),
+                new Mutant<>("red-blue-swapped", "pure-colours", ColorMutants::blueFirst),
+                new Mutant<>("full-turn-is-black", "full-turn", ColorMutants::sixSectors),
                 new Mutant<>(
-                        "hues between blue and red are negative",
-                        "pure-colours",
-                        ColorMutants::negativeHues),
-                new Mutant<>(
-                        "blue, green and red for red, green and blue",
-                        "pure-colours",
-                        ColorMutants::blueFirst),
-                new Mutant<>("hue 360° has no sector", "full-turn", ColorMutants::sixSectors),
-                new Mutant<>(
-                        "a model to itself is copied",
+                        "same-model-copied",
                         "to-itself",
                         (from, components, to) ->
                                 from == to
                                         ? components.clone()
                                         : RIGHT.convert(from, components, to)),
-                new Mutant<>("a grey has hue 0", "grey", ColorMutants::greyIsRed),
+                new Mutant<>("grey-has-hue-0", "grey", ColorMutants::greyIsRed),
+                new Mutant<>("nearly-grey-is-grey", "nearly-grey", ColorMutants::nearlyGrey),
+                new Mutant<>("black-divides-by-0", "black", ColorMutants::blackByDivision),
+                new Mutant<>("cut-to-bytes", "between-levels", ColorMutants::bytes),
                 new Mutant<>(
-                        "what is nearly grey is grey", "nearly-grey", ColorMutants::nearlyGrey),
-                new Mutant<>("0 of 0 inks for black", "black", ColorMutants::blackByDivision),
-                new Mutant<>("shares are cut to bytes", "between-levels", ColorMutants::bytes),
-                new Mutant<>(
-                        "black hands out a constant",
+                        "array-shared",
                         "black",
                         (from, components, to) -> {
                             double[] right = RIGHT.convert(from, components, to);
-                            return to == ColorModel.RGB && Arrays.equals(right, BLACK)
-                                    ? BLACK
+                            return to == ColorModel.RGB && Arrays.equals(right, black)
+                                    ? black
                                     : right;
                         }),
                 new Mutant<>(
-                        "what it is asked to leave as it is comes back itself",
+                        "argument-returned",
                         "to-itself",
                         (from, components, to) -> {
                             double[] right = RIGHT.convert(from, components, to);

@@ -4,37 +4,30 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Normals of vertices with one mistake. */
-final class NormalsMutants implements Mutants<VertexNormals> {
+final class NormalsMutants {
     private static final VertexNormals RIGHT = new WeightedNormals(Weight.ANGLE);
 
-    @Override
-    public List<Mutant<VertexNormals>> all() {
+    private NormalsMutants() {}
+
+    static List<Mutant<VertexNormals>> all() {
         return List.of(
                 new Mutant<>(
-                        "every face has the same weight",
-                        "cube-cut-one-way",
-                        new WeightedNormals(Weight.PLAIN)),
+                        "equal-weights", "cube-cut-one-way", new WeightedNormals(Weight.PLAIN)),
                 new Mutant<>(
-                        "faces weigh by their areas",
-                        "roof-with-a-long-side",
-                        new WeightedNormals(Weight.AREA)),
+                        "area-weights", "roof-with-a-long-side", new WeightedNormals(Weight.AREA)),
                 new Mutant<>(
-                        "normals point inwards",
+                        "inwards",
                         "to-the-outside",
                         (vertices, triangles) -> {
                             double[] normals = RIGHT.normals(vertices, triangles);
                             for (int i = 0; i < normals.length; i++) normals[i] = -normals[i];
                             return normals;
                         }),
+                new Mutant<>("no-area-spoils", "zero-area-face", NormalsMutants::spoiled),
                 new Mutant<>(
-                        "a face without area spoils its vertices",
-                        "zero-area-face",
-                        NormalsMutants::spoiled),
-                new Mutant<>(
-                        "a vertex without a face has a normal of length 1, too",
+                        "lone-vertex-gets-a-normal",
                         "vertex-without-a-face",
                         (vertices, triangles) -> {
                             double[] normals = RIGHT.normals(vertices, triangles);
@@ -43,14 +36,14 @@ final class NormalsMutants implements Mutants<VertexNormals> {
                             return normals;
                         }),
                 new Mutant<>(
-                        "a face is taken for none where its area is below an epsilon",
+                        "absolute-epsilon",
                         "tiny-faces",
                         (vertices, triangles) ->
                                 Arrays.stream(vertices).allMatch(c -> Math.abs(c) < 1e-9)
                                         ? new double[vertices.length]
                                         : RIGHT.normals(vertices, triangles)),
                 new Mutant<>(
-                        "what cancels out is brought to length 1",
+                        "cancelled-normalized",
                         "both-sides-of-a-sheet",
                         (vertices, triangles) -> {
                             double[] normals = RIGHT.normals(vertices, triangles);

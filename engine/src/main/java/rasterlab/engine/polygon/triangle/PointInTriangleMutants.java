@@ -3,44 +3,44 @@ package rasterlab.engine.polygon.triangle;
 import java.util.List;
 import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Points judged by a triangle with one mistake. */
-final class PointInTriangleMutants implements Mutants<PointInTriangle> {
+final class PointInTriangleMutants {
     private static final PointInTriangle RIGHT = new RobustTriangle();
     private static final double EPSILON = 1e-9;
 
-    @Override
-    public List<Mutant<PointInTriangle>> all() {
+    private PointInTriangleMutants() {}
+
+    static List<Mutant<PointInTriangle>> all() {
         return List.of(
                 new Mutant<>(
-                        "a point on a side is outside",
+                        "side-is-outside",
                         "boundary-other-way-round",
                         bySides((a, b, c) -> a > 0 && b > 0 && c > 0 || a < 0 && b < 0 && c < 0)),
                 new Mutant<>(
-                        "corners have to go counter-clockwise",
+                        "counter-clockwise-only",
                         "boundary-one-way-round",
                         bySides((a, b, c) -> a >= 0 && b >= 0 && c >= 0)),
                 new Mutant<>(
-                        "corners have to go clockwise",
+                        "clockwise-only",
                         "boundary-other-way-round",
                         bySides((a, b, c) -> a <= 0 && b <= 0 && c <= 0)),
                 new Mutant<>(
-                        "an absolute epsilon",
+                        "absolute-epsilon",
                         "smaller-than-any-epsilon",
                         bySides(
                                 (a, b, c) ->
                                         a > -EPSILON && b > -EPSILON && c > -EPSILON
                                                 || a < EPSILON && b < EPSILON && c < EPSILON)),
                 new Mutant<>(
-                        "without area it is the whole line",
+                        "flat-is-whole-line",
                         "corners-on-one-line",
                         bySides(
                                 (a, b, c) ->
                                         a >= 0 && b >= 0 && c >= 0 || a <= 0 && b <= 0 && c <= 0)),
-                new Mutant<>("products in 32 bits", "past-2-15", PointInTriangleMutants::inInt),
+                new Mutant<>("products-in-int", "past-2-15", PointInTriangleMutants::inInt),
                 new Mutant<>(
-                        "coordinates in float",
+                        "coordinates-in-float",
                         "small-and-far-away",
                         (ax, ay, bx, by, cx, cy, x, y) ->
                                 RIGHT.contains(

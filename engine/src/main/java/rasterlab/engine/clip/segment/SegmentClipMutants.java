@@ -5,37 +5,37 @@ import java.util.stream.Stream;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.contract.SegmentSink;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Segments clipped with one mistake. */
-final class SegmentClipMutants implements Mutants<SegmentClipper> {
+final class SegmentClipMutants {
     private static final double MOST = Double.MAX_VALUE;
     private static final SegmentClipper RIGHT = new LiangBarsky();
 
-    @Override
-    public List<Mutant<SegmentClipper>> all() {
+    private SegmentClipMutants() {}
+
+    static List<Mutant<SegmentClipper>> all() {
         return Stream.of(sides(), ends()).flatMap(List::stream).toList();
     }
 
     private static List<Mutant<SegmentClipper>> sides() {
         return List.of(
                 new Mutant<>(
-                        "the left side does not cut",
+                        "left-does-not-cut",
                         "only-left",
                         (l, b, r, t, x0, y0, x1, y1, out) ->
                                 RIGHT.clip(-MOST, b, r, t, x0, y0, x1, y1, out)),
                 new Mutant<>(
-                        "the lower side does not cut",
+                        "bottom-does-not-cut",
                         "only-below",
                         (l, b, r, t, x0, y0, x1, y1, out) ->
                                 RIGHT.clip(l, -MOST, r, t, x0, y0, x1, y1, out)),
                 new Mutant<>(
-                        "the upper side does not cut",
+                        "top-does-not-cut",
                         "inside-and-above",
                         (l, b, r, t, x0, y0, x1, y1, out) ->
                                 RIGHT.clip(l, b, r, MOST, x0, y0, x1, y1, out)),
                 new Mutant<>(
-                        "ymax stands for xmax",
+                        "ymax-for-xmax",
                         "window-not-square",
                         (l, b, r, t, x0, y0, x1, y1, out) ->
                                 RIGHT.clip(l, b, Math.max(l, t), t, x0, y0, x1, y1, out)));
@@ -44,14 +44,14 @@ final class SegmentClipMutants implements Mutants<SegmentClipper> {
     private static List<Mutant<SegmentClipper>> ends() {
         return List.of(
                 new Mutant<>(
-                        "from left to right whatever was asked",
+                        "always-left-to-right",
                         "swapped-ends",
                         (l, b, r, t, x0, y0, x1, y1, out) -> {
                             if (x0 <= x1) RIGHT.clip(l, b, r, t, x0, y0, x1, y1, out);
                             else RIGHT.clip(l, b, r, t, x1, y1, x0, y0, out);
                         }),
                 new Mutant<>(
-                        "a single point left is none",
+                        "point-left-dropped",
                         "touches-a-corner",
                         sending(
                                 (given, out) ->
@@ -60,7 +60,7 @@ final class SegmentClipMutants implements Mutants<SegmentClipper> {
                                                 out.segment(x0, y0, x1, y1);
                                         })),
                 new Mutant<>(
-                        "a segment of one point is none",
+                        "point-segment-dropped",
                         "single-points",
                         sending(
                                 (given, out) ->
@@ -68,13 +68,13 @@ final class SegmentClipMutants implements Mutants<SegmentClipper> {
                                             if (!given.isPoint()) out.segment(x0, y0, x1, y1);
                                         })),
                 new Mutant<>(
-                        "a window without area holds nothing",
+                        "flat-window-holds-nothing",
                         "window-without-area",
                         (l, b, r, t, x0, y0, x1, y1, out) -> {
                             if (l < r && b < t) RIGHT.clip(l, b, r, t, x0, y0, x1, y1, out);
                         }),
                 new Mutant<>(
-                        "an end in the window is computed anew",
+                        "inner-end-recomputed",
                         "ends-stay",
                         sending(
                                 (given, out) ->

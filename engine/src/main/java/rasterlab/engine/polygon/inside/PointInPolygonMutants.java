@@ -4,38 +4,35 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Points judged by a polygon with one mistake. */
-final class PointInPolygonMutants implements Mutants<PointInPolygon> {
+final class PointInPolygonMutants {
     private static final PointInPolygon RIGHT = new RobustRay();
 
-    @Override
-    public List<Mutant<PointInPolygon>> all() {
+    private PointInPolygonMutants() {}
+
+    static List<Mutant<PointInPolygon>> all() {
         return List.of(
                 new Mutant<>(
-                        "a corner at the ray counts for both its edges",
+                        "corner-counts-twice",
                         "ray-through-a-corner",
                         byRay((low, high, y) -> low != high && low <= y && y <= high)),
                 new Mutant<>(
-                        "a level edge is crossed, too",
+                        "level-edge-crossed",
                         "ray-along-an-edge",
                         byRay((low, high, y) -> low <= y && y < high || low == y && high == y)),
                 new Mutant<>(
-                        "a point on the boundary is where a ray says",
+                        "boundary-by-ray",
                         "on-the-boundary",
                         byRay((low, high, y) -> low <= y && y < high)),
                 new Mutant<>(
-                        "the last corner is not joined to the first",
+                        "last-edge-missing",
                         "last-edge",
                         (px, py, x, y) ->
                                 odd(px, py, px.length - 1, x, y, (l, h, at) -> l <= at && at < h)),
+                new Mutant<>("non-zero-rule", "covered-twice", PointInPolygonMutants::nonZero),
                 new Mutant<>(
-                        "inside where the outline winds around, even twice",
-                        "covered-twice",
-                        PointInPolygonMutants::nonZero),
-                new Mutant<>(
-                        "within the corners' box",
+                        "flat-is-whole-box",
                         "no-area",
                         (px, py, x, y) ->
                                 area(px, py) == 0

@@ -5,23 +5,19 @@ import java.util.List;
 import rasterlab.contract.PolygonClipper;
 import rasterlab.contract.PolygonSink;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Polygons clipped with one mistake. */
-final class PolygonClipMutants implements Mutants<PolygonClipper> {
+final class PolygonClipMutants {
     private static final PolygonClipper RIGHT = new WeilerAtherton();
 
-    @Override
-    public List<Mutant<PolygonClipper>> all() {
+    private PolygonClipMutants() {}
+
+    static List<Mutant<PolygonClipper>> all() {
         return List.of(
+                new Mutant<>("bridges", "two-pieces", new SutherlandHodgman()),
+                new Mutant<>("winds-as-polygon", "clockwise", PolygonClipMutants::asTheSubject),
                 new Mutant<>(
-                        "pieces stay joined by bridges", "two-pieces", new SutherlandHodgman()),
-                new Mutant<>(
-                        "pieces go round as the subject does",
-                        "clockwise",
-                        PolygonClipMutants::asTheSubject),
-                new Mutant<>(
-                        "without crossings nothing is left",
+                        "around-is-lost",
                         "around",
                         (window, subject, out) ->
                                 RIGHT.clip(
@@ -31,7 +27,7 @@ final class PolygonClipMutants implements Mutants<PolygonClipper> {
                                             if (!Arrays.equals(piece, window)) out.polygon(piece);
                                         })),
                 new Mutant<>(
-                        "a subject wholly inside is left out",
+                        "inside-is-lost",
                         "inside",
                         (window, subject, out) ->
                                 RIGHT.clip(
@@ -41,11 +37,11 @@ final class PolygonClipMutants implements Mutants<PolygonClipper> {
                                             if (!isInside(window, subject)) out.polygon(piece);
                                         })),
                 new Mutant<>(
-                        "the window is taken for its box",
+                        "window-as-box",
                         "convex-window",
                         (window, subject, out) -> RIGHT.clip(box(window), subject, out)),
                 new Mutant<>(
-                        "a touched corner is a piece",
+                        "touch-is-a-piece",
                         "touches-from-outside",
                         PolygonClipMutants::withTouched));
     }

@@ -2,39 +2,37 @@ package rasterlab.engine.transform.matrix;
 
 import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import rasterlab.contract.MatrixFormula;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Matrices written down with one mistake. */
-final class MatrixMutants implements Mutants<MatrixFormula> {
+final class MatrixMutants {
     private static final MatrixFormula RIGHT = new NamedFormula();
-
-    /** Matrices without parameters by their names. */
-    private final Map<String, double[][]> kept = new HashMap<>();
-
     private static final MatrixFormula PRINTED = new AppendixFormula();
 
-    @Override
-    public List<Mutant<MatrixFormula>> all() {
+    private MatrixMutants() {}
+
+    static List<Mutant<MatrixFormula>> all() {
         return List.of(
-                new Mutant<>("about y clockwise", "about-y", MatrixMutants::aboutYClockwise),
-                new Mutant<>("SCALE3DY flattens x", "scale-y", printed("SCALE3DY")),
-                new Mutant<>("SCALE3DZ flattens x and y", "scale-z", printed("SCALE3DZ")),
-                new Mutant<>("SCALE3D by s for 1/s", "scale-all", MatrixMutants::scaledByS),
-                new Mutant<>("shift in the last column", "shift", MatrixMutants::transposedShift),
-                new Mutant<>("DIMETRIC's angles exchanged", "dimetric", printed("DIMETRIC")),
-                new Mutant<>("ROTAXIS moves its axis", "axis", printed("ROTAXIS")),
-                new Mutant<>("ROTAXIS divides by d = 0", "axis-along-z", MatrixMutants::byZero),
-                new Mutant<>("angles in float", "huge-angle", MatrixMutants::anglesInFloat),
-                new Mutant<>(
-                        "a matrix without parameters is handed out, not copied",
-                        "dimetric",
-                        (name, parameters) ->
-                                parameters.length == 0
-                                        ? kept.computeIfAbsent(name, RIGHT::rows)
-                                        : RIGHT.rows(name, parameters)));
+                new Mutant<>("about-y-clockwise", "about-y", MatrixMutants::aboutYClockwise),
+                new Mutant<>("scale-y-flattens-x", "scale-y", printed("SCALE3DY")),
+                new Mutant<>("scale-z-flattens-x-y", "scale-z", printed("SCALE3DZ")),
+                new Mutant<>("scaled-by-s", "scale-all", MatrixMutants::scaledByS),
+                new Mutant<>("shift-in-last-column", "shift", MatrixMutants::transposedShift),
+                new Mutant<>("dimetric-angles-swapped", "dimetric", printed("DIMETRIC")),
+                new Mutant<>("axis-moves", "axis", printed("ROTAXIS")),
+                new Mutant<>("axis-divides-by-0", "axis-along-z", MatrixMutants::byZero),
+                new Mutant<>("angles-in-float", "huge-angle", MatrixMutants::anglesInFloat),
+                new Mutant<>("array-shared", "dimetric", kept()));
+    }
+
+    /** Matrices without parameters are computed once. */
+    private static MatrixFormula kept() {
+        var kept = new HashMap<String, double[][]>();
+        return (name, parameters) ->
+                parameters.length == 0
+                        ? kept.computeIfAbsent(name, RIGHT::rows)
+                        : RIGHT.rows(name, parameters);
     }
 
     /** One matrix as the appendix of the course's text has it. */

@@ -4,40 +4,35 @@ import java.util.List;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Circles drawn with one mistake. */
-final class CircleMutants implements Mutants<CircleRasterizer> {
+final class CircleMutants {
     private static final CircleRasterizer RIGHT = new MidpointCircle();
 
-    @Override
-    public List<Mutant<CircleRasterizer>> all() {
+    private CircleMutants() {}
+
+    static List<Mutant<CircleRasterizer>> all() {
         return List.of(
-                new Mutant<>("pixels on an axis come twice", "radius-1", CircleMutants::axesTwice),
+                new Mutant<>("axes-twice", "radius-1", CircleMutants::axesTwice),
+                new Mutant<>("diagonals-twice", "corner", CircleMutants::cornerTwice),
                 new Mutant<>(
-                        "pixels on a diagonal come twice", "corner", CircleMutants::cornerTwice),
-                new Mutant<>(
-                        "a radius of 0 draws nothing",
+                        "radius-0-skipped",
                         "radius-0",
                         (x, y, r, out) -> {
                             if (r > 0) RIGHT.draw(x, y, r, out);
                         }),
                 new Mutant<>(
-                        "the centre's column and row are swapped",
+                        "x-y-swapped",
                         "off-the-diagonal",
                         (x, y, r, out) -> RIGHT.draw(y, x, r, out)),
+                new Mutant<>("root-rounded-down", "crowded-columns", CircleMutants::roundedDown),
                 new Mutant<>(
-                        "the row below √(r² − u²)", "crowded-columns", CircleMutants::roundedDown),
-                new Mutant<>(
-                        "squares in 32 bits",
+                        "squares-in-int",
                         "squares-beyond-int",
                         (x, y, r, out) -> {
                             if (r * r >= 0) RIGHT.draw(x, y, r, out);
                         }),
-                new Mutant<>(
-                        "u ≤ v is u < v: the diagonal is left out",
-                        "corner",
-                        CircleMutants::withoutCorner));
+                new Mutant<>("diagonals-left-out", "corner", CircleMutants::withoutCorner));
     }
 
     private static void axesTwice(int centreX, int centreY, int radius, Pixels out) {

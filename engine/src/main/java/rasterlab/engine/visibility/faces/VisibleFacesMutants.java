@@ -4,10 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.VisibleFaces;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Sides of faces, asked with one mistake. */
-final class VisibleFacesMutants implements Mutants<VisibleFaces> {
+final class VisibleFacesMutants {
     /** What a mistaken method says of one face. */
     private interface Judge {
         boolean visible(Asked asked);
@@ -66,45 +65,43 @@ final class VisibleFacesMutants implements Mutants<VisibleFaces> {
         }
     }
 
-    @Override
-    public List<Mutant<VisibleFaces>> all() {
+    private VisibleFacesMutants() {}
+
+    static List<Mutant<VisibleFaces>> all() {
         return List.of(
-                mutant("a face is visible edge on", "edge-on", asked -> edgeOn(asked)),
+                mutant("edge-on-visible", "edge-on", asked -> edgeOn(asked)),
                 mutant(
-                        "rounding decides",
+                        "rounding-decides",
                         "edge-on-by-rounding",
                         asked -> asked.value(asked.eye, asked.toUnit()) > 0),
                 mutant(
-                        "below an absolute 10⁻⁹ is edge on",
+                        "absolute-epsilon",
                         "tiny",
                         asked -> asked.side(asked.eye) > 0 && asked.value(asked.eye, 1) > 1e-9),
                 mutant(
-                        "products overflow",
+                        "products-overflow",
                         "huge",
                         asked ->
                                 asked.side(asked.eye) > 0
                                         && Double.isFinite(asked.value(asked.eye, 1))),
                 mutant(
-                        "the normal is that of the first three corners",
+                        "first-three-corners",
                         "corner-on-an-edge",
                         asked -> asked.side(Arrays.copyOf(asked.face, 3), asked.eye) > 0),
                 mutant(
-                        "outside is where the mean of the corners is not",
+                        "mean-is-inside",
                         "not-convex",
                         asked -> asked.side(asked.eye) * asked.side(asked.mean()) < 0),
                 mutant(
-                        "the inner point is believed",
+                        "inner-point-unchecked",
                         "inner-point-before-a-face",
                         asked ->
                                 asked.inside.length == 0
                                         ? asked.side(asked.eye) > 0
                                         : asked.side(asked.eye) * asked.side(asked.inside) < 0),
+                mutant("direction-from-the-middle", "eye-inside", VisibleFacesMutants::byDirection),
                 mutant(
-                        "the way from the middle to the eye counts, not the eye's place",
-                        "eye-inside",
-                        VisibleFacesMutants::byDirection),
-                mutant(
-                        "a face without area is visible",
+                        "no-area-visible",
                         "no-area",
                         asked -> asked.side(asked.eye) > 0 || asked.areaIsNothing()));
     }

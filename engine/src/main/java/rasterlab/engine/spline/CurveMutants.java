@@ -8,17 +8,17 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Curves computed with one mistake. */
-final class CurveMutants implements Mutants<CurveTracer> {
+final class CurveMutants {
     private static final CurveTracer RIGHT = new AdaptiveCurve();
 
-    @Override
-    public List<Mutant<CurveTracer>> all() {
+    private CurveMutants() {}
+
+    static List<Mutant<CurveTracer>> all() {
         return List.of(
                 new Mutant<>(
-                        "the polyline goes from the end to the start",
+                        "reversed",
                         "from-start-to-end",
                         flattening(
                                 points -> {
@@ -26,32 +26,28 @@ final class CurveMutants implements Mutants<CurveTracer> {
                                     return points;
                                 })),
                 new Mutant<>(
-                        "the last corner is left out",
+                        "last-corner-left-out",
                         "from-start-to-end",
                         flattening(points -> points.subList(0, points.size() - 1))),
+                new Mutant<>("flat-by-the-middle", "s-curve", new AdaptiveNaiveCurve()),
+                new Mutant<>("steps-in-float", "drift", new ForwardDifferencesFloatCurve()),
                 new Mutant<>(
-                        "flat where its middle lies on the chord",
-                        "s-curve",
-                        new AdaptiveNaiveCurve()),
-                new Mutant<>(
-                        "steps are added up in float", "drift", new ForwardDifferencesFloatCurve()),
-                new Mutant<>(
-                        "t is taken to grow by equal steps",
+                        "equal-steps",
                         "unequal-steps",
                         tracing(RIGHT::flatten, CurveMutants::atEqualSteps)),
                 new Mutant<>(
-                        "segments of length 0 are left out",
+                        "no-length-left-out",
                         "coincident-points",
                         flattening(CurveMutants::withoutRepeated)),
                 new Mutant<>(
-                        "a B-spline is taken for Catmull and Rom's",
+                        "b-spline-as-catmull-rom",
                         "b-spline-joints",
                         tracing(
                                 (curve, flatness, out) ->
                                         RIGHT.flatten(throughPoints(curve), flatness, out),
                                 RIGHT::at)),
                 new Mutant<>(
-                        "flat where its ends meet",
+                        "closed-is-flat",
                         "closed-loop",
                         tracing(CurveMutants::chordOfClosed, RIGHT::at)));
     }

@@ -4,29 +4,29 @@ import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 import rasterlab.contract.EyeView;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Views from an eye with one mistake. */
-final class ViewMutants implements Mutants<EyeView> {
+final class ViewMutants {
     private static final EyeView RIGHT = new TakenApartView();
 
-    @Override
-    public List<Mutant<EyeView>> all() {
+    private ViewMutants() {}
+
+    static List<Mutant<EyeView>> all() {
         return List.of(
-                new Mutant<>("z grows towards the eye", "origin", changed(2, (z, rho) -> -z)),
-                new Mutant<>("y grows downwards", "upwards", changed(1, (y, rho) -> -y)),
-                new Mutant<>("x grows to the left", "to-the-right", changed(0, (x, rho) -> -x)),
+                new Mutant<>("z-towards-the-eye", "origin", changed(2, (z, rho) -> -z)),
+                new Mutant<>("y-downwards", "upwards", changed(1, (y, rho) -> -y)),
+                new Mutant<>("x-to-the-left", "to-the-right", changed(0, (x, rho) -> -x)),
                 new Mutant<>(
-                        "φ from the equator",
+                        "phi-from-the-equator",
                         "pole",
                         (theta, phi, rho, points) -> RIGHT.view(theta, 90 - phi, rho, points)),
-                new Mutant<>("degrees for radians", "quarter-turn", angles(Math::toDegrees)),
+                new Mutant<>("degrees-for-radians", "quarter-turn", angles(Math::toDegrees)),
                 new Mutant<>(
-                        "θ grows clockwise",
+                        "theta-clockwise",
                         "quarter-turn",
                         (theta, phi, rho, points) -> RIGHT.view(-theta, phi, rho, points)),
                 new Mutant<>(
-                        "the eye is always above the equator",
+                        "always-above",
                         "from-below",
                         (theta, phi, rho, points) ->
                                 RIGHT.view(theta, Math.min(phi, 180 - phi), rho, points)));

@@ -8,22 +8,22 @@ import rasterlab.contract.PointShader;
 import rasterlab.contract.Reflection;
 import rasterlab.contract.SpotCone;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Points shaded with one mistake. */
-final class ShadeMutants implements Mutants<PointShader> {
+final class ShadeMutants {
     private static final FormulaShader RIGHT = new FormulaShader(Reflection.PHONG);
-    private static final double[] HANDED_OUT = new double[3];
 
-    @Override
-    public List<Mutant<PointShader>> all() {
+    private ShadeMutants() {}
+
+    static List<Mutant<PointShader>> all() {
         return Stream.concat(ofTerms().stream(), ofSizes().stream()).toList();
     }
 
     private static List<Mutant<PointShader>> ofTerms() {
+        var shared = new double[3];
         return List.of(
                 new Mutant<>(
-                        "the cosine's sign is dropped",
+                        "sign-dropped",
                         "light-behind",
                         point ->
                                 RIGHT.intensity(
@@ -31,14 +31,14 @@ final class ShadeMutants implements Mutants<PointShader> {
                                                 ? with(point, negative(point.normal()))
                                                 : point)),
                 new Mutant<>(
-                        "a light behind the face gives no ambient light either",
+                        "no-ambient-from-behind",
                         "light-behind-beside-ambient",
                         point ->
                                 cosine(point) < 0
                                         ? point.material().emission().clone()
                                         : RIGHT.intensity(point)),
                 new Mutant<>(
-                        "distance weakens the light from everywhere",
+                        "global-ambient-weakened",
                         "global-ambient-and-distance",
                         point ->
                                 RIGHT.intensity(
@@ -49,28 +49,28 @@ final class ShadeMutants implements Mutants<PointShader> {
                                                         point.globalAmbient(),
                                                         Math.min(1, factor(point)))))),
                 new Mutant<>(
-                        "distance does not weaken the light's ambient part",
+                        "own-ambient-not-weakened",
                         "own-ambient-and-distance",
                         ShadeMutants::ambientAnyway),
                 new Mutant<>(
-                        "a face turned away hands out one array",
+                        "array-shared",
                         "light-behind",
                         point -> {
                             double[] right = RIGHT.intensity(point);
                             if (cosine(point) >= 0) return right;
-                            System.arraycopy(right, 0, HANDED_OUT, 0, 3);
-                            return HANDED_OUT;
+                            System.arraycopy(right, 0, shared, 0, 3);
+                            return shared;
                         }));
     }
 
     private static List<Mutant<PointShader>> ofSizes() {
         return List.of(
                 new Mutant<>(
-                        "the normal is taken to have length 1",
+                        "normal-not-normalized",
                         "interpolated-normal",
                         ShadeMutants::normalAsGiven),
                 new Mutant<>(
-                        "the cone is not looked at",
+                        "cone-ignored",
                         "outside-the-cone",
                         point ->
                                 RIGHT.intensity(
@@ -78,19 +78,16 @@ final class ShadeMutants implements Mutants<PointShader> {
                                                 point,
                                                 point.light().through(SpotCone.none()),
                                                 point.globalAmbient()))),
+                new Mutant<>("sum-not-cut", "sum-above-1", point -> RIGHT.terms(point).sum()),
                 new Mutant<>(
-                        "the sum is not cut at 1",
-                        "sum-above-1",
-                        point -> RIGHT.terms(point).sum()),
-                new Mutant<>(
-                        "the square of the normal overflows",
+                        "square-overflows",
                         "huge-normal",
                         point ->
                                 Double.isInfinite(square(point.normal()))
                                         ? new double[3]
                                         : RIGHT.intensity(point)),
                 new Mutant<>(
-                        "the square of the normal vanishes",
+                        "square-vanishes",
                         "tiny-normal",
                         point ->
                                 square(point.normal()) == 0 && point.normal()[0] != 0

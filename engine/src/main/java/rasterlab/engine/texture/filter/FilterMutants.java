@@ -3,17 +3,17 @@ package rasterlab.engine.texture.filter;
 import java.util.List;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Textures looked up with one mistake. */
-final class FilterMutants implements Mutants<TextureFilter> {
+final class FilterMutants {
     private static final TextureFilter RIGHT = new SummedAreaFilter();
 
-    @Override
-    public List<Mutant<TextureFilter>> all() {
+    private FilterMutants() {}
+
+    static List<Mutant<TextureFilter>> all() {
         return List.of(
                 new Mutant<>(
-                        "one texel, whatever the footprint",
+                        "one-texel",
                         "aliasing",
                         (width, height, argb) ->
                                 (s, t, a, b, c, d) ->
@@ -24,7 +24,7 @@ final class FilterMutants implements Mutants<TextureFilter> {
                                                                 (int) Math.floor(s * width),
                                                                 width)]),
                 new Mutant<>(
-                        "a square as large as the longer side",
+                        "square-of-longer-side",
                         "long-and-narrow",
                         looking(
                                 (look, s, t, wide, high) -> {
@@ -32,7 +32,7 @@ final class FilterMutants implements Mutants<TextureFilter> {
                                     return look.color(s, t, side, 0, 0, side);
                                 })),
                 new Mutant<>(
-                        "a square as large as the shorter side",
+                        "square-of-shorter-side",
                         "long-over-rows",
                         looking(
                                 (look, s, t, wide, high) -> {
@@ -40,13 +40,13 @@ final class FilterMutants implements Mutants<TextureFilter> {
                                     return look.color(s, t, side, 0, 0, side);
                                 })),
                 new Mutant<>(
-                        "the top row comes first",
+                        "top-row-first",
                         "bottom-row-first",
                         looking(
                                 (look, s, t, wide, high) ->
                                         look.color(s, 1 - t, wide, 0, 0, high))),
                 new Mutant<>(
-                        "the picture does not repeat itself",
+                        "not-repeated",
                         "beyond-the-border",
                         looking(
                                 (look, s, t, wide, high) ->
@@ -58,7 +58,7 @@ final class FilterMutants implements Mutants<TextureFilter> {
                                                 0,
                                                 high))),
                 new Mutant<>(
-                        "a footprint without area is as large as a texel",
+                        "no-area-is-a-texel",
                         "no-area",
                         (width, height, argb) -> {
                             TextureFilter.Lookup look = RIGHT.prepare(width, height, argb);

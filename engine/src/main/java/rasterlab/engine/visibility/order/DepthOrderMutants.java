@@ -10,47 +10,43 @@ import java.util.stream.IntStream;
 import rasterlab.contract.DepthOrder;
 import rasterlab.contract.PieceSink;
 import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Mutants;
 
 /** Polygons put in order with one mistake. */
-final class DepthOrderMutants implements Mutants<DepthOrder> {
+final class DepthOrderMutants {
     private static final DepthOrder RIGHT = new Bsp();
 
-    @Override
-    public List<Mutant<DepthOrder>> all() {
+    private DepthOrderMutants() {}
+
+    static List<Mutant<DepthOrder>> all() {
         return List.of(
                 new Mutant<>(
-                        "the nearest comes first",
-                        "one-behind-the-other",
-                        DepthOrderMutants::nearestFirst),
-                new Mutant<>("the mean depth decides", "mean-mis-sorts", new MeanZ()),
+                        "nearest-first", "one-behind-the-other", DepthOrderMutants::nearestFirst),
+                new Mutant<>("mean-depth-decides", "mean-mis-sorts", new MeanZ()),
                 new Mutant<>(
-                        "depths are whole numbers",
+                        "whole-depths",
                         "rounded-to-one-depth",
                         byDepth(xyz -> Math.rint(mean(xyz, xyz.length / 3)))),
                 new Mutant<>(
-                        "the last corner is left out",
+                        "last-corner-left-out",
                         "fourth-corner-left-out",
                         byDepth(xyz -> mean(xyz, xyz.length / 3 - 1))),
                 new Mutant<>(
-                        "the eye is taken to be at the origin",
+                        "eye-at-the-origin",
                         "eye-on-the-other-side",
                         (polygons, eye, out) -> RIGHT.order(polygons, new double[3], out)),
                 new Mutant<>(
-                        "the nearest corner decides",
+                        "nearest-corner-decides",
                         "nearest-corner-mis-sorts",
                         byDepth(DepthOrderMutants::nearest)),
-                new Mutant<>("nothing is cut", "circle-of-three", DepthOrderMutants::uncut),
+                new Mutant<>("nothing-cut", "circle-of-three", DepthOrderMutants::uncut),
                 new Mutant<>(
-                        "of a polygon that is cut one piece is painted",
-                        "through-each-other",
-                        DepthOrderMutants::onePieceEach),
+                        "one-piece-each", "through-each-other", DepthOrderMutants::onePieceEach),
                 new Mutant<>(
-                        "a corner behind the eye hides the polygon",
+                        "behind-the-eye-dropped",
                         "behind-the-eye",
                         DepthOrderMutants::withoutThoseBehind),
                 new Mutant<>(
-                        "a plane whose normal overflows cuts nothing",
+                        "normal-overflows",
                         "huge",
                         (polygons, eye, out) -> {
                             if (overflows(polygons)) uncut(polygons, eye, out);
