@@ -1,13 +1,11 @@
 package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
-import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
-import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
@@ -130,15 +128,12 @@ class Reports(
         position: Int,
         case: CaseReport,
     ) {
-        val difference = CasePicture.of(case.pictures(), CasePicture.DIFFERENCE).getOrNull()
-
-        fun png(kind: String) = CasePicture.of(case.pictures(), kind).getOrNull()?.png()
         handle
             .createUpdate(
                 """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
-                       message, message_data, scene, picture_text, picture_part, expected_png, actual_png, difference_png)
+                       message, message_data, scene)
                    VALUES (:id, :revision, :position, :name, :visibility, :verdict, :points, :of,
-                       :message, :data, :scene, :text, :part, :expected, :actual, :difference)""",
+                       :message, :data, :scene)""",
             ).bind("id", submission)
             .bind("revision", revision)
             .bind("position", position)
@@ -150,12 +145,8 @@ class Reports(
             .bind("message", case.message())
             .bind("data", case.said().data())
             .bind("scene", case.scene())
-            .bind("text", difference?.text()?.`in`("en"))
-            .bind("part", difference?.part()?.getOrNull()?.data())
-            .bind("expected", png(CasePicture.EXPECTED))
-            .bind("actual", png(CasePicture.ACTUAL))
-            .bind("difference", png(CasePicture.DIFFERENCE))
             .execute()
+        PictureRows(handle, submission, revision).insert(position, case.pictures())
     }
 
     private fun insert(
@@ -183,20 +174,14 @@ class Reports(
         handle: Handle,
         submission: String,
         revision: String,
-    ): List<CaseReport> =
-        handle
+    ): List<CaseReport> {
+        val pictures = PictureRows(handle, submission, revision).all()
+        return handle
             .createQuery(
                 "SELECT * FROM case_results WHERE submission_id = :id AND revision = :revision ORDER BY position",
             ).bind("id", submission)
             .bind("revision", revision)
             .map { row, _ ->
-                val pictures =
-                    row.getString("picture_text")?.let {
-                        val part = PicturePart.ofData(row.getString("picture_part").orEmpty())
-                        listOf(CasePicture.EXPECTED, CasePicture.ACTUAL, CasePicture.DIFFERENCE).map { kind ->
-                            CasePicture(kind, row.getBytes("${kind}_png"), Message.rows(it), part)
-                        }
-                    }
                 CaseReport(
                     row.getString("name"),
                     Disclosure.valueOf(row.getString("visibility")),
@@ -204,10 +189,11 @@ class Reports(
                     row.getInt("points"),
                     row.getInt("points_of"),
                     said(row),
-                    pictures.orEmpty(),
+                    pictures[row.getInt("position")].orEmpty(),
                     row.getString("scene"),
                 )
             }.list()
+    }
 
     private fun diagnostics(
         handle: Handle,

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.PicturePart
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.KeptExercises
@@ -94,6 +95,98 @@ class MigrationTest {
             )
         }
     }
+
+    @Test
+    @DisplayName("pictures of before are lost, or the texts of the three are not their own")
+    fun picturesOfBeforeAreAList() {
+        of("6")
+        graded()
+        val shown = """{"xmin":-3,"ymin":0,"xmax":1,"ymax":1}"""
+        val part = """{"shown":$shown,"whole":${shown.replace(":1,", ":9,")},"pixel":{"x":0,"y":0}}"""
+        val place = "columns -3..1 of -3..9, rows 0..1 of 0..1\n"
+        drawn(0, "'#+-.#\n-+-..', '${part.replace("9", "1")}', x'01', x'02', x'03'")
+        drawn(1, "'$place#+-.#\n-+-..', '$part', x'11', x'12', x'13'")
+        drawn(2, "NULL, NULL, NULL, NULL, NULL")
+        drawn(3, "'$place+-', NULL, x'31', x'32', x'33'")
+        Database.open(file).use { database ->
+            val cases =
+                checkNotNull(Reports(database).of("s")).report.cases().map { case ->
+                    case.pictures().map {
+                        val text = it.text().`in`("ru").replace("\n", "/")
+                        "${it.kind()} ${it.png().single()} $text ${it.part().map(PicturePart::isWhole)}"
+                    }
+                }
+            val line = place.trim()
+            assertEquals(
+                listOf(
+                    "expected 1 #.#.#/#.#.. Optional[true]",
+                    "actual 2 ##..#/.#... Optional[true]",
+                    "difference 3 #+-.#/-+-.. Optional[true]",
+                ),
+                cases[0],
+            )
+            assertEquals(
+                listOf(
+                    "expected 17 $line/#.#.#/#.#.. Optional[false]",
+                    "actual 18 $line/##..#/.#... Optional[false]",
+                    "difference 19 $line/#+-.#/-+-.. Optional[false]",
+                ),
+                cases[1],
+            )
+            assertEquals(emptyList<String>(), cases[2])
+            assertEquals(
+                listOf(
+                    "expected 49 $line/.# Optional.empty",
+                    "actual 50 $line/#. Optional.empty",
+                    "difference 51 $line/+- Optional.empty",
+                ),
+                cases[3],
+            )
+        }
+    }
+
+    @Test
+    @DisplayName("the rows of a large picture of before are cut")
+    fun rowsOfALargePictureOfBeforeAreWhole() {
+        of("6")
+        graded()
+        val rows = List(40) { "#+-.".repeat(20) }.joinToString("\n")
+        drawn(0, "'$rows', NULL, x'01', x'02', x'03'")
+        Database.open(file).use { database ->
+            val case = checkNotNull(Reports(database).of("s")).report.cases().single()
+            assertEquals(
+                rows,
+                case
+                    .pictures()
+                    .last()
+                    .text()
+                    .`in`("en"),
+            )
+        }
+    }
+
+    /** One submission with a result. */
+    private fun graded() {
+        execute(
+            """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+               VALUES ('s', 'a', 'draw-dot', 'r1', 1, 'class Dot {}', 1, '2026-03-29T00:59:59.000Z', 'done')""",
+        )
+        execute(
+            """INSERT INTO results (submission_id, revision, verdict, accuracy, stability, speed, points_of, isolation,
+                   nanos_per_item, graded_at)
+               VALUES ('s', 'r1', 'wrong', 6, 3, 1, 10, 'bubblewrap', 0, '2026-03-29T00:59:59.000Z')""",
+        )
+    }
+
+    /** A case of it, with text, part and the three pictures. */
+    private fun drawn(
+        case: Int,
+        pictures: String,
+    ) = execute(
+        """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
+               message, scene, picture_text, picture_part, expected_png, actual_png, difference_png)
+           VALUES ('s', 'r1', $case, 'case-$case', 'OPEN', 'WRONG', 0, 1, '', '', $pictures)""",
+    )
 
     /** Makes the database as the server of that version left it, with the students a and b. */
     private fun of(version: String) {

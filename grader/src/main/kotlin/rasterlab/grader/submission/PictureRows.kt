@@ -1,0 +1,58 @@
+package rasterlab.grader.submission
+
+import org.jdbi.v3.core.Handle
+import rasterlab.exercises.score.CasePicture
+import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PicturePart
+import java.util.Optional
+import kotlin.jvm.optionals.getOrNull
+
+/** The pictures of one report's cases, each with its text as data. */
+internal class PictureRows(
+    private val handle: Handle,
+    private val submission: String,
+    private val revision: String,
+) {
+    /** @param case its place in the report */
+    fun insert(
+        case: Int,
+        pictures: List<CasePicture>,
+    ) {
+        for ((position, picture) in pictures.withIndex()) {
+            handle
+                .createUpdate(
+                    """INSERT INTO case_pictures (submission_id, revision, case_position, position, kind, png, text,
+                           text_data, part)
+                       VALUES (:id, :revision, :case, :position, :kind, :png, :text, :data, :part)""",
+                ).bind("id", submission)
+                .bind("revision", revision)
+                .bind("case", case)
+                .bind("position", position)
+                .bind("kind", picture.kind())
+                .bind("png", picture.png())
+                .bind("text", picture.text().`in`("en"))
+                .bind("data", picture.text().data())
+                .bind("part", picture.part().getOrNull()?.data())
+                .execute()
+        }
+    }
+
+    /** Those of each case, by its place in the report. */
+    fun all(): Map<Int, List<CasePicture>> =
+        handle
+            .createQuery(
+                """SELECT * FROM case_pictures WHERE submission_id = :id AND revision = :revision
+                   ORDER BY case_position, position""",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .map { row, _ ->
+                row.getInt("case_position") to
+                    CasePicture(
+                        row.getString("kind"),
+                        row.getBytes("png"),
+                        Message.ofData(row.getString("text_data"), row.getString("text")),
+                        Optional.ofNullable(row.getString("part")).flatMap(PicturePart::ofData),
+                    )
+            }.list()
+            .groupBy({ it.first }, { it.second })
+}
