@@ -36,6 +36,13 @@ final class CircleFormat extends ArcFormat<CircleRasterizer, Circle> {
     }
 
     @Override
+    protected Given given(Circle c) {
+        return new Given()
+                .with(CENTER, new int[] {c.centreX(), c.centreY()})
+                .with(RADIUS, c.radius());
+    }
+
+    @Override
     long mostPixels(Circle c) {
         return 8L * c.radius() + 8;
     }

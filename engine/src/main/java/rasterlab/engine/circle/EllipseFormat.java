@@ -41,6 +41,14 @@ final class EllipseFormat extends ArcFormat<EllipseRasterizer, Ellipse> {
     }
 
     @Override
+    protected Given given(Ellipse e) {
+        return new Given()
+                .with(CENTER, new int[] {e.centreX(), e.centreY()})
+                .with(RX, e.radiusX())
+                .with(RY, e.radiusY());
+    }
+
+    @Override
     long mostPixels(Ellipse e) {
         return 8L * ((long) e.radiusX() + e.radiusY()) + 8;
     }

@@ -34,6 +34,12 @@ public record GivenWindow(boolean upright, double[] numbers) {
         public double[] read(ValueSource in) throws IOException {
             return in.startsArray() ? CORNER.read(in) : new double[] {SIDE.read(in)};
         }
+
+        @Override
+        public void write(double[] part, ValueSink out) throws IOException {
+            if (part.length == 1) SIDE.write(part[0], out);
+            else CORNER.write(part, out);
+        }
     }
 
     /** Parts of one kind. */
@@ -68,6 +74,11 @@ public record GivenWindow(boolean upright, double[] numbers) {
             double[] n = parts.stream().flatMapToDouble(Arrays::stream).toArray();
             if (width == 1) Sides.requireOrdered(n[0], n[1], n[2], n[3]);
             return new GivenWindow(width == 1, n);
+        }
+
+        @Override
+        protected List<double[]> value(GivenWindow window) {
+            return PartFormat.rows(window.numbers(), window.upright() ? 1 : 2);
         }
     }
 }

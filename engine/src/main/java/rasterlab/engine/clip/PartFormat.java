@@ -52,6 +52,11 @@ public final class PartFormat {
                 .toList();
     }
 
+    /** The numbers of all rows, one after the other. */
+    public static double[] numbers(List<double[]> rows) {
+        return rows.stream().flatMapToDouble(Arrays::stream).toArray();
+    }
+
     public static void write(List<Optional<double[]>> parts, ValueSink out) throws IOException {
         out.name("segments");
         out.startArray();

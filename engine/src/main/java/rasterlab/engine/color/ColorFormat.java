@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.format.EitherShape;
@@ -38,6 +39,11 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
         }
 
         @Override
+        public void write(double[] components, ValueSink out) throws IOException {
+            out.numbers(components);
+        }
+
+        @Override
         public void schema(ValueSink out) throws IOException {
             out.startObject();
             out.text("type", "array");
@@ -63,6 +69,11 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
             Double component = Colour.component(model, read.size()).read(in);
             read.add(component == null ? Double.NaN : component);
             return component;
+        }
+
+        @Override
+        public void write(Double component, ValueSink out) throws IOException {
+            out.number(component);
         }
 
         @Override
@@ -130,6 +141,23 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
                             + (models.isEmpty() ? "none" : models.size() + " of them"));
         ColorModel model = models.get(0);
         return Colors.of(model, given.get(COLOURS.get(MODELS.indexOf(model))));
+    }
+
+    @Override
+    protected Given given(Colors colour) {
+        if (colour.count() > 1)
+            throw new IllegalArgumentException(
+                    "one colour is told at a time, got " + colour.count());
+        ColorModel model = colour.model();
+        return new Given().with(COLOURS.get(MODELS.indexOf(model)), colour.components());
+    }
+
+    /** {@inheritDoc} One for each colour. */
+    @Override
+    public List<Colors> singles(Colors colours) {
+        return IntStream.range(0, colours.count())
+                .mapToObj(i -> Colors.of(colours.model(), colours.colour(i)))
+                .toList();
     }
 
     @Override

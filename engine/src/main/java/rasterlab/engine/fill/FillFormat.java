@@ -50,6 +50,11 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
         }
 
         @Override
+        public void write(Integer connectivity, ValueSink out) throws IOException {
+            out.whole(connectivity);
+        }
+
+        @Override
         public void schema(ValueSink out) throws IOException {
             out.startObject();
             out.name("enum");
@@ -96,6 +101,15 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
         if (connectivity != 4 && connectivity != 8)
             throw new Misfit("/connectivity", "expected 4 or 8, got " + connectivity);
         return new FillTask(rows, seed[0], seed[1], with.codePointAt(0), connectivity);
+    }
+
+    @Override
+    protected Given given(FillTask task) {
+        return new Given()
+                .with(PICTURE, task.rows())
+                .with(SEED, new int[] {task.x(), task.y()})
+                .with(WITH, Character.toString(task.with()))
+                .with(CONNECTIVITY, task.connectivity());
     }
 
     /** The number of characters, those beyond 16 bits counted once. */

@@ -10,6 +10,11 @@ record FlagShape() implements Shape<Boolean> {
     }
 
     @Override
+    public void write(Boolean value, ValueSink out) throws IOException {
+        out.flag(value);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         out.text("type", "boolean");

@@ -1,5 +1,6 @@
 package rasterlab.engine.format;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -18,6 +19,11 @@ public final class Given {
      */
     public Given(String place) {
         this.place = place;
+    }
+
+    /** Fields to be written. */
+    public Given() {
+        this("");
     }
 
     /** The value of a required field. */
@@ -64,6 +70,22 @@ public final class Given {
     /** Adds a value that the field's shape has read. */
     public void put(Field<?> field, Object value) {
         values.put(field.name(), value);
+    }
+
+    /** The same with one value more. */
+    public <T> Given with(Field<T> field, T value) {
+        put(field, value);
+        return this;
+    }
+
+    /** Writes those of the fields that were given. */
+    public void write(List<Field<?>> fields, ValueSink out) throws IOException {
+        for (Field<?> field : fields) if (has(field)) write(field, out);
+    }
+
+    private <T> void write(Field<T> field, ValueSink out) throws IOException {
+        out.name(field.name());
+        field.shape().write(get(field), out);
     }
 
     /** A complaint about the value of a field, with its place. */

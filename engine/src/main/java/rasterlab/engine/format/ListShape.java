@@ -15,6 +15,13 @@ record ListShape<T>(String what, Shape<T> item, int least, int most) implements 
     }
 
     @Override
+    public void write(List<T> value, ValueSink out) throws IOException {
+        out.startArray();
+        for (T each : value) item.write(each, out);
+        out.endArray();
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         ArraySchema.write(out, item, least, most);
     }

@@ -23,6 +23,9 @@ public abstract class MadeShape<S, T> implements Shape<T> {
      */
     protected abstract T made(S value);
 
+    /** The value of which {@link #made} makes {@code thing}. */
+    protected abstract S value(T thing);
+
     @Override
     public final T read(ValueSource in) throws IOException {
         S value = shape.read(in);
@@ -31,6 +34,11 @@ public abstract class MadeShape<S, T> implements Shape<T> {
         } catch (IllegalArgumentException e) {
             throw in.misfit(e.getMessage());
         }
+    }
+
+    @Override
+    public final void write(T thing, ValueSink out) throws IOException {
+        shape.write(value(thing), out);
     }
 
     @Override

@@ -16,12 +16,23 @@ final class NullableShape<T> extends EitherShape<T> {
         return in.isNull() ? null : shape.read(in);
     }
 
+    @Override
+    public void write(T value, ValueSink out) throws IOException {
+        if (value == null) out.nothing();
+        else shape.write(value, out);
+    }
+
     /** Null alone. */
     private static final class NullShape implements Shape<Void> {
         @Override
         public Void read(ValueSource in) {
             if (!in.isNull()) throw in.misfit("expected null");
             return null;
+        }
+
+        @Override
+        public void write(Void value, ValueSink out) throws IOException {
+            out.nothing();
         }
 
         @Override

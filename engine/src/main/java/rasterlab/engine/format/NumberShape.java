@@ -23,6 +23,11 @@ record NumberShape(double least, double most, Range range) implements Shape<Doub
     }
 
     @Override
+    public void write(Double value, ValueSink out) throws IOException {
+        out.number(value);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         out.text("type", "number");

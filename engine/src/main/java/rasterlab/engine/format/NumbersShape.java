@@ -10,6 +10,11 @@ record NumbersShape(int least, int most) implements Shape<double[]> {
     }
 
     @Override
+    public void write(double[] value, ValueSink out) throws IOException {
+        out.numbers(value);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         ArraySchema.write(out, Shape.number(), least, most);
     }

@@ -11,6 +11,13 @@ public record ObjectShape(List<Field<?>> fields) implements Shape<Given> {
     }
 
     @Override
+    public void write(Given value, ValueSink out) throws IOException {
+        out.startObject();
+        value.write(fields, out);
+        out.endObject();
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         writeSchema(out);

@@ -1,13 +1,20 @@
 package rasterlab.engine.format;
 
 import java.io.IOException;
-import java.util.List;
 
-/** An object with any fields. */
-record OpenShape() implements Shape<Given> {
+/** An object whose fields are written by code of their own, a part of an answer. */
+public class OpenShape implements Shape<Written> {
+    /** {@inheritDoc} Nobody reads answers. */
     @Override
-    public Given read(ValueSource in) throws IOException {
-        return in.openObject(List.of());
+    public final Written read(ValueSource in) {
+        throw in.misfit("is written, but not read");
+    }
+
+    @Override
+    public final void write(Written value, ValueSink out) throws IOException {
+        out.startObject();
+        value.write(out);
+        out.endObject();
     }
 
     @Override

@@ -10,6 +10,11 @@ record PointsShape(int dimension, int least, int most) implements Shape<double[]
     }
 
     @Override
+    public void write(double[] value, ValueSink out) throws IOException {
+        out.points(value, dimension);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         ArraySchema.write(out, Shape.numbers(dimension, dimension), least, most);
     }

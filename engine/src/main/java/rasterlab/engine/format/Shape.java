@@ -19,6 +19,9 @@ public interface Shape<T> {
      */
     T read(ValueSource in) throws IOException;
 
+    /** Writes a value so that {@link #read} makes it again. */
+    void write(T value, ValueSink out) throws IOException;
+
     /** Writes the shape as a schema of JSON Schema, 2020-12. */
     void schema(ValueSink out) throws IOException;
 

@@ -13,6 +13,11 @@ record TextShape(String what, int least, int most) implements Shape<String> {
         return in.text(what, least, most);
     }
 
+    @Override
+    public void write(String value, ValueSink out) throws IOException {
+        out.text(value);
+    }
+
     /** {@inheritDoc} JSON Schema counts characters, of which there are at most as many as units. */
     @Override
     public void schema(ValueSink out) throws IOException {

@@ -13,6 +13,11 @@ record ToldShape<T>(Shape<T> read, Shape<?> told) implements Shape<T> {
     }
 
     @Override
+    public void write(T value, ValueSink out) throws IOException {
+        read.write(value, out);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         told.schema(out);
     }

@@ -10,6 +10,11 @@ record WholeShape(int least, int most) implements Shape<Integer> {
     }
 
     @Override
+    public void write(Integer value, ValueSink out) throws IOException {
+        out.whole(value);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         out.text("type", "integer");

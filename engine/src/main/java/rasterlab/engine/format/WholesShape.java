@@ -10,6 +10,11 @@ record WholesShape(int count) implements Shape<int[]> {
     }
 
     @Override
+    public void write(int[] value, ValueSink out) throws IOException {
+        out.wholes(value);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         var any = new WholeShape(Integer.MIN_VALUE, Integer.MAX_VALUE);
         ArraySchema.write(out, any, count, count);

@@ -11,6 +11,11 @@ record WordShape(List<String> words) implements Shape<String> {
     }
 
     @Override
+    public void write(String value, ValueSink out) throws IOException {
+        out.text(value);
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         out.name("enum");

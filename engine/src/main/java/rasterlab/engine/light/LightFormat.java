@@ -10,6 +10,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
 
 /** Materials and lights from outside; a colour is three shares or one number for all. */
@@ -81,6 +82,11 @@ public final class LightFormat {
             double share = grey.read(in);
             return new double[] {share, share, share};
         }
+
+        @Override
+        public void write(double[] shares, ValueSink out) throws IOException {
+            THREE.write(shares, out);
+        }
     }
 
     /** A material. */
@@ -97,6 +103,16 @@ public final class LightFormat {
                     given.get(SPECULAR, new double[3]),
                     given.get(EMISSION, new double[3]),
                     given.get(SHININESS, 0.0));
+        }
+
+        @Override
+        protected Given value(SurfaceMaterial material) {
+            return new Given()
+                    .with(AMBIENT, material.ambient())
+                    .with(DIFFUSE, material.diffuse())
+                    .with(SPECULAR, material.specular())
+                    .with(EMISSION, material.emission())
+                    .with(SHININESS, material.shininess());
         }
     }
 
@@ -116,6 +132,16 @@ public final class LightFormat {
                     given.get(ATTENUATION, white.attenuation()),
                     given.get(SPOT, white.cone()));
         }
+
+        @Override
+        protected Given value(LightSource light) {
+            return new Given()
+                    .with(AMBIENT, light.ambient())
+                    .with(DIFFUSE, light.diffuse())
+                    .with(SPECULAR, light.specular())
+                    .with(ATTENUATION, light.attenuation())
+                    .with(SPOT, light.cone());
+        }
     }
 
     /** How a light weakens with its distance. */
@@ -128,6 +154,11 @@ public final class LightFormat {
         protected Attenuation made(double[] terms) {
             return new Attenuation(terms[0], terms[1], terms[2]);
         }
+
+        @Override
+        protected double[] value(Attenuation of) {
+            return new double[] {of.constant(), of.linear(), of.quadratic()};
+        }
     }
 
     /** The cone of a spotlight. */
@@ -139,6 +170,14 @@ public final class LightFormat {
         @Override
         protected SpotCone made(Given given) {
             return new SpotCone(given.get(DIRECTION), given.get(CUTOFF), given.get(EXPONENT, 0.0));
+        }
+
+        @Override
+        protected Given value(SpotCone cone) {
+            return new Given()
+                    .with(DIRECTION, cone.direction())
+                    .with(CUTOFF, cone.cutoff())
+                    .with(EXPONENT, cone.exponent());
         }
     }
 }

@@ -47,6 +47,11 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
         protected PixelWindow made(int[] sides) {
             return new PixelWindow(sides[0], sides[1], sides[2], sides[3]);
         }
+
+        @Override
+        protected int[] value(PixelWindow w) {
+            return new int[] {w.xmin(), w.ymin(), w.xmax(), w.ymax()};
+        }
     }
 
     @Override
@@ -80,6 +85,15 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
         int[] to = given.get(TO);
         PixelWindow window = given.get(WINDOW, PixelWindow.EVERYTHING);
         return new Segment(from[0], from[1], to[0], to[1], window);
+    }
+
+    @Override
+    protected Given given(Segment s) {
+        Given ends =
+                new Given()
+                        .with(FROM, new int[] {s.x0(), s.y0()})
+                        .with(TO, new int[] {s.x1(), s.y1()});
+        return s.isWhole() ? ends : ends.with(WINDOW, s.window());
     }
 
     @Override

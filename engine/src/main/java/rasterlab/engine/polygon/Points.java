@@ -49,6 +49,16 @@ public record Points(double[] x, double[] y) {
         return y.clone();
     }
 
+    /** x and y of each point in turn. */
+    public double[] numbers() {
+        var numbers = new double[2 * x.length];
+        for (int i = 0; i < x.length; i++) {
+            numbers[2 * i] = x[i];
+            numbers[2 * i + 1] = y[i];
+        }
+        return numbers;
+    }
+
     /** The same points, last first: a polygon that goes round the other way. */
     public Points reversed() {
         var backX = new double[x.length];

@@ -1,5 +1,6 @@
 package rasterlab.engine.scene;
 
+import java.util.Arrays;
 import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.MadeShape;
@@ -25,5 +26,10 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
     @Override
     protected int[] made(List<Integer> numbers) {
         return numbers.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    @Override
+    protected List<Integer> value(int[] numbers) {
+        return Arrays.stream(numbers).boxed().toList();
     }
 }

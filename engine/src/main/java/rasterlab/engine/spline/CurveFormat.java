@@ -93,6 +93,17 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
         return new CurveTask(curve(given), given.get(AT, new double[0]), given.get(FLATNESS, 0.0));
     }
 
+    @Override
+    protected Given given(CurveTask task) {
+        Given given =
+                new Given()
+                        .with(KIND, task.curve().kind().code())
+                        .with(POINTS, new Points(task.curve().x(), task.curve().y()).numbers());
+        return task.flatness() > 0
+                ? given.with(FLATNESS, task.flatness())
+                : given.with(AT, task.at());
+    }
+
     private static void requireInside(double[] at) {
         for (int i = 0; i < at.length; i++)
             if (at[i] < 0 || at[i] > 1)

@@ -95,6 +95,19 @@ public final class SplineFunctionFormat
                             "only ends of kind slopes have one, got " + given.get(slope));
             return new SplineEnds(kind, given.get(LEFT, 0.0), given.get(RIGHT, 0.0));
         }
+
+        @Override
+        protected Given value(SplineEnds ends) {
+            String kind =
+                    KINDS.keySet().stream()
+                            .filter(name -> KINDS.get(name) == ends.kind())
+                            .findFirst()
+                            .orElseThrow();
+            Given given = new Given().with(KIND, kind);
+            return ends.kind() == SplineEnds.Kind.SLOPES
+                    ? given.with(LEFT, ends.left()).with(RIGHT, ends.right())
+                    : given;
+        }
     }
 
     @Override
@@ -137,6 +150,17 @@ public final class SplineFunctionFormat
                 given.get(ENDS, SplineEnds.natural()),
                 given.get(AT),
                 false);
+    }
+
+    @Override
+    protected Given given(SplineProblem problem) {
+        if (problem.shape())
+            throw new IllegalArgumentException("that the shape counts is not told");
+        return new Given()
+                .with(X, problem.x())
+                .with(Y, problem.y())
+                .with(ENDS, problem.ends())
+                .with(AT, problem.at());
     }
 
     /** {@inheritDoc} Methods that keep the shape alone take the slopes from the neighbours. */

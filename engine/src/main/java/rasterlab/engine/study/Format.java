@@ -76,6 +76,29 @@ public abstract class Format<C, I, O> {
      */
     public abstract I read(Given given);
 
+    /**
+     * The fields of which {@link #read} makes that input.
+     *
+     * @param input one of {@link #singles}
+     * @throws IllegalArgumentException if there are none, since it has what is not told outside
+     */
+    protected abstract Given given(I input);
+
+    /** The inputs as they are outside that make up {@code input}; mostly that one. */
+    public List<I> singles(I input) {
+        return List.of(input);
+    }
+
+    /**
+     * Writes the fields of an input so that it is read as the same.
+     *
+     * @param input one of {@link #singles}
+     * @throws IllegalArgumentException if it has what is not told outside
+     */
+    public final void writeInput(I input, ValueSink out) throws IOException {
+        given(input).write(input(), out);
+    }
+
     /** Writes the fields of an output. */
     public abstract void write(O output, ValueSink out) throws IOException;
 

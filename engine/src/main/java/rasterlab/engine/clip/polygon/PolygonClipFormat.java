@@ -60,6 +60,13 @@ final class PolygonClipFormat extends Format<PolygonClipper, PolygonInWindow, Li
     }
 
     @Override
+    protected Given given(PolygonInWindow input) {
+        return new Given()
+                .with(GivenWindow.FIELD, new GivenWindow(false, input.window()))
+                .with(POLYGON, input.subject());
+    }
+
+    @Override
     public void write(List<double[]> pieces, ValueSink out) throws IOException {
         out.name(POLYGONS.name());
         out.startArray();

@@ -71,6 +71,13 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
     }
 
     @Override
+    protected Given given(SegmentsInWindow input) {
+        return new Given()
+                .with(GivenWindow.FIELD, new GivenWindow(true, input.window().sides()))
+                .with(SEGMENTS, PartFormat.numbers(input.segments()));
+    }
+
+    @Override
     public void write(ClippedEnds left, ValueSink out) throws IOException {
         PartFormat.write(left.parts(), out);
     }

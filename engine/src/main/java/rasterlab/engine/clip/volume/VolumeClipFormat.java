@@ -60,6 +60,13 @@ public final class VolumeClipFormat extends Format<VolumeClipper, SegmentsInVolu
     }
 
     @Override
+    protected Given given(SegmentsInVolume input) {
+        return new Given()
+                .with(ZMIN, input.zmin())
+                .with(SEGMENTS, PartFormat.numbers(input.segments()));
+    }
+
+    @Override
     public void write(ClippedEnds left, ValueSink out) throws IOException {
         PartFormat.write(left.parts(), out);
     }

@@ -4,9 +4,10 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import rasterlab.contract.LinePlane;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
@@ -78,8 +79,45 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
 
     @Override
     public PlaneAndLines read(Given given) {
+        Vector normal = plane(given).normal();
+        double[] point = point(given);
+        Line line = line(given);
         return new PlaneAndLines(
-                plane(given), Optional.of(vector(point(given), 0)), List.of(line(given)));
+                numbers(normal),
+                point,
+                normal.dot(vector(point, 0)),
+                new double[][] {numbers(line.from())},
+                new double[][] {numbers(line.through())});
+    }
+
+    @Override
+    protected Given given(PlaneAndLines input) {
+        if (input.size() != 1)
+            throw new IllegalArgumentException("one line is told at a time, got " + input.size());
+        if (input.point().length == 0)
+            throw new IllegalArgumentException("a plane is told by a point of it, not by c");
+        var line =
+                DoubleStream.concat(
+                        Arrays.stream(input.from()[0]), Arrays.stream(input.through()[0]));
+        return new Given()
+                .with(LINE, line.toArray())
+                .with(NORMAL, input.normal())
+                .with(POINT, input.point());
+    }
+
+    /** {@inheritDoc} One for each line. */
+    @Override
+    public List<PlaneAndLines> singles(PlaneAndLines input) {
+        return IntStream.range(0, input.size())
+                .mapToObj(
+                        i ->
+                                new PlaneAndLines(
+                                        input.normal(),
+                                        input.point(),
+                                        input.c(),
+                                        new double[][] {input.from()[i]},
+                                        new double[][] {input.through()[i]}))
+                .toList();
     }
 
     /** {@inheritDoc} From outside one sees all that a line and a plane make of each other. */

@@ -89,6 +89,20 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
     }
 
     @Override
+    protected Given given(FacePoints points) {
+        LitFace face = points.face();
+        return new Given()
+                .with(CORNERS, face.corners())
+                .with(NORMALS, face.normals())
+                .with(LAMP, face.lamp())
+                .with(EYE, face.eye())
+                .with(LightFormat.MATERIAL, face.material())
+                .with(LightFormat.LIGHT, face.light())
+                .with(LightFormat.GLOBAL_AMBIENT, face.globalAmbient())
+                .with(POINTS, points.weights());
+    }
+
+    @Override
     public void write(double[] shades, ValueSink out) throws IOException {
         out.points(INTENSITY.name(), shades, 3);
     }

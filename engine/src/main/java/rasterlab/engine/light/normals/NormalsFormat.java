@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
@@ -65,6 +66,17 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
         } catch (IllegalArgumentException e) {
             throw Misfit.of(e);
         }
+    }
+
+    @Override
+    protected Given given(Triangles surface) {
+        return new Given()
+                .with(VERTICES, surface.vertices())
+                .with(
+                        TRIANGLES,
+                        Stream.iterate(0, i -> i < surface.triangles().length, i -> i + 3)
+                                .map(i -> Arrays.copyOfRange(surface.triangles(), i, i + 3))
+                                .toList());
     }
 
     @Override

@@ -101,6 +101,28 @@ final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
         }
     }
 
+    @Override
+    protected Given given(LitPoints points) {
+        if (points.points().size() > 1)
+            throw new IllegalArgumentException(
+                    "one point is told at a time, got " + points.points().size());
+        LitPoint point = points.points().get(0);
+        return new Given()
+                .with(NORMAL, point.normal())
+                .with(TO_LIGHT, point.toLight())
+                .with(TO_EYE, point.toEye())
+                .with(LightFormat.MATERIAL, point.material())
+                .with(LightFormat.LIGHT, point.light())
+                .with(DISTANCE, point.distance())
+                .with(LightFormat.GLOBAL_AMBIENT, point.globalAmbient());
+    }
+
+    /** {@inheritDoc} One for each point. */
+    @Override
+    public List<LitPoints> singles(LitPoints points) {
+        return points.points().stream().map(point -> new LitPoints(List.of(point))).toList();
+    }
+
     /** {@inheritDoc} From outside one point is shaded, with its terms. */
     @Override
     public void write(Shades shades, ValueSink out) {

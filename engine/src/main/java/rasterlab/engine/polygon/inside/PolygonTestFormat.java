@@ -50,6 +50,13 @@ public final class PolygonTestFormat extends MembershipFormat<PointInPolygon> {
     }
 
     @Override
+    protected Given given(ShapeAndPoints input) {
+        return new Given()
+                .with(POLYGON, input.corners().numbers())
+                .with(POINTS, input.points().numbers());
+    }
+
+    @Override
     protected void check(Call<PointInPolygon> call, ShapeAndPoints input) {
         long work = (long) input.corners().size() * input.points().size();
         Steps.requireAtMost("/points", MOST_WORK, WORK, work);

@@ -69,6 +69,14 @@ final class PolygonFillFormat extends Format<PolygonFiller, PolygonTask, PixelRe
     }
 
     @Override
+    protected Given given(PolygonTask task) {
+        return new Given()
+                .with(POLYGON, new Points(task.x(), task.y()).numbers())
+                .with(RULE, task.rule() == FillRule.EVEN_ODD ? "evenodd" : "nonzero")
+                .with(SIZE, List.of(task.width(), task.height()));
+    }
+
+    @Override
     public void write(PixelRecording pixels, ValueSink out) throws IOException {
         AnsweredPixels.write(pixels, out);
     }

@@ -46,6 +46,13 @@ public final class TriangleFormat extends MembershipFormat<PointInTriangle> {
     }
 
     @Override
+    protected Given given(ShapeAndPoints input) {
+        return new Given()
+                .with(TRIANGLE, input.corners().numbers())
+                .with(POINTS, input.points().numbers());
+    }
+
+    @Override
     protected void check(Call<PointInTriangle> call, ShapeAndPoints input) {
         if (!call.steps()) return;
         call.stepped(SteppedTriangleTest.class);

@@ -57,6 +57,11 @@ final class TriangulateFormat extends Format<Triangulator, Points, Triangles> {
     }
 
     @Override
+    protected Given given(Points polygon) {
+        return new Given().with(POLYGON, polygon.numbers());
+    }
+
+    @Override
     public void write(Triangles triangles, ValueSink out) throws IOException {
         out.name(TRIANGLES.name());
         out.startArray();

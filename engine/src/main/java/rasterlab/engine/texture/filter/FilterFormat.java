@@ -1,6 +1,8 @@
 package rasterlab.engine.texture.filter;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.format.Field;
@@ -82,6 +84,28 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
         } catch (IllegalArgumentException e) {
             throw Misfit.of(e);
         }
+    }
+
+    @Override
+    protected Given given(FilteredPixels pixels) {
+        var rows = new ArrayList<List<Integer>>();
+        for (int y = 0; y < pixels.height(); y++) {
+            int below = (pixels.height() - 1 - y) * pixels.width();
+            rows.add(
+                    Arrays.stream(pixels.argb(), below, below + pixels.width())
+                            .map(FilterFormat::grey)
+                            .boxed()
+                            .toList());
+        }
+        return new Given().with(PICTURE, rows).with(PIXELS, pixels.footprints());
+    }
+
+    private static int grey(int argb) {
+        int level = argb & 0xFF;
+        if (argb != (0xFF000000 | 0x010101 * level))
+            throw new IllegalArgumentException(
+                    "a picture is told in greys, got " + Integer.toHexString(argb));
+        return level;
     }
 
     @Override

@@ -69,6 +69,14 @@ final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
     }
 
     @Override
+    protected Given given(TexturedSpan span) {
+        return new Given()
+                .with(FROM, new double[] {span.fromS(), span.fromT(), span.fromDepth()})
+                .with(TO, new double[] {span.toS(), span.toT(), span.toDepth()})
+                .with(PIXELS, span.pixels());
+    }
+
+    @Override
     public void write(Images st, ValueSink out) throws IOException {
         out.points(COORDINATES.name(), st.coordinates(), 2);
     }

@@ -63,6 +63,15 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
     }
 
     @Override
+    protected Given given(AxisTurn turn) {
+        return new Given()
+                .with(POINTS, turn.points())
+                .with(THROUGH, turn.through())
+                .with(DIRECTION, turn.direction())
+                .with(DEGREES, turn.degrees());
+    }
+
+    @Override
     public void write(Images turned, ValueSink out) throws IOException {
         out.points(TURNED.name(), turned.coordinates(), 3);
     }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Shape;
+import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
 import rasterlab.engine.transform.matrix.MatrixCall;
 import rasterlab.engine.transform.matrix.MatrixFormat;
@@ -32,6 +33,12 @@ final class GivenMatrix extends EitherShape<double[][]> {
                         "a matrix has %d rows, but row %d has %d numbers; expected as many"
                                 .formatted(rows.size(), i + 1, rows.get(i).length));
         return rows.toArray(double[][]::new);
+    }
+
+    /** {@inheritDoc} By its rows: what it was called is not known any more. */
+    @Override
+    public void write(double[][] rows, ValueSink out) throws IOException {
+        ROWS.write(List.of(rows), out);
     }
 
     private static double[][] named(ValueSource in) throws IOException {

@@ -99,6 +99,28 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
                 h);
     }
 
+    @Override
+    protected Given given(Chain chain) {
+        int dimension = chain.dimension();
+        var points = new ArrayList<double[]>();
+        for (int i = 0; i < chain.h().length; i++) {
+            int from = i * dimension;
+            double[] point = Arrays.copyOfRange(chain.points(), from, from + dimension + 1);
+            point[dimension] = chain.h()[i];
+            points.add(chain.h()[i] == 1 ? Arrays.copyOf(point, dimension) : point);
+        }
+        List<double[][]> matrices =
+                Arrays.stream(chain.matrices()).map(cells -> rows(cells, dimension + 1)).toList();
+        return new Given().with(MATRICES, matrices).with(POINTS, points);
+    }
+
+    private static double[][] rows(double[] cells, int size) {
+        var rows = new double[size][];
+        for (int i = 0; i < size; i++)
+            rows[i] = Arrays.copyOfRange(cells, i * size, (i + 1) * size);
+        return rows;
+    }
+
     private static int dimension(List<double[][]> matrices, List<double[]> points) {
         if (!matrices.isEmpty()) return matrices.get(0).length - 1;
         return points.isEmpty() ? 3 : Math.min(3, points.get(0).length);

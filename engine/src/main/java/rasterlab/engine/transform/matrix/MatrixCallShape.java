@@ -13,6 +13,13 @@ final class MatrixCallShape implements Shape<MatrixCall> {
     }
 
     @Override
+    public void write(MatrixCall call, ValueSink out) throws IOException {
+        out.startObject();
+        MatrixFormat.given(call.name(), call.parameters()).write(MatrixFormat.fields(), out);
+        out.endObject();
+    }
+
+    @Override
     public void schema(ValueSink out) throws IOException {
         out.startObject();
         writeSchema(out);

@@ -2,6 +2,7 @@ package rasterlab.engine.transform.matrix;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -52,6 +53,11 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         @Override
         public double[] read(ValueSource in) throws IOException {
             return new double[] {in.number()};
+        }
+
+        @Override
+        public void write(double[] one, ValueSink out) throws IOException {
+            out.number(one[0]);
         }
 
         @Override
@@ -112,6 +118,22 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
     @Override
     public MatrixCall read(Given given) {
         return call(given);
+    }
+
+    @Override
+    protected Given given(MatrixCall call) {
+        return given(call.name(), call.parameters());
+    }
+
+    static Given given(String name, double[] numbers) {
+        Given given = new Given().with(NAME, name);
+        int next = 0;
+        for (MatrixParameter parameter : NamedMatrices.named(name).parameters()) {
+            double[] own = Arrays.copyOfRange(numbers, next, next + parameter.size());
+            given.with(PARAMETERS.get(parameter.name()), own);
+            next += parameter.size();
+        }
+        return given;
     }
 
     /** The matrix that the fields ask for, each parameter in its range. */

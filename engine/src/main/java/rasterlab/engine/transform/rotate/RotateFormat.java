@@ -66,6 +66,14 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
     }
 
     @Override
+    protected Given given(Turns turns) {
+        return new Given()
+                .with(POINTS, turns.points())
+                .with(DEGREES, turns.degrees())
+                .with(TIMES, turns.times());
+    }
+
+    @Override
     public void write(Images turned, ValueSink out) throws IOException {
         out.points(TURNED.name(), turned.coordinates(), 2);
     }

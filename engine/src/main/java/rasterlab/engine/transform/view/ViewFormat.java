@@ -62,6 +62,15 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     }
 
     @Override
+    protected Given given(Look look) {
+        return new Given()
+                .with(POINTS, look.points())
+                .with(THETA, look.theta())
+                .with(PHI, look.phi())
+                .with(RHO, look.rho());
+    }
+
+    @Override
     public void write(Images images, ValueSink out) throws IOException {
         out.points(SEEN.name(), images.coordinates(), 3);
     }

@@ -83,6 +83,18 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
         }
     }
 
+    @Override
+    protected Given given(DepthRows rows) {
+        Given given =
+                new Given()
+                        .with(NEAR, rows.range().near())
+                        .with(DEPTHS, rows.depths())
+                        .with(TO, rows.to())
+                        .with(PIXELS, rows.pixels());
+        double far = rows.range().far();
+        return Double.isInfinite(far) ? given : given.with(FAR, far);
+    }
+
     /** {@inheritDoc} Its own numbers, without what is worked out of them and the input. */
     @Override
     public void write(StoredDepths stored, ValueSink out) throws IOException {

@@ -61,6 +61,16 @@ final class VisibleFacesFormat extends Format<VisibleFaces, Body, SeenFaces> {
         return new Body(xyz, faces, given.get(EYE), given.get(INSIDE, new double[0]));
     }
 
+    @Override
+    protected Given given(Body body) {
+        Given given =
+                new Given()
+                        .with(VERTICES, body.xyz())
+                        .with(FACES, List.of(body.faces()))
+                        .with(EYE, body.eye());
+        return body.inside().length == 0 ? given : given.with(INSIDE, body.inside());
+    }
+
     private static void requireVertices(int face, int[] corners, int vertices) {
         for (int k = 0; k < corners.length; k++)
             if (corners[k] < 0 || corners[k] >= vertices)

@@ -4,13 +4,14 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
+import rasterlab.engine.format.OpenShape;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
-import rasterlab.engine.format.ValueSource;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
@@ -50,12 +51,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
     }
 
     /** Counts by names that each method has of its own. */
-    private static final class Counts implements Shape<Given> {
-        @Override
-        public Given read(ValueSource in) throws IOException {
-            return in.openObject(List.of());
-        }
-
+    private static final class Counts extends OpenShape {
         @Override
         public void schema(ValueSink out) throws IOException {
             out.startObject();
@@ -116,6 +112,52 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
         } catch (IllegalArgumentException e) {
             throw new Misfit(e.getMessage());
         }
+    }
+
+    @Override
+    protected Given given(SurfaceView seen) {
+        PictureFit fit = seen.view().fit();
+        if (fit.eyeX() != 0 || !Double.isInfinite(seen.view().far()))
+            throw new IllegalArgumentException("one eye is told, which sees without end");
+        return new Given()
+                .with(VERTICES, vertices(seen.mesh()))
+                .with(VertexNumbers.FACES, faces(seen.mesh()))
+                .with(THETA, degrees(seen.camera().thetaRadians()))
+                .with(PHI, degrees(seen.camera().phiRadians()))
+                .with(RHO, seen.camera().rho())
+                .with(SIZE, new int[] {fit.width(), fit.height()})
+                .with(PROJECTION, seen.view().transform().projection().code())
+                .with(SCALE, fit.pixelsPerUnit());
+    }
+
+    /** The degrees whose radians are nearest; not all radians have degrees of their own. */
+    private static double degrees(double radians) {
+        double degrees = Math.toDegrees(radians);
+        for (double near : new double[] {degrees, Math.nextUp(degrees), Math.nextDown(degrees)})
+            if (Math.toRadians(near) == radians) return near;
+        return degrees;
+    }
+
+    private static double[] vertices(Mesh mesh) {
+        var xyz = new double[3 * mesh.vertexCount()];
+        for (int v = 0; v < mesh.vertexCount(); v++) {
+            xyz[3 * v] = mesh.x(v);
+            xyz[3 * v + 1] = mesh.y(v);
+            xyz[3 * v + 2] = mesh.z(v);
+        }
+        return xyz;
+    }
+
+    private static List<int[]> faces(Mesh mesh) {
+        var faces = new ArrayList<int[]>();
+        for (int f = 0; f < mesh.faceCount(); f++) {
+            int face = f;
+            faces.add(
+                    IntStream.range(0, mesh.cornerCount(f))
+                            .map(k -> mesh.corner(face, k))
+                            .toArray());
+        }
+        return faces;
     }
 
     @Override

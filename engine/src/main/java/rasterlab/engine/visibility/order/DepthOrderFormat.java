@@ -66,6 +66,11 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
         return new Sight(given.get(POLYGONS).toArray(double[][]::new), given.get(EYE));
     }
 
+    @Override
+    protected Given given(Sight sight) {
+        return new Given().with(POLYGONS, List.of(sight.polygons())).with(EYE, sight.eye());
+    }
+
     /** {@inheritDoc} What is whole shows in the input. */
     @Override
     public void write(Painting painting, ValueSink out) {
