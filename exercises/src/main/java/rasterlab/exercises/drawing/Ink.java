@@ -27,10 +27,18 @@ final class Ink {
 
     /** The same color, so far towards paper that a figure filled with it stays readable. */
     static Color pale(Color color) {
-        return new Color(pale(color.getRed()), pale(color.getGreen()), pale(color.getBlue()));
+        return towardsPaper(color, 6);
     }
 
-    private static int pale(int channel) {
-        return 255 - (255 - channel) / 6;
+    /** The same color, but not as strong as a line. */
+    static Color faint(Color color) {
+        return towardsPaper(color, 2);
+    }
+
+    private static Color towardsPaper(Color color, int part) {
+        return new Color(
+                255 - (255 - color.getRed()) / part,
+                255 - (255 - color.getGreen()) / part,
+                255 - (255 - color.getBlue()) / part);
     }
 }

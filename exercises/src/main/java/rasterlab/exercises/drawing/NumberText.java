@@ -29,12 +29,20 @@ final class NumberText {
         if (Double.isNaN(value)) return "NaN";
         if (Double.isInfinite(value)) return value > 0 ? "∞" : "-∞";
         if (value == 0) return 1 / value > 0 ? "0" : "-0";
-        BigDecimal rounded =
-                new BigDecimal(value).round(new MathContext(digits)).stripTrailingZeros();
-        int exponent = rounded.precision() - rounded.scale() - 1;
-        if (exponent >= LEAST_PLAIN_EXPONENT && exponent < digits) return rounded.toPlainString();
-        String mantissa = rounded.movePointLeft(exponent).toPlainString();
-        return mantissa + "·10" + raised(exponent);
+        return written(new BigDecimal(value).round(new MathContext(digits)), digits);
+    }
+
+    /** All digits of a number that has only few. */
+    static String exactly(BigDecimal number) {
+        return written(number, USUAL_DIGITS);
+    }
+
+    /** Plain where its first digit is not far from the point. */
+    private static String written(BigDecimal number, int longest) {
+        BigDecimal shortest = number.stripTrailingZeros();
+        int exponent = shortest.precision() - shortest.scale() - 1;
+        if (exponent >= LEAST_PLAIN_EXPONENT && exponent < longest) return shortest.toPlainString();
+        return shortest.movePointLeft(exponent).toPlainString() + "·10" + raised(exponent);
     }
 
     /** The fewest significant digits, from the usual ones on, with which the two look different. */

@@ -1,10 +1,13 @@
 package rasterlab.exercises.drawing;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.HashMap;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
@@ -13,12 +16,12 @@ final class PngBytes {
     /** Bytes that a picture of a report should not exceed. */
     static final int MOST = 40_000;
 
-    /** The levels of a channel in a picture that would be too large in all its colours. */
-    private static final int LEVELS = 6;
+    /** Numbers of colors for a picture that is too large in all of its own. */
+    private static final int[] FEW = {16, 8};
 
     private PngBytes() {}
 
-    /** The whole picture in all its colours. */
+    /** The whole picture in all its colors. */
     static byte[] of(BufferedImage image) {
         var bytes = new ByteArrayOutputStream();
         // in memory: what ImageIO takes by itself may lie in a temporary file
@@ -31,47 +34,57 @@ final class PngBytes {
         return bytes.toByteArray();
     }
 
-    /** The same; where it is larger than {@link #MOST}, each channel rounded to a few levels. */
+    /** The same; a picture larger than {@link #MOST} keeps only its most frequent colors. */
     static byte[] small(BufferedImage image) {
         byte[] bytes = of(image);
-        return bytes.length <= MOST ? bytes : of(rounded(image));
+        for (int i = 0; i < FEW.length && bytes.length > MOST; i++)
+            bytes = of(inFewColors(image, FEW[i]));
+        return bytes;
     }
 
-    private static BufferedImage rounded(BufferedImage image) {
-        var colors = new int[LEVELS * LEVELS * LEVELS];
-        for (int i = 0; i < colors.length; i++)
-            colors[i] = rgb(i / LEVELS / LEVELS, i / LEVELS % LEVELS, i % LEVELS);
+    /** The picture with each color as the one most like it among the most frequent ones. */
+    private static BufferedImage inFewColors(BufferedImage image, int most) {
+        var counts = new HashMap<Integer, Integer>();
+        int width = image.getWidth();
+        int[] pixels = image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
+        for (int rgb : pixels) counts.merge(rgb, 1, Integer::sum);
+        int[] colors =
+                counts.entrySet().stream()
+                        .sorted(
+                                Map.Entry.<Integer, Integer>comparingByValue()
+                                        .reversed()
+                                        .thenComparing(Map.Entry.comparingByKey()))
+                        .limit(most)
+                        .mapToInt(Map.Entry::getKey)
+                        .toArray();
         var model =
-                new IndexColorModel(
-                        8,
-                        colors.length,
-                        colors,
-                        0,
-                        false,
-                        -1,
-                        java.awt.image.DataBuffer.TYPE_BYTE);
-        var rounded =
-                new BufferedImage(
-                        image.getWidth(),
-                        image.getHeight(),
-                        BufferedImage.TYPE_BYTE_INDEXED,
-                        model);
-        for (int y = 0; y < image.getHeight(); y++)
-            for (int x = 0; x < image.getWidth(); x++)
-                rounded.getRaster().setSample(x, y, 0, index(image.getRGB(x, y)));
-        return rounded;
+                new IndexColorModel(4, colors.length, colors, 0, false, -1, DataBuffer.TYPE_BYTE);
+        var few =
+                new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_BINARY, model);
+        var nearest = new HashMap<Integer, Integer>();
+        for (int i = 0; i < pixels.length; i++)
+            few.getRaster()
+                    .setSample(
+                            i % width,
+                            i / width,
+                            0,
+                            nearest.computeIfAbsent(pixels[i], rgb -> nearest(rgb, colors)));
+        return few;
     }
 
-    private static int rgb(int red, int green, int blue) {
-        int step = 255 / (LEVELS - 1);
-        return red * step << 16 | green * step << 8 | blue * step;
+    private static int nearest(int rgb, int[] colors) {
+        int best = 0;
+        for (int i = 1; i < colors.length; i++)
+            if (distance(rgb, colors[i]) < distance(rgb, colors[best])) best = i;
+        return best;
     }
 
-    private static int index(int rgb) {
-        return (level(rgb >> 16) * LEVELS + level(rgb >> 8)) * LEVELS + level(rgb);
-    }
-
-    private static int level(int channel) {
-        return ((channel & 255) * (LEVELS - 1) + 127) / 255;
+    private static int distance(int one, int other) {
+        int sum = 0;
+        for (int shift = 0; shift < 24; shift += 8) {
+            int difference = (one >> shift & 255) - (other >> shift & 255);
+            sum += difference * difference;
+        }
+        return sum;
     }
 }

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.exercises.drawing.TableComparison.Cell;
 import rasterlab.exercises.drawing.TableComparison.State;
+import rasterlab.exercises.drawing.ThreePictures.Drawn;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Message;
 
 /** Draws the answer of a case whose output is a table of numbers. */
@@ -49,7 +51,7 @@ public final class TablePictures {
      * @param agreement decides which cells are right
      * @return three pictures of one size: expected, actual, difference
      */
-    public static List<DrawnPicture> of(
+    public static List<CasePicture> of(
             TableLabels labels, double[][] expected, double[][] actual, Agreement agreement) {
         return new TablePictures(new TableComparison(expected, actual, agreement), labels).drawn();
     }
@@ -61,18 +63,12 @@ public final class TablePictures {
         return numbers;
     }
 
-    private List<DrawnPicture> drawn() {
-        return List.of(
-                new DrawnPicture(
-                        "expected",
-                        PngBytes.small(sheet.numbers(table::expected, Ink.EXPECTED)),
-                        numbersSaid(table::expected)),
-                new DrawnPicture(
-                        "actual",
-                        PngBytes.small(sheet.numbers(table::actual, Ink.ACTUAL)),
-                        numbersSaid(table::actual)),
-                new DrawnPicture(
-                        "difference", PngBytes.small(sheet.difference()), differenceSaid()));
+    private List<CasePicture> drawn() {
+        return ThreePictures.of(
+                new Drawn(
+                        sheet.numbers(table::expected, Ink.EXPECTED), numbersSaid(table::expected)),
+                new Drawn(sheet.numbers(table::actual, Ink.ACTUAL), numbersSaid(table::actual)),
+                new Drawn(sheet.difference(), differenceSaid()));
     }
 
     /** The size, and the numbers that the picture shows, row by row. */

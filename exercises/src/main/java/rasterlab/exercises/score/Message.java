@@ -32,8 +32,10 @@ public record Message(List<Sentence> sentences) {
     private static final Pattern ALONE = Pattern.compile(NUMBER);
 
     /** A pixel, a point, or another row of numbers. */
-    private static final Pattern IN_BRACKETS =
-            Pattern.compile("\\(" + NUMBER + "(, " + NUMBER + ")*\\)");
+    private static final String ROW = "\\(" + NUMBER + "(, " + NUMBER + ")*\\)";
+
+    /** One such row or several. */
+    private static final Pattern IN_BRACKETS = Pattern.compile(ROW + "( " + ROW + ")*");
 
     /**
      * The texts whose places hold numbers and pixels of ours. In all others a number may be a name

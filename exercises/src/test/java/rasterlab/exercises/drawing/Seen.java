@@ -13,12 +13,13 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import rasterlab.exercises.score.CasePicture;
 
 /** Looks at the three pictures of a case. */
 final class Seen {
-    private final List<DrawnPicture> pictures;
+    private final List<CasePicture> pictures;
 
-    Seen(List<DrawnPicture> pictures) {
+    Seen(List<CasePicture> pictures) {
         this.pictures = pictures;
     }
 
@@ -50,9 +51,9 @@ final class Seen {
     void assertComplete(String message) {
         assertEquals(
                 List.of("expected", "actual", "difference"),
-                pictures.stream().map(DrawnPicture::kind).toList(),
+                pictures.stream().map(CasePicture::kind).toList(),
                 message);
-        for (DrawnPicture one : pictures) {
+        for (CasePicture one : pictures) {
             assertTrue(one.png().length <= PngBytes.MOST, message + ": " + one.png().length);
             for (String language : List.of("en", "ru"))
                 assertFalse(one.text().in(language).isBlank(), message);

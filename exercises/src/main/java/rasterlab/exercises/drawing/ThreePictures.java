@@ -1,0 +1,31 @@
+package rasterlab.exercises.drawing;
+
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Message;
+
+/** Collects what is expected, what is actual, and their difference. */
+final class ThreePictures {
+    private ThreePictures() {}
+
+    /** The pictures as a report keeps them, in this order. */
+    static List<CasePicture> of(Drawn expected, Drawn actual, Drawn difference) {
+        return List.of(
+                expected.called(CasePicture.EXPECTED),
+                actual.called(CasePicture.ACTUAL),
+                difference.called(CasePicture.DIFFERENCE));
+    }
+
+    /**
+     * A picture as it was drawn.
+     *
+     * @param text tells what it shows to people who do not see it
+     */
+    record Drawn(BufferedImage image, Message text) {
+        private CasePicture called(String kind) {
+            return new CasePicture(kind, PngBytes.small(image), text, Optional.empty());
+        }
+    }
+}

@@ -1,0 +1,7 @@
+package rasterlab.exercises.drawing;
+
+/** The direction in which y grows. */
+public enum YAxis {
+    UP,
+    DOWN
+}
