@@ -44,7 +44,7 @@ abstract class ArcFormat<C, I> extends Format<C, I, PixelRecording> {
     }
 
     @Override
-    public final void write(PixelRecording output, ValueSink out) throws IOException {
+    public final void write(I input, PixelRecording output, ValueSink out) throws IOException {
         AnsweredPixels.write(output, out);
     }
 

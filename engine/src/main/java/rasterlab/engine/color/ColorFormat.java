@@ -161,7 +161,7 @@ final class ColorFormat extends Format<ColorConverter, Colors, ColorSheet> {
     }
 
     @Override
-    public void write(ColorSheet sheet, ValueSink out) throws IOException {
+    public void write(Colors input, ColorSheet sheet, ValueSink out) throws IOException {
         for (ColorModel model : MODELS) out.numbers(model.code(), sheet.in(model));
         out.name(LEVELS.name());
         out.startArray();

@@ -138,8 +138,11 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
 
     /** {@inheritDoc} From outside one sees the picture, not the pixels in their order. */
     @Override
-    public void write(PixelRecording pixels, ValueSink out) {
-        throw new AssertionError("a fill is written as a picture");
+    public void write(FillTask task, PixelRecording pixels, ValueSink out) throws IOException {
+        var picture = new TextPicture(task.rows());
+        for (int i = 0; i < pixels.size(); i++)
+            picture.write(pixels.x(i), pixels.y(i), task.with());
+        write(picture, out);
     }
 
     private static void write(TextPicture picture, ValueSink out) throws IOException {
@@ -159,6 +162,7 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
         }
     }
 
+    /** {@inheritDoc} The picture is the one that was filled, in whatever colours. */
     @Override
     protected Written answered(Call<SeedFiller> call, FillTask task) {
         var text = new TextPicture(task.rows());

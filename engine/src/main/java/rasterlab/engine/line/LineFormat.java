@@ -97,7 +97,7 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
     }
 
     @Override
-    public void write(PixelRecording output, ValueSink out) throws IOException {
+    public void write(Segment input, PixelRecording output, ValueSink out) throws IOException {
         AnsweredPixels.write(output, out);
     }
 
@@ -121,7 +121,7 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
             call.method().draw(s.x0(), s.y0(), s.x1(), s.y1(), pixels);
         }
         Written steps = call.steps() ? steps(call, s) : null;
-        return new Answer(pixels.kept(), coverage, steps);
+        return answer(s, pixels.kept(), coverage == null ? null : levels(coverage), steps);
     }
 
     private AnsweredPixels pixels(Call<LineRasterizer> call, Segment s) {
@@ -138,25 +138,13 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
         }
     }
 
-    /**
-     * The pixels with what stands beside them.
-     *
-     * @param coverage null where the method has none
-     * @param steps null where they were not asked for
-     */
-    private record Answer(PixelRecording pixels, ByteArrayOutputStream coverage, Written steps)
-            implements Written {
-        @Override
-        public void write(ValueSink out) throws IOException {
-            AnsweredPixels.write(pixels, out);
-            if (coverage != null) {
-                out.name(COVERAGE.name());
-                out.startArray();
-                for (byte level : coverage.toByteArray()) out.whole(level & 0xFF);
-                out.endArray();
-            }
-            if (steps != null) steps.write(out);
-        }
+    private static Written levels(ByteArrayOutputStream coverage) {
+        return out -> {
+            out.name(COVERAGE.name());
+            out.startArray();
+            for (byte level : coverage.toByteArray()) out.whole(level & 0xFF);
+            out.endArray();
+        };
     }
 
     @Override

@@ -38,7 +38,8 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
     }
 
     @Override
-    public final void write(Membership inside, ValueSink out) throws IOException {
+    public final void write(ShapeAndPoints input, Membership inside, ValueSink out)
+            throws IOException {
         out.name(INSIDE.name());
         out.startArray();
         for (int i = 0; i < inside.size(); i++) out.flag(inside.inside(i));
@@ -50,7 +51,7 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
     protected final Written answered(Call<C> call, ShapeAndPoints input) {
         if (call.steps()) return walked(call, input);
         Membership inside = judged(input, judge(call.method(), input));
-        return out -> write(inside, out);
+        return answer(input, inside, null, null);
     }
 
     /** A judge that asks the method. */
@@ -61,11 +62,7 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
 
     /** Writes the answer of a judge that records steps. */
     protected final Written walked(ShapeAndPoints input, Membership.Judge judge, Steps steps) {
-        Membership inside = judged(input, judge);
-        return out -> {
-            write(inside, out);
-            steps.write(out);
-        };
+        return answer(input, judged(input, judge), null, steps);
     }
 
     private static Membership judged(ShapeAndPoints input, Membership.Judge judge) {

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
-import rasterlab.engine.format.Doubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
@@ -128,15 +127,13 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
         }
     }
 
-    /** {@inheritDoc} From outside points are taken as a method sends them. */
     @Override
-    public void write(Polyline line, ValueSink out) {
-        throw new AssertionError("a curve is written by its points");
-    }
-
-    private static void write(Doubles points, ValueSink out) throws IOException {
-        out.points(TRACED.name(), points.toArray(), 2);
-        out.whole(SEGMENTS.name(), points.size() / 2 - 1);
+    public void write(CurveTask task, Polyline line, ValueSink out) throws IOException {
+        out.name(TRACED.name());
+        out.startArray();
+        for (int i = 0; i < line.size(); i++) out.numbers(line.x(i), line.y(i));
+        out.endArray();
+        out.whole(SEGMENTS.name(), line.size() - 1);
     }
 
     @Override
@@ -166,21 +163,14 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             return task.flatness() > 0
                     ? flattened(call.stepped(SteppedCurve.class), task)
                     : traced(call.stepped(SteppedPoint.class), task);
-        Doubles points = points(call.method(), task);
-        return out -> write(points, out);
+        return answer(task, line(call.method(), task), null, null);
     }
 
-    private static Doubles points(CurveTracer tracer, CurveTask task) {
-        var points = new Doubles();
-        if (task.flatness() > 0)
-            tracer.flatten(task.curve(), task.flatness(), (x, y) -> add(points, x, y));
-        else tracer.at(task.curve(), task.at(), (x, y) -> add(points, x, y));
-        return points;
-    }
-
-    private static void add(Doubles points, double x, double y) {
-        points.add(x);
-        points.add(y);
+    private static Polyline line(CurveTracer tracer, CurveTask task) {
+        var line = new Polyline(Integer.MAX_VALUE);
+        if (task.flatness() > 0) tracer.flatten(task.curve(), task.flatness(), line);
+        else tracer.at(task.curve(), task.at(), line);
+        return line;
     }
 
     private record Step(double t, double x, double y, double decision) implements Written {
@@ -193,18 +183,15 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
         }
     }
 
-    private static Written flattened(SteppedCurve stepped, CurveTask task) {
-        var points = new Doubles();
+    private Written flattened(SteppedCurve stepped, CurveTask task) {
+        var line = new Polyline(Integer.MAX_VALUE);
         var steps = new ArrayList<Step>();
         CurveWalk walk = stepped.walk(task.curve(), task.flatness());
         while (walk.advance()) {
-            add(points, walk.x(), walk.y());
+            line.point(walk.x(), walk.y());
             steps.add(new Step(walk.t(), walk.x(), walk.y(), walk.decision()));
         }
-        return out -> {
-            write(points, out);
-            Steps.deciding(stepped.decisionFormula(), steps).write(out);
-        };
+        return answer(task, line, null, Steps.deciding(stepped.decisionFormula(), steps));
     }
 
     /** The points that one step to a point left. */
@@ -220,14 +207,10 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
         }
     }
 
-    private static Written traced(SteppedPoint stepped, CurveTask task) {
+    private Written traced(SteppedPoint stepped, CurveTask task) {
         var steps = new ArrayList<List<Left>>();
         for (double t : task.at())
             steps.add(stepped.stepsAt(task.curve(), t).stream().map(Left::new).toList());
-        Doubles points = points(stepped, task);
-        return out -> {
-            write(points, out);
-            Steps.plainLists(steps).write(out);
-        };
+        return answer(task, line(stepped, task), null, Steps.plainLists(steps));
     }
 }

@@ -172,12 +172,13 @@ public final class SplineFunctionFormat
         return () -> answered(call, problem);
     }
 
-    /** {@inheritDoc} From outside the coefficients are told too. */
     @Override
-    public void write(SplineValues values, ValueSink out) {
-        throw new AssertionError("a spline is written with its coefficients");
+    public void write(SplineProblem problem, SplineValues values, ValueSink out)
+            throws IOException {
+        out.numbers(VALUES.name(), values.y());
     }
 
+    /** {@inheritDoc} From outside the coefficients are told too. */
     @Override
     protected Written answered(Call<SplineFunction> call, SplineProblem problem) {
         SplineEnds ends = problem.ends();
@@ -186,12 +187,14 @@ public final class SplineFunctionFormat
         Written steps = call.steps() ? steps(call, problem.x(), y, ends) : null;
         double[] coefficients = call.method().coefficients(problem.x(), y, ends);
         double[] values = new PiecewiseCubic(problem.x(), coefficients, ends).at(problem.at());
-        return out -> {
-            out.numbers(VALUES.name(), values);
-            out.points(COEFFICIENTS.name(), coefficients, 4);
-            if (closed.moved()) out.said(NOTE.name(), closed.note());
-            if (steps != null) steps.write(out);
-        };
+        return answer(
+                problem,
+                new SplineValues(call.method().promise(), coefficients.length, values),
+                out -> {
+                    out.points(COEFFICIENTS.name(), coefficients, 4);
+                    if (closed.moved()) out.said(NOTE.name(), closed.note());
+                },
+                steps);
     }
 
     private record Step(String phase, int index, double decision) implements Written {

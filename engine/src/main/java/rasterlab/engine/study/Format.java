@@ -99,8 +99,12 @@ public abstract class Format<C, I, O> {
         given(input).write(input(), out);
     }
 
-    /** Writes the fields of an output. */
-    public abstract void write(O output, ValueSink out) throws IOException;
+    /**
+     * Writes the fields of an output: what the topic judges.
+     *
+     * @param input that it answers
+     */
+    public abstract void write(I input, O output, ValueSink out) throws IOException;
 
     /**
      * Reads an input, refuses at once what cannot be done, and returns what is left to do: to run
@@ -122,7 +126,17 @@ public abstract class Format<C, I, O> {
     /** Runs the method and keeps what it answers. */
     protected Written answered(Call<C> call, I input) {
         O output = recorded(call, input);
-        return call.steps() ? new Whole(output, steps(call, input)) : new Whole(output, null);
+        return answer(input, output, null, call.steps() ? steps(call, input) : null);
+    }
+
+    /**
+     * Puts an answer together: the output, behind it what is told beyond it, and the steps.
+     *
+     * @param more null where nothing is
+     * @param steps null where none were asked for
+     */
+    protected final Written answer(I input, O output, Written more, Written steps) {
+        return new Whole(input, output, more, steps);
     }
 
     /** The method's output for the input. */
@@ -151,19 +165,24 @@ public abstract class Format<C, I, O> {
         }
     }
 
-    /** An output, and steps where they were asked for. */
+    /** An output, with more and with steps where there are such. */
     private final class Whole implements Written {
+        private final I input;
         private final O output;
+        private final Written more;
         private final Written steps;
 
-        Whole(O output, Written steps) {
+        Whole(I input, O output, Written more, Written steps) {
+            this.input = input;
             this.output = output;
+            this.more = more;
             this.steps = steps;
         }
 
         @Override
         public void write(ValueSink out) throws IOException {
-            Format.this.write(output, out);
+            Format.this.write(input, output, out);
+            if (more != null) more.write(out);
             if (steps != null) steps.write(out);
         }
     }

@@ -67,7 +67,8 @@ final class PolygonClipFormat extends Format<PolygonClipper, PolygonInWindow, Li
     }
 
     @Override
-    public void write(List<double[]> pieces, ValueSink out) throws IOException {
+    public void write(PolygonInWindow input, List<double[]> pieces, ValueSink out)
+            throws IOException {
         out.name(POLYGONS.name());
         out.startArray();
         for (double[] piece : pieces) out.points(piece, 2);

@@ -78,7 +78,7 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
     }
 
     @Override
-    public void write(ClippedEnds left, ValueSink out) throws IOException {
+    public void write(SegmentsInWindow input, ClippedEnds left, ValueSink out) throws IOException {
         PartFormat.write(left.parts(), out);
     }
 
@@ -124,10 +124,10 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
             capture.next();
         }
         ClippedEnds left = capture.captured();
-        if (!call.steps()) return out -> write(left, out);
+        if (!call.steps()) return out -> PartFormat.write(left.parts(), out);
         Steps steps = steps(method, segments, s -> method.walk(corners, s[0], s[1], s[2], s[3]));
         return out -> {
-            write(left, out);
+            PartFormat.write(left.parts(), out);
             steps.write(out);
         };
     }

@@ -67,7 +67,7 @@ public final class VolumeClipFormat extends Format<VolumeClipper, SegmentsInVolu
     }
 
     @Override
-    public void write(ClippedEnds left, ValueSink out) throws IOException {
+    public void write(SegmentsInVolume input, ClippedEnds left, ValueSink out) throws IOException {
         PartFormat.write(left.parts(), out);
     }
 

@@ -120,54 +120,42 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
                 .toList();
     }
 
-    /** {@inheritDoc} From outside one sees all that a line and a plane make of each other. */
+    /** {@inheritDoc} A μ that is no number, as the textbook's can be, names no point. */
     @Override
-    public void write(Meetings meetings, ValueSink out) {
-        throw new AssertionError("a meeting is written with its line and plane");
+    public void write(PlaneAndLines input, Meetings meetings, ValueSink out) throws IOException {
+        double mu = meetings.mu(0);
+        out.number("mu", mu);
+        if (!meetings.hasPoint(0)) return;
+        out.numbers("point", meetings.point(0));
+        out.text("part", Line.part(mu).name().toLowerCase(Locale.ROOT));
     }
 
     @Override
     public Supplier<Written> prepared(Call<LinePlane> call, Given given) {
         Line line = line(given);
         Plane plane = plane(given);
-        double[] point = point(given);
-        return () -> Found.by(call.method(), line, plane, point);
+        PlaneAndLines input = read(given);
+        return () -> answered(call, input, line, plane);
     }
 
-    /** The meeting of the line and the plane, with the numbers that are told of it. */
-    private record Found(double mu, Vector point, double angle, Vector cosines, double projection)
-            implements Written {
-        /**
-         * @param point of the plane, as it was given
-         * @throws IllegalArgumentException if one of the numbers is out of range
-         */
-        static Found by(LinePlane meeting, Line line, Plane plane, double[] point) {
-            double mu =
-                    meeting.meetsThrough(
-                            numbers(plane.normal()),
-                            point,
-                            numbers(line.from()),
-                            numbers(line.through()));
-            return new Found(
-                    mu,
-                    Double.isFinite(mu) ? line.at(mu) : null,
-                    plane.angleWith(line),
-                    line.direction().unit(),
-                    line.direction().projectedOn(plane.normal()));
-        }
-
-        /** A μ that is no number, as the textbook's can be, names no point. */
-        @Override
-        public void write(ValueSink out) throws IOException {
-            out.number("mu", mu);
-            if (point != null) {
-                out.numbers("point", numbers(point));
-                out.text("part", Line.part(mu).name().toLowerCase(Locale.ROOT));
-            }
-            out.number("angle", angle);
-            out.numbers("cosines", numbers(cosines));
-            out.number("projection", projection);
-        }
+    /**
+     * @throws IllegalArgumentException if one of the numbers is out of range
+     */
+    private Written answered(Call<LinePlane> call, PlaneAndLines input, Line line, Plane plane) {
+        double mu = input.mu(call.method(), 0);
+        double[] point = Double.isFinite(mu) ? numbers(line.at(mu)) : null;
+        double angle = plane.angleWith(line);
+        double[] cosines = numbers(line.direction().unit());
+        double projection = line.direction().projectedOn(plane.normal());
+        return answer(
+                input,
+                Meetings.ofOne(mu, point),
+                out -> {
+                    out.number("angle", angle);
+                    out.numbers("cosines", cosines);
+                    out.number("projection", projection);
+                },
+                null);
     }
 
     private static Line line(Given given) {

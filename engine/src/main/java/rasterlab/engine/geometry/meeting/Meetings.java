@@ -38,6 +38,16 @@ public final class Meetings {
         return new Meetings(mu, parts, points);
     }
 
+    /**
+     * What one μ names.
+     *
+     * @param point null where μ is no number
+     */
+    static Meetings ofOne(double mu, double[] point) {
+        Line.Part part = point == null ? null : Line.part(mu);
+        return new Meetings(new double[] {mu}, new Line.Part[] {part}, new double[][] {point});
+    }
+
     private static double[] numbers(Vector v) {
         return new double[] {v.x(), v.y(), v.z()};
     }
@@ -48,6 +58,16 @@ public final class Meetings {
 
     public double mu(int line) {
         return mu[line];
+    }
+
+    /** Whether a line's μ names a point within doubles. */
+    boolean hasPoint(int line) {
+        return points[line] != null;
+    }
+
+    /** That point: x, y, z. */
+    double[] point(int line) {
+        return points[line].clone();
     }
 
     Meetings first(int count) {

@@ -103,7 +103,7 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
     }
 
     @Override
-    public void write(double[] shades, ValueSink out) throws IOException {
+    public void write(FacePoints input, double[] shades, ValueSink out) throws IOException {
         out.points(INTENSITY.name(), shades, 3);
     }
 

@@ -80,7 +80,7 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
     }
 
     @Override
-    public void write(Images images, ValueSink out) throws IOException {
+    public void write(Triangles input, Images images, ValueSink out) throws IOException {
         out.points(NORMALS.name(), images.coordinates(), 3);
     }
 
@@ -111,10 +111,10 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
         var steps = new ArrayList<Step>();
         while (walk.advance())
             steps.add(new Step(walk.face(), walk.vertex(), walk.weight(), walk.sum()));
-        double[] normals = walk.normals();
-        return out -> {
-            out.points(NORMALS.name(), normals, 3);
-            Steps.deciding(stepped.weightFormula(), steps).write(out);
-        };
+        return answer(
+                surface,
+                new Images(walk.normals(), 3),
+                null,
+                Steps.deciding(stepped.weightFormula(), steps));
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.engine.light.shade;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.engine.format.Field;
@@ -123,10 +124,11 @@ final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
         return points.points().stream().map(point -> new LitPoints(List.of(point))).toList();
     }
 
-    /** {@inheritDoc} From outside one point is shaded, with its terms. */
+    /** {@inheritDoc} From outside one point is shaded; of several specular terms by the first. */
     @Override
-    public void write(Shades shades, ValueSink out) {
-        throw new AssertionError("a shade is written with its terms");
+    public void write(LitPoints points, Shades shades, ValueSink out) throws IOException {
+        double[] rgb = shades.rgb().values().iterator().next();
+        out.numbers(INTENSITY.name(), Arrays.copyOf(rgb, 3));
     }
 
     @Override
@@ -135,11 +137,11 @@ final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
         double[] intensity = call.method().intensity(point);
         Terms terms = call.method() instanceof TermShader termed ? termed.terms(point) : null;
         if (call.steps() && terms == null) throw call.noSteps();
-        return out -> {
-            out.numbers(INTENSITY.name(), intensity);
-            if (terms != null) write(terms, out);
-            if (call.steps()) steps(terms, intensity).write(out);
-        };
+        return answer(
+                points,
+                new Shades(Map.of(call.method().reflection(), intensity)),
+                terms == null ? null : out -> write(terms, out),
+                call.steps() ? steps(terms, intensity) : null);
     }
 
     /** A term added. */

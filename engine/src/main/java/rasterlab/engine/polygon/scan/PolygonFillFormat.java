@@ -77,7 +77,7 @@ final class PolygonFillFormat extends Format<PolygonFiller, PolygonTask, PixelRe
     }
 
     @Override
-    public void write(PixelRecording pixels, ValueSink out) throws IOException {
+    public void write(PolygonTask input, PixelRecording pixels, ValueSink out) throws IOException {
         AnsweredPixels.write(pixels, out);
     }
 
@@ -85,11 +85,7 @@ final class PolygonFillFormat extends Format<PolygonFiller, PolygonTask, PixelRe
     @Override
     protected Written answered(Call<PolygonFiller> call, PolygonTask task) {
         Written steps = call.steps() ? steps(call, task) : null;
-        PixelRecording pixels = recorded(call, task);
-        return out -> {
-            write(pixels, out);
-            if (steps != null) steps.write(out);
-        };
+        return answer(task, recorded(call, task), null, steps);
     }
 
     @Override

@@ -62,7 +62,7 @@ final class TriangulateFormat extends Format<Triangulator, Points, Triangles> {
     }
 
     @Override
-    public void write(Triangles triangles, ValueSink out) throws IOException {
+    public void write(Points input, Triangles triangles, ValueSink out) throws IOException {
         out.name(TRIANGLES.name());
         out.startArray();
         for (int i = 0; i < triangles.size(); i++)
@@ -92,10 +92,7 @@ final class TriangulateFormat extends Format<Triangulator, Points, Triangles> {
         List<Cut> cuts = cuts(stepped, polygon);
         int[] corners = cuts.stream().flatMapToInt(TriangulateFormat::corners).toArray();
         Steps steps = Steps.deciding(stepped.choice() + VALUE, cuts);
-        return out -> {
-            write(new Triangles(corners), out);
-            steps.write(out);
-        };
+        return answer(polygon, new Triangles(corners), null, steps);
     }
 
     private static IntStream corners(Cut cut) {

@@ -109,7 +109,7 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
     }
 
     @Override
-    public void write(double[] levels, ValueSink out) throws IOException {
+    public void write(FilteredPixels input, double[] levels, ValueSink out) throws IOException {
         out.name(LEVELS.name());
         out.startArray();
         for (int i = 1; i < levels.length; i += 4) out.whole((int) levels[i]);

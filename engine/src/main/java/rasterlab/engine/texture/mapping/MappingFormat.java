@@ -77,7 +77,7 @@ final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
     }
 
     @Override
-    public void write(Images st, ValueSink out) throws IOException {
+    public void write(TexturedSpan input, Images st, ValueSink out) throws IOException {
         out.points(COORDINATES.name(), st.coordinates(), 2);
     }
 }

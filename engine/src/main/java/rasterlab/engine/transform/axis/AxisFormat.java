@@ -72,7 +72,7 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
     }
 
     @Override
-    public void write(Images turned, ValueSink out) throws IOException {
+    public void write(AxisTurn input, Images turned, ValueSink out) throws IOException {
         out.points(TURNED.name(), turned.coordinates(), 3);
     }
 
@@ -101,9 +101,7 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
                         .walk(turn.through(), turn.direction(), turn.degrees(), turn.points());
         var steps = new ArrayList<Step>();
         while (walk.advance()) steps.add(new Step(walk.text(), walk.points()));
-        return out -> {
-            out.points(TURNED.name(), steps.get(steps.size() - 1).points(), 3);
-            Steps.plain(steps).write(out);
-        };
+        var turned = new Images(steps.get(steps.size() - 1).points(), 3);
+        return answer(turn, turned, null, Steps.plain(steps));
     }
 }

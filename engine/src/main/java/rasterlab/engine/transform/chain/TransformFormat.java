@@ -134,7 +134,7 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
     }
 
     @Override
-    public void write(Output output, ValueSink out) throws IOException {
+    public void write(Chain input, Output output, ValueSink out) throws IOException {
         int dimension = output.images().dimension();
         double[] all = output.images().coordinates();
         out.name(IMAGES.name());
@@ -170,17 +170,17 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
                                     Arrays.copyOf(chain.matrices(), i),
                                     chain.points(),
                                     chain.h())));
-        return out -> writeStages(stages, out);
+        Output last = stages.get(stages.size() - 1);
+        return answer(chain, last, null, out -> writeStages(chain, stages, out));
     }
 
-    private void writeStages(List<Output> stages, ValueSink out) throws IOException {
-        write(stages.get(stages.size() - 1), out);
+    private void writeStages(Chain chain, List<Output> stages, ValueSink out) throws IOException {
         out.name("steps");
         out.startArray();
         for (int i = 0; i < stages.size(); i++) {
             out.startObject();
             out.whole("matrices", i);
-            write(stages.get(i), out);
+            write(chain, stages.get(i), out);
             out.endObject();
         }
         out.endArray();

@@ -182,7 +182,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
     }
 
     @Override
-    public void write(double[][] rows, ValueSink out) throws IOException {
+    public void write(MatrixCall input, double[][] rows, ValueSink out) throws IOException {
         out.name(MATRIX.name());
         out.startArray();
         for (double[] row : rows) out.numbers(row);

@@ -74,7 +74,7 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
     }
 
     @Override
-    public void write(Images turned, ValueSink out) throws IOException {
+    public void write(Turns input, Images turned, ValueSink out) throws IOException {
         out.points(TURNED.name(), turned.coordinates(), 2);
     }
 
@@ -112,10 +112,7 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
                     drained(
                             stepped.walk(turns.degrees(), turns.times(), points[i], points[i + 1]),
                             left));
-        return out -> {
-            out.points(TURNED.name(), left.toArray(), 2);
-            Steps.plainLists(steps).write(out);
-        };
+        return answer(turns, new Images(left.toArray(), 2), null, Steps.plainLists(steps));
     }
 
     private static List<Step> drained(TurnWalk walk, Doubles left) {

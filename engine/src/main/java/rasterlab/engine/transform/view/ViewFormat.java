@@ -71,7 +71,7 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     }
 
     @Override
-    public void write(Images images, ValueSink out) throws IOException {
+    public void write(Look input, Images images, ValueSink out) throws IOException {
         out.points(SEEN.name(), images.coordinates(), 3);
     }
 

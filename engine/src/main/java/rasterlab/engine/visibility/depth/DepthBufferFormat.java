@@ -95,14 +95,28 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
         return Double.isInfinite(far) ? given : given.with(FAR, far);
     }
 
-    /** {@inheritDoc} Its own numbers, without what is worked out of them and the input. */
     @Override
-    public void write(StoredDepths stored, ValueSink out) throws IOException {
+    public void write(DepthRows rows, StoredDepths stored, ValueSink out) throws IOException {
         out.wholes(CODES.name(), stored.codes());
+        writeDepths(stored, out);
+        writeFront(stored, out);
+    }
+
+    private static void writeDepths(StoredDepths stored, ValueSink out) throws IOException {
         out.numbers(Z.name(), stored.depths());
     }
 
-    /** {@inheritDoc} A method without steps is told so before it runs. */
+    private static void writeFront(StoredDepths stored, ValueSink out) throws IOException {
+        out.name(FRONT.name());
+        out.startArray();
+        for (int pixel = 0; pixel < stored.pixels(); pixel++) out.whole(stored.front(pixel));
+        out.endArray();
+    }
+
+    /**
+     * {@inheritDoc} A method without steps is told so before it runs. What is told beyond the
+     * output stands between its fields.
+     */
     @Override
     protected Written answered(Call<DepthFormat> call, DepthRows rows) {
         Written steps = call.steps() ? steps(call, rows) : out -> {};
@@ -115,12 +129,9 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
             out.startArray();
             for (int code : stored.codes()) out.number(codes.stored(code));
             out.endArray();
-            out.numbers(Z.name(), stored.depths());
+            writeDepths(stored, out);
             out.numbers(SEPARABLE.name(), behind);
-            out.name(FRONT.name());
-            out.startArray();
-            for (int pixel = 0; pixel < rows.pixels(); pixel++) out.whole(stored.front(pixel));
-            out.endArray();
+            writeFront(stored, out);
             steps.write(out);
         };
     }

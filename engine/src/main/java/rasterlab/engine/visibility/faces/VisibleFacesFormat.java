@@ -85,7 +85,7 @@ final class VisibleFacesFormat extends Format<VisibleFaces, Body, SeenFaces> {
     }
 
     @Override
-    public void write(SeenFaces seen, ValueSink out) throws IOException {
+    public void write(Body input, SeenFaces seen, ValueSink out) throws IOException {
         out.name(VISIBLE.name());
         out.startArray();
         for (int f = 0; f < seen.size(); f++) out.flag(seen.visible(f));

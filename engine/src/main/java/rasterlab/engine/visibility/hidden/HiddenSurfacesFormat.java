@@ -25,6 +25,7 @@ import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.SteppedVisibility;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityStep;
+import rasterlab.engine.visibility.VisibilityWork;
 
 /** Faces drawn from outside: a mesh and how it is seen; {@code picture} out. */
 final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePicture> {
@@ -161,7 +162,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
     }
 
     @Override
-    public void write(FacePicture picture, ValueSink out) throws IOException {
+    public void write(SurfaceView input, FacePicture picture, ValueSink out) throws IOException {
         out.name(PICTURE.name());
         out.startArray();
         for (int y = 0; y < picture.height(); y++) {
@@ -172,12 +173,15 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
         out.endArray();
     }
 
-    private void write(DrawnFaces drawn, ValueSink out) throws IOException {
-        write(drawn.picture(), out);
-        out.whole(SPLITS.name(), drawn.work().splits());
+    private Written answer(SurfaceView view, DrawnFaces drawn, Written steps) {
+        return answer(view, drawn.picture(), out -> write(drawn.work(), out), steps);
+    }
+
+    private static void write(VisibilityWork work, ValueSink out) throws IOException {
+        out.whole(SPLITS.name(), work.splits());
         out.name(WORK.name());
         out.startObject();
-        for (Map.Entry<String, Long> counted : drawn.work().operations().entrySet())
+        for (Map.Entry<String, Long> counted : work.operations().entrySet())
             out.whole(counted.getKey().replace(' ', '-'), counted.getValue());
         out.endObject();
     }
@@ -189,18 +193,12 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
 
     @Override
     protected Written answered(Call<Visibility> call, SurfaceView view) {
-        if (!call.steps()) {
-            DrawnFaces drawn = DrawnFaces.by(call.method(), view);
-            return out -> write(drawn, out);
-        }
+        if (!call.steps()) return answer(view, DrawnFaces.by(call.method(), view), null);
         SteppedVisibility stepped = call.stepped(SteppedVisibility.class);
         var all = new ArrayList<Step>();
         DrawnFaces drawn =
                 DrawnFaces.watched(stepped, view, step -> Steps.add(all, new Step(step)));
-        return out -> {
-            write(drawn, out);
-            Steps.deciding(stepped.decision(), all).write(out);
-        };
+        return answer(view, drawn, Steps.deciding(stepped.decision(), all));
     }
 
     /** The next thing that a method did. */

@@ -73,11 +73,7 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
 
     /** {@inheritDoc} What is whole shows in the input. */
     @Override
-    public void write(Painting painting, ValueSink out) {
-        throw new AssertionError("a painting is written with what was given");
-    }
-
-    private static void write(Sight sight, Painting painting, ValueSink out) throws IOException {
+    public void write(Sight sight, Painting painting, ValueSink out) throws IOException {
         double[][] given = sight.polygons();
         var splits = new ArrayList<Painting.Piece>();
         out.name(ORDER.name());
@@ -107,19 +103,13 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
 
     @Override
     protected Written answered(Call<DepthOrder> call, Sight sight) {
-        if (!call.steps()) {
-            Painting painting = recorded(call, sight);
-            return out -> write(sight, painting, out);
-        }
+        if (!call.steps()) return super.answered(call, sight);
         SteppedOrder stepped = call.stepped(SteppedOrder.class);
         var painting = new Painting();
         OrderWalk walk = stepped.walk(sight, painting::add);
         var steps = new ArrayList<Step>();
         while (walk.advance()) steps.add(new Step(walk.step()));
-        return out -> {
-            write(sight, painting, out);
-            Steps.deciding(stepped.decision(), steps).write(out);
-        };
+        return answer(sight, painting, null, Steps.deciding(stepped.decision(), steps));
     }
 
     /** A polygon painted, moved or cut. */
