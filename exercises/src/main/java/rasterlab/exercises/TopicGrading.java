@@ -1,15 +1,16 @@
 package rasterlab.exercises;
 
-import java.io.DataOutputStream;
-import java.io.IOException;
+import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
-import rasterlab.engine.raster.Plotted;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.Message;
@@ -50,19 +51,34 @@ public interface TopicGrading {
      */
     Timings timings(Random random, Collection<Set<String>> wrongOn);
 
-    /** What a child is asked. */
-    interface Task {
-        /** One of {@link rasterlab.exercises.child.Wire}. */
-        int operation();
+    /**
+     * Beyond which a call is stopped.
+     *
+     * @param items that a sink takes
+     * @param bytes of the answer
+     * @param processor time
+     */
+    record Caps(int items, int bytes, Duration processor) {
+        private static final Duration USUAL = Duration.ofSeconds(2);
 
-        /** Writes what the child reads after the operation. */
-        void writeTo(DataOutputStream out) throws IOException;
+        /** So many items, and no more bytes and time than most topics need. */
+        public static Caps ofItems(long items) {
+            return new Caps(
+                    (int) Math.min(items, Wire.MOST_ITEMS - 1), Wire.MOST_ANSWER_BYTES, USUAL);
+        }
     }
 
-    /** One call of the student's method. */
-    interface Call extends Task {
-        /** The method is stopped beyond. */
-        int mostPixels();
+    /** One input, and what a method answers to it. */
+    interface Call {
+        Caps caps();
+
+        /**
+         * Has a method answer and keeps what came of it, an output of the topic.
+         *
+         * @param method of the contract; it may run elsewhere
+         * @throws LimitReached when it goes on beyond the most items; carries the output so far
+         */
+        Object recorded(Object method);
 
         /** The whole finding, with pictures. */
         Finding judge(Answer answer);
@@ -85,9 +101,10 @@ public interface TopicGrading {
         }
 
         /**
-         * The same with what a student's method plotted, which the lab shows beside the right one.
+         * The same with what a student's method did where it is not right, as far as the lab shows
+         * it beside the right one.
          */
-        String scene(Optional<Plotted> drawn);
+        String scene(Optional<Answer> wrong);
     }
 
     /** Makes inputs to time a method on. */
@@ -96,18 +113,50 @@ public interface TopicGrading {
         Timing next();
     }
 
-    /** A batch of inputs that are drawn into a sink which sums up. */
-    interface Timing extends Task {
-        /** Number of pixels of the right answers. */
+    /** A batch of inputs to time a method on. */
+    interface Timing {
+        /** Number of inputs. */
+        int inputs();
+
+        /**
+         * Has a method answer one of the inputs and keeps what came of it.
+         *
+         * @param input from 0
+         */
+        Object recorded(int input, Object method);
+
+        /** The most items that a sink may take for an input. */
+        int mostItems();
+
+        /** Items that a sink has room for from the start, so that making more takes no time. */
+        int usualItems();
+
+        /**
+         * The input whose answer is looked at itself, which the method does not know; empty where
+         * the sum of all tells enough.
+         */
+        OptionalInt looked();
+
+        /** A method that answers right. */
+        Object right();
+
+        /** Number of items of the right answers. */
         long count();
 
         /**
-         * The mistakes that explain what was drawn: none for the right answer.
+         * The mistakes that explain the answers: none for right ones.
          *
-         * @param count number of pixels that were drawn
-         * @param sum of them
-         * @return their codes; empty where nothing that is known explains it
+         * @return their codes; empty where nothing that is known explains them
          */
-        Optional<Set<String>> mistakes(long count, long sum);
+        Optional<Set<String>> mistakes(Told told);
     }
+
+    /**
+     * What is told of timed answers.
+     *
+     * @param count number of items
+     * @param sum of them
+     * @param looked the answer to the input that is looked at
+     */
+    record Told(long count, long sum, Optional<Object> looked) {}
 }

@@ -8,13 +8,17 @@ import java.io.OutputStream;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Stream;
-import rasterlab.contract.LineRasterizer;
 
 /** Answers the parent's requests by calling the student's object. */
 final class StudentCalls {
+    /** Items that a sheet has room for from the start. */
+    private static final int USUAL = 256;
+
     private final OutputStream parent;
     private final CappedOutput printed;
     private Object student;
+    private ContractCall contract;
+    private Calling calling;
 
     StudentCalls(OutputStream parent, CappedOutput printed) {
         this.parent = parent;
@@ -27,20 +31,22 @@ final class StudentCalls {
         switch (operation) {
             case Wire.PING -> send(nonce, new byte[] {Wire.DONE});
             case Wire.LOAD -> load(nonce, request);
-            case Wire.DRAW_LINE -> drawLine(nonce, request);
-            case Wire.TIME_LINES -> timeLines(nonce, request);
+            case Wire.CALL -> call(nonce, request);
+            case Wire.TIME -> time(nonce, request);
             default -> throw new IOException("unknown operation " + operation);
         }
     }
 
     private void load(long nonce, DataInputStream request) throws IOException {
+        contract = contract(request.readUTF());
+        calling = Calling.of(contract.method());
         String name = request.readUTF();
         Map<String, byte[]> classes = new HashMap<>();
         for (int left = request.readInt(); left > 0; left--)
             classes.put(request.readUTF(), Frames.read(request, Wire.MOST_CLASS_BYTES));
         try {
             Class<?> type = Class.forName(name, true, new StudentLoader(classes));
-            student = type.getConstructor().newInstance();
+            student = contract.contract().cast(type.getConstructor().newInstance());
         } catch (ReflectiveOperationException e) {
             Throwable cause = e.getCause();
             if (cause == null) send(nonce, new byte[] {Wire.NOT_LOADABLE});
@@ -53,59 +59,81 @@ final class StudentCalls {
         send(nonce, new byte[] {Wire.DONE});
     }
 
-    private void drawLine(long nonce, DataInputStream in) throws IOException {
-        LineRasterizer method = (LineRasterizer) student;
-        int x0 = in.readInt();
-        int y0 = in.readInt();
-        int x1 = in.readInt();
-        int y1 = in.readInt();
-        Sheet pixels = new Sheet(Math.min(in.readInt(), Wire.MOST_PIXELS));
+    private static ContractCall contract(String name) throws IOException {
         try {
-            method.draw(x0, y0, x1, y1, pixels);
+            return ContractCall.of(Class.forName(name));
+        } catch (ClassNotFoundException e) {
+            throw new IOException("no contract " + name, e);
+        }
+    }
+
+    private void call(long nonce, DataInputStream in) throws IOException {
+        int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
+        int mostBytes = Math.min(in.readInt(), Wire.MOST_ANSWER_BYTES);
+        Object[] given = contract.readArguments(in, most, Math.min(most, USUAL));
+        byte[] before = contract.values(given);
+        Object returned = null;
+        try {
+            returned = calling.call(student, given);
         } catch (Throwable e) {
-            if (!pixels.full()) {
+            if (!isFull(given)) {
                 threw(nonce, e);
                 return;
             }
         }
+        ByteArrayOutputStream answer = new ByteArrayOutputStream();
+        contract.writeAnswer(before, given, returned, new DataOutputStream(answer));
+        boolean tooLong = answer.size() > mostBytes;
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
-        out.writeByte(pixels.full() ? Wire.CUT : Wire.DONE);
-        pixels.writeTo(out);
+        out.writeByte(tooLong ? Wire.TOO_LONG : isFull(given) ? Wire.CUT : Wire.DONE);
+        Frames.write(out, tooLong ? new byte[0] : answer.toByteArray());
         out.writeUTF(printed.take());
         send(nonce, body.toByteArray());
     }
 
-    private void timeLines(long nonce, DataInputStream in) throws IOException {
-        LineRasterizer method = (LineRasterizer) student;
-        int[] ends = new int[4 * in.readInt()];
-        int most = in.readInt();
+    private static boolean isFull(Object[] given) {
+        return Stream.of(given).anyMatch(one -> one instanceof Sheet sheet && sheet.full());
+    }
+
+    private void time(long nonce, DataInputStream in) throws IOException {
+        Object[][] given = new Object[in.readInt()][];
+        int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
         int room = in.readInt();
-        for (int i = 0; i < ends.length; i++) ends[i] = in.readInt();
-        Sheet[] sheets = new Sheet[ends.length / 4];
-        for (int i = 0; i < sheets.length; i++) sheets[i] = new Sheet(most, room);
+        int from = in.readInt();
+        int to = in.readInt();
+        byte[][] before = new byte[given.length][];
+        for (int i = 0; i < given.length; i++) {
+            given[i] = contract.readArguments(in, most, room);
+            if (i >= from && i < to) before[i] = contract.values(given[i]);
+        }
+        Object[] returned = new Object[given.length];
         printed.drop();
         long start = System.nanoTime();
         try {
-            for (int i = 0; i < ends.length; i += 4)
-                method.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], sheets[i >> 2]);
+            calling.callEach(student, given, returned);
         } catch (Throwable e) {
-            if (Stream.of(sheets).noneMatch(Sheet::full)) {
+            if (Stream.of(given).noneMatch(StudentCalls::isFull)) {
                 printed.keep();
                 threw(nonce, e);
                 return;
             }
         }
         long nanos = System.nanoTime() - start;
-        PixelSum pixels = new PixelSum();
-        for (Sheet sheet : sheets) sheet.addTo(pixels);
+        ItemSum sum = new ItemSum();
+        for (int i = 0; i < given.length; i++) contract.addTo(sum, given[i], returned[i]);
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
         out.writeByte(Wire.DONE);
         out.writeLong(nanos);
-        out.writeLong(pixels.count());
-        out.writeLong(pixels.sum());
+        out.writeLong(sum.count());
+        out.writeLong(sum.sum());
         out.writeLong(printed.keep());
+        for (int i = from; i < to; i++) {
+            ByteArrayOutputStream answer = new ByteArrayOutputStream();
+            contract.writeAnswer(before[i], given[i], returned[i], new DataOutputStream(answer));
+            Frames.write(out, answer.toByteArray());
+        }
         send(nonce, body.toByteArray());
     }
 

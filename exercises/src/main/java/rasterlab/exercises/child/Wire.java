@@ -13,23 +13,30 @@ public final class Wire {
     /** Source as UTF-8 bytes. */
     public static final int COMPILE = 1;
 
-    /** Name of the class to make an instance of, number of classes, then name and bytes of each. */
+    /**
+     * Name of the contract and of the class to make an instance of, number of classes, then name
+     * and bytes of each.
+     */
     public static final int LOAD = 2;
 
-    /** x0, y0, x1, y1 and the most pixels to record. */
-    public static final int DRAW_LINE = 3;
+    /**
+     * The most items of a sink (int), the most bytes of the answer (int) and what the method is
+     * given; answered by what came of it as a frame ({@link ContractCall}) and what was printed.
+     */
+    public static final int CALL = 3;
 
     /**
-     * Number of segments, the most pixels of one, the usual number, then x0, y0, x1, y1 of each;
-     * answered by the nanoseconds that it took, the number of pixels, their sum and the number of
-     * bytes that were printed.
+     * Number of calls, the most items of a sink, the usual number, the first call to be told in
+     * full and the one after the last (five ints), then what the method is given in each; answered
+     * by the nanoseconds that they took, the number of items, their sum and the number of bytes
+     * that were printed (four longs), and what came of those calls as a frame each.
      */
-    public static final int TIME_LINES = 4;
+    public static final int TIME = 4;
 
     /** Payload depends on the operation. */
     public static final int DONE = 0;
 
-    /** As DONE, but the method went on beyond the most pixels and was stopped. */
+    /** As DONE, but the method went on beyond the most items and was stopped. */
     public static final int CUT = 1;
 
     /** Class name of an exception; a {@link #MESSAGE} with the same nonce follows. */
@@ -56,10 +63,15 @@ public final class Wire {
     /** Class files longer than {@link #MOST_CLASS_BYTES} together: their length in bytes. */
     public static final int CLASSES_TOO_LONG = 8;
 
+    /**
+     * The answer has more bytes than were asked for; an empty frame and what was printed follow.
+     */
+    public static final int TOO_LONG = 9;
+
     /** Exit status of a JVM that ran out of memory with -XX:+ExitOnOutOfMemoryError. */
     public static final int EXIT_MEMORY = 3;
 
-    /** Exit status after too much printing, or plotting on after the limit. */
+    /** Exit status after too much printing, or going on after the limit. */
     public static final int EXIT_OUTPUT = 65;
 
     /** Exit status after a request that cannot be read. */
@@ -74,7 +86,11 @@ public final class Wire {
     public static final int MOST_CLASS_BYTES = 2 << 20;
 
     public static final int MOST_FRAME_BYTES = 4 << 20;
-    public static final int MOST_PIXELS = 1 << 16;
+    public static final int MOST_ITEMS = 1 << 16;
+
+    /** Leaves room for what was printed. */
+    public static final int MOST_ANSWER_BYTES = MOST_FRAME_BYTES - (64 << 10);
+
     public static final int MOST_PRINTED_BYTES = 64 * 1024;
 
     /** Characters of a printed text, compiler message or exception text that are passed on. */

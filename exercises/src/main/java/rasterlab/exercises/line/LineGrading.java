@@ -1,7 +1,5 @@
 package rasterlab.exercises.line;
 
-import java.io.DataOutputStream;
-import java.io.IOException;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -9,13 +7,12 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.Pixel;
-import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.Message;
@@ -63,28 +60,15 @@ public final class LineGrading implements TopicGrading {
         return new LineTimings(random, wrongOn);
     }
 
-    static void write(DataOutputStream out, Segment segment) throws IOException {
-        out.writeInt(segment.x0());
-        out.writeInt(segment.y0());
-        out.writeInt(segment.x1());
-        out.writeInt(segment.y1());
-    }
-
     private record SegmentCall(Segment segment, LineCase demand, LineJudge judge) implements Call {
         @Override
-        public int operation() {
-            return Wire.DRAW_LINE;
+        public Caps caps() {
+            return Caps.ofItems(demand.mostPixels(segment));
         }
 
         @Override
-        public void writeTo(DataOutputStream out) throws IOException {
-            write(out, segment);
-            out.writeInt(mostPixels());
-        }
-
-        @Override
-        public int mostPixels() {
-            return demand.mostPixels(segment);
+        public Object recorded(Object method) {
+            return new LineTopic().record((LineRasterizer) method, segment, caps().items());
         }
 
         @Override
@@ -113,8 +97,8 @@ public final class LineGrading implements TopicGrading {
         }
 
         @Override
-        public String scene(Optional<Plotted> drawn) {
-            return LineJudge.scene(segment, drawn);
+        public String scene(Optional<Answer> wrong) {
+            return LineJudge.scene(segment, wrong.flatMap(LineJudge::plotted));
         }
     }
 }

@@ -16,6 +16,7 @@ import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.exercises.drawing.PixelPictures;
+import rasterlab.exercises.judging.Failure;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
@@ -29,7 +30,6 @@ public final class LineJudge {
     private static final String REFERENCE = "bresenham";
 
     private static final JsonMapper MAPPER = new JsonMapper();
-    private static final String REFUSAL = IllegalArgumentException.class.getName();
 
     private final LineTopic topic = new LineTopic();
     private final LineCase demand;
@@ -54,17 +54,29 @@ public final class LineJudge {
     }
 
     private Finding judged(Segment segment, Answer answer, boolean whole) {
-        if (answer.ending() == Answer.Ending.THREW) return thrown(answer);
+        Optional<Plotted> plotted = plotted(answer);
+        return plotted.isEmpty()
+                ? Failure.of(answer, demand.mayRefuse())
+                : judged(segment, plotted.get(), whole);
+    }
+
+    /** What was plotted; empty where the method threw. */
+    static Optional<Plotted> plotted(Answer answer) {
+        boolean cut = answer.ending() == Answer.Ending.CUT;
+        return answer.output().map(output -> new Plotted((PixelRecording) output, cut));
+    }
+
+    private Finding judged(Segment segment, Plotted plotted, boolean whole) {
         boolean cut = demand.cutShort(segment);
         int limit = cut ? demand.firstPixels() : (int) segment.steps() + 1;
-        PixelRecording actual = answer.pixels();
+        PixelRecording actual = plotted.pixels();
         WantedPixels pixels = new WantedPixels(segment);
         PixelRecording wanted = wanted(pixels, actual, limit);
-        if (answer.ending() == Answer.Ending.CUT && !cut) {
+        if (plotted.cut() && !cut) {
             Message endless = Message.of("still-plotting", actual.size(), wanted.size());
             List<List<Cause>> cause = List.of(List.of(Cause.of("endless")));
             Finding finding = Finding.of(GradingVerdict.OUTPUT_LIMIT, endless, cause);
-            return whole ? shown(finding, wanted, answer) : finding;
+            return whole ? shown(finding, wanted, actual) : finding;
         }
         if (same(wanted, actual)) return Finding.OK;
         List<List<Cause>> causes = new LineMistakes(segment, limit, cut, eitherOnTies).of(actual);
@@ -75,7 +87,7 @@ public final class LineJudge {
             said = said.and(cause.said());
         Finding wrong =
                 Finding.of(GradingVerdict.WRONG, said.and(knownFault(segment, actual)), causes);
-        return shown(wrong, wanted, answer);
+        return shown(wrong, wanted, actual);
     }
 
     private PixelRecording wanted(WantedPixels pixels, PixelRecording actual, int limit) {
@@ -85,25 +97,6 @@ public final class LineJudge {
     /** Then no pixel is missing: what comes twice takes the place of what lies beyond the cut. */
     private static boolean isOnlyAgain(List<List<Cause>> causes) {
         return causes.stream().anyMatch(one -> Cause.codes(one).equals(List.of("again")));
-    }
-
-    private Finding thrown(Answer answer) {
-        if (demand.mayRefuse() && answer.exception().equals(REFUSAL)) return Finding.OK;
-        GradingVerdict verdict =
-                answer.exception().equals(OutOfMemoryError.class.getName())
-                        ? GradingVerdict.MEMORY_LIMIT
-                        : GradingVerdict.RUNTIME_ERROR;
-        return Finding.of(
-                verdict,
-                Message.quoted(answer.thrown()).and(answer.place()),
-                List.of(List.of(thrownCause(answer.exception()))));
-    }
-
-    /** Names it where it is the JDK's; the student's own may tell what it was thrown for. */
-    private static Cause thrownCause(String exception) {
-        return Answer.isOfTheJdk(exception)
-                ? Cause.of("throws", exception)
-                : Cause.of("throws-own");
     }
 
     private static Message said(FirstDifference first) {
@@ -139,8 +132,7 @@ public final class LineJudge {
         return true;
     }
 
-    private static Finding shown(Finding finding, PixelRecording wanted, Answer answer) {
-        PixelRecording actual = answer.pixels();
+    private static Finding shown(Finding finding, PixelRecording wanted, PixelRecording actual) {
         PixelDifference difference = PixelDifference.of(wanted, actual);
         PixelSet amiss = PixelSet.of(new Turns(wanted, actual).amiss(difference));
         return new Finding(
@@ -154,7 +146,6 @@ public final class LineJudge {
                                                 amiss.filter(difference.right()::contains),
                                                 first.pixel()))
                         .orElse(List.of()),
-                Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)),
                 finding.explanations());
     }
 

@@ -1,16 +1,15 @@
 package rasterlab.exercises.line;
 
-import java.io.DataOutputStream;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Supplier;
+import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.child.Wire;
 
 /**
  * Long segments in many directions, and what they sum up to.
@@ -43,16 +42,34 @@ final class LineTiming implements TopicGrading.Timing {
     }
 
     @Override
-    public int operation() {
-        return Wire.TIME_LINES;
+    public int inputs() {
+        return segments.size();
     }
 
     @Override
-    public void writeTo(DataOutputStream out) throws IOException {
-        out.writeInt(segments.size());
-        out.writeInt((int) new LineTopic().mostBeforeEndless(STEPS + 1));
-        out.writeInt(STEPS + 1);
-        for (Segment segment : segments) LineGrading.write(out, segment);
+    public Object recorded(int input, Object method) {
+        return new LineTopic().record((LineRasterizer) method, segments.get(input), mostItems());
+    }
+
+    @Override
+    public int mostItems() {
+        return (int) new LineTopic().mostBeforeEndless(STEPS + 1);
+    }
+
+    @Override
+    public int usualItems() {
+        return STEPS + 1;
+    }
+
+    /** None: the sums of all lines tell enough. */
+    @Override
+    public OptionalInt looked() {
+        return OptionalInt.empty();
+    }
+
+    @Override
+    public Object right() {
+        return new PlainBresenham();
     }
 
     @Override
@@ -61,7 +78,9 @@ final class LineTiming implements TopicGrading.Timing {
     }
 
     @Override
-    public Optional<Set<String>> mistakes(long count, long sum) {
+    public Optional<Set<String>> mistakes(TopicGrading.Told told) {
+        long count = told.count();
+        long sum = told.sum();
         if (count == right.count() && sum == right.sum()) return Optional.of(Set.of());
         return likely.first(one -> OctantSums.of(segments, one).mixedWith(right, count, sum))
                 .map(LineVariation::codes);

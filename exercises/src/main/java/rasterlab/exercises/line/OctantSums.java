@@ -2,7 +2,7 @@ package rasterlab.exercises.line;
 
 import java.util.List;
 import rasterlab.engine.line.Segment;
-import rasterlab.exercises.child.PixelSum;
+import rasterlab.exercises.child.ItemSum;
 
 /** Number and sum of the pixels of some lines, apart for each octant. */
 final class OctantSums {
@@ -17,7 +17,7 @@ final class OctantSums {
     static OctantSums of(List<Segment> segments, LineVariation variation) {
         OctantSums all = new OctantSums();
         for (Segment one : segments) {
-            PixelSum drawn = new PixelSum();
+            ItemSum drawn = new ItemSum();
             variation.draw(one, drawn);
             all.counts[octant(one)] += drawn.count();
             all.sums[octant(one)] += drawn.sum();

@@ -96,7 +96,7 @@ public final class Marking {
         Optional<TriedCall> wrong = charges.first(tried);
         if (wrong.isPresent()) {
             Finding finding = shown.computeIfAbsent(wrong.get(), TriedCall::shown);
-            return report(tried.one(), finding, wrong.get().call().scene(finding.drawn()));
+            return report(tried.one(), finding, wrong.get().scene());
         }
         return report(tried.one(), unearned(tried).orElse(Finding.OK), scene(tried));
     }

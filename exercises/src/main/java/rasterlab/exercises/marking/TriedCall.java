@@ -60,7 +60,7 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
 
     /** A line of nothing is no line with a mistake, even where one pixel is all that it lacks. */
     boolean drewSomething() {
-        return answer.filter(one -> one.pixels().size() > 0).isPresent();
+        return answer.filter(one -> one.items() > 0).isPresent();
     }
 
     /**
@@ -69,6 +69,11 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
      */
     boolean tellsLittle() {
         return call.traits().contains("point") || call.traits().contains("cut");
+    }
+
+    /** The input as a scene file, with the answer where it is wrong. */
+    String scene() {
+        return call.scene(answer.filter(one -> !right()));
     }
 
     /** The finding with pictures. */

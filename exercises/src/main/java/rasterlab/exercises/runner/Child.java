@@ -120,8 +120,7 @@ final class Child implements AutoCloseable {
             return reading.read(payload.readByte(), payload);
         } catch (IOException | RuntimeException e) {
             close();
-            throw new ChildLost(
-                    ChildLost.Reason.PROTOCOL, Message.of("child.protocol", e.getMessage()));
+            throw ChildLost.protocol(e);
         }
     }
 

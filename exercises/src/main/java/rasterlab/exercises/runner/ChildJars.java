@@ -12,6 +12,7 @@ import java.util.zip.ZipOutputStream;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.CompileMain;
 import rasterlab.exercises.child.RunMain;
+import rasterlab.exercises.child.Sheets;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
@@ -20,6 +21,7 @@ import rasterlab.exercises.topic.TopicGradings;
  */
 final class ChildJars implements AutoCloseable {
     private static final String CONTRACT = "contract.jar";
+    private static final String CONTRACTS = "rasterlab/contract/";
     private static final String HARNESS = "harness.jar";
     private static final List<String> FILES = List.of(CONTRACT, HARNESS);
 
@@ -61,7 +63,8 @@ final class ChildJars implements AutoCloseable {
     private static void fill(Path folder) throws IOException {
         Map<String, byte[]> contracts = new TreeMap<>();
         for (TopicGrading topic : TopicGradings.all())
-            contracts.putAll(ClassFiles.closure(topic.contract(), "rasterlab/contract/"));
+            contracts.putAll(ClassFiles.closure(topic.contract(), CONTRACTS));
+        for (Class<?> kind : Sheets.kinds()) contracts.putAll(ClassFiles.closure(kind, CONTRACTS));
         write(folder.resolve(CONTRACT), contracts);
         Map<String, byte[]> harness = new TreeMap<>();
         String own = RunMain.class.getPackageName().replace('.', '/') + '/';

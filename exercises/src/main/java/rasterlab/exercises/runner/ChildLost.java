@@ -50,6 +50,11 @@ final class ChildLost extends Exception {
         return new ChildLost(Reason.TIME, said, idle);
     }
 
+    /** Describes a child that sent what is no answer. */
+    static ChildLost protocol(Exception fault) {
+        return new ChildLost(Reason.PROTOCOL, Message.of("child.protocol", fault.getMessage()));
+    }
+
     /**
      * Whether it used so little of its time that the machine may be to blame: to be tried again.
      */

@@ -15,6 +15,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCase;
 import rasterlab.exercises.runner.scan.AllowList;
@@ -34,6 +35,7 @@ final class GradingRun {
     private final JudgeSettings settings;
     private final Exercise exercise;
     private final TopicGrading topic;
+    private final ContractCall contract;
     private final String source;
     private final CaseSelection selection;
     private final Consumer<CaseReport> progress;
@@ -53,6 +55,7 @@ final class GradingRun {
         this.settings = settings;
         this.exercise = exercise;
         this.topic = TopicGradings.named(exercise.topic());
+        this.contract = ContractCall.of(topic.contract());
         this.source = source;
         this.selection = selection;
         this.progress = progress;
@@ -79,15 +82,20 @@ final class GradingRun {
         Compilation compiled = compiled(children);
         if (compiled.verdict() != GradingVerdict.OK)
             return sheet.rejected(compiled.verdict(), compiled.errors());
-        String contract = topic.contract().getName().replace('.', '/');
+        String name = topic.contract().getName().replace('.', '/');
         ByteCodeCheck.Result checked =
                 new ByteCodeCheck(AllowList.of(topic.contract()))
-                        .check(compiled.classes(), contract, source);
+                        .check(compiled.classes(), name, source);
         if (!checked.refusals().isEmpty())
             return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
         try (Student student =
                         new Student(
-                                children, settings, checked.entry(), compiled.classes(), again);
+                                children,
+                                settings,
+                                contract,
+                                checked.entry(),
+                                compiled.classes(),
+                                again);
                 Student reference = reference(children)) {
             return tried(student, reference);
         }
@@ -109,7 +117,7 @@ final class GradingRun {
                         (resource, bytes) ->
                                 classes.put(
                                         resource.replace(".class", "").replace('/', '.'), bytes));
-        return new Student(children, settings, method.getName(), classes, again);
+        return new Student(children, settings, contract, method.getName(), classes, again);
     }
 
     private Report tried(Student student, Student reference)
@@ -203,6 +211,7 @@ final class GradingRun {
             throws ChildLost, InterruptedException {
         try {
             return new SpeedTrial(
+                            contract,
                             topic.timings(new SecureRandom(), marking.uncharged()),
                             student,
                             reference,

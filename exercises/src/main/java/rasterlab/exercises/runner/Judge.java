@@ -49,7 +49,7 @@ public final class Judge implements Grading, AutoCloseable {
      * source raises by hand.
      */
     public static String version() {
-        return "judge-8 " + AllowList.text();
+        return "judge-9 " + AllowList.text();
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.SpeedPoints;
@@ -26,6 +27,7 @@ final class SpeedTrial {
     /** Each in fresh children, later than the one before. */
     private static final int MOST_TRIES = 4;
 
+    private final ContractCall contract;
     private final TopicGrading.Timings timings;
     private final Student student;
     private final Student reference;
@@ -44,12 +46,14 @@ final class SpeedTrial {
      * @param patience tells whether the machine is busy
      */
     SpeedTrial(
+            ContractCall contract,
             TopicGrading.Timings timings,
             Student student,
             Student reference,
             List<Call> before,
             Set<String> charged,
             Patience patience) {
+        this.contract = contract;
         this.timings = timings;
         this.student = student;
         this.reference = reference;
@@ -122,21 +126,22 @@ final class SpeedTrial {
         long start = System.nanoTime();
         for (int round = 1; round <= LEAST_ROUNDS || !theirs.isSettledBeside(ours); round++) {
             TopicGrading.Timing timing = timings.next();
-            StudentRun.Timed reply = student.run().time(timing);
+            TimedBatch batch = new TimedBatch(contract, timing);
+            StudentRun.Timed reply = student.run().time(batch);
             Optional<Message> obstacle = obstacle(timing, reply);
             if (obstacle.isPresent()) return obstacle;
             printed |= reply.printed() > 0;
             theirs.add(reply, timing.count());
-            if (!timeReference(timing)) return Optional.empty();
+            if (!timeReference(batch, timing.count())) return Optional.empty();
             if (System.nanoTime() - start > BUDGET_NANOS) break;
         }
         return Optional.empty();
     }
 
     /** False where the reference was lost, which no student can help: then nothing is settled. */
-    private boolean timeReference(TopicGrading.Timing timing) throws InterruptedException {
+    private boolean timeReference(TimedBatch batch, long count) throws InterruptedException {
         try {
-            ours.add(reference.run().time(timing), timing.count());
+            ours.add(reference.run().time(batch), count);
             return true;
         } catch (ChildLost lost) {
             reference.close();
@@ -151,10 +156,7 @@ final class SpeedTrial {
                     Answer.isOfTheJdk(reply.thrown())
                             ? Message.of("speed.threw", reply.thrown())
                             : Message.of("speed.threw-own"));
-        boolean right =
-                timing.mistakes(reply.count(), reply.sum())
-                        .filter(charged::containsAll)
-                        .isPresent();
+        boolean right = timing.mistakes(reply.told()).filter(charged::containsAll).isPresent();
         return right ? Optional.empty() : Optional.of(Message.of("speed.wrong"));
     }
 }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
@@ -20,6 +21,7 @@ final class Student implements AutoCloseable {
 
     private final Children children;
     private final JudgeSettings settings;
+    private final ContractCall contract;
     private final String entry;
     private final Map<String, byte[]> classes;
     private final boolean again;
@@ -31,6 +33,7 @@ final class Student implements AutoCloseable {
     private record Loaded(Child child, StudentRun run) {}
 
     /**
+     * @param contract that the class implements
      * @param entry name of the class that implements the contract
      * @param again whether this was tried before: then a signal is no accident but what the method
      *     makes of its process
@@ -38,11 +41,13 @@ final class Student implements AutoCloseable {
     Student(
             Children children,
             JudgeSettings settings,
+            ContractCall contract,
             String entry,
             Map<String, byte[]> classes,
             boolean again) {
         this.children = children;
         this.settings = settings;
+        this.contract = contract;
         this.entry = entry;
         this.classes = classes;
         this.again = again;
@@ -83,7 +88,7 @@ final class Student implements AutoCloseable {
     private Optional<Finding> loadOnce() throws ChildLost, InterruptedException {
         close();
         Child child = children.take(ChildKind.RUN);
-        StudentRun run = new StudentRun(child, settings.callLimit(), settings.patience());
+        StudentRun run = new StudentRun(child, contract, settings.callLimit(), settings.patience());
         loaded = Optional.of(new Loaded(child, run));
         Answer answer = run.load(entry, classes);
         return answer.ending() == Answer.Ending.THREW

@@ -1,11 +1,15 @@
 package rasterlab.exercises.runner;
 
-import java.io.DataInputStream;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.Map;
-import rasterlab.engine.raster.PixelRecording;
+import java.util.Optional;
+import rasterlab.engine.study.InputChanged;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.TopicGrading.Caps;
+import rasterlab.exercises.TopicGrading.Told;
+import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
@@ -15,15 +19,19 @@ final class StudentRun {
     private static final Duration MESSAGE_LIMIT = Duration.ofMillis(500);
 
     private final Child child;
+    private final ContractCall contract;
     private final Duration callLimit;
     private final Patience patience;
+    private String thrown = "";
     private boolean over;
 
     /**
-     * @param callLimit processor time for one call
+     * @param contract of the class, whose single method is called
+     * @param callLimit the most processor time for one call
      */
-    StudentRun(Child child, Duration callLimit, Patience patience) {
+    StudentRun(Child child, ContractCall contract, Duration callLimit, Patience patience) {
         this.child = child;
+        this.contract = contract;
         this.callLimit = callLimit;
         this.patience = patience;
     }
@@ -38,117 +46,139 @@ final class StudentRun {
         return over;
     }
 
-    /** Hands the classes in and makes an instance; an answer without pixels. */
+    /** Hands the classes in and makes an instance; an answer without an output. */
     Answer load(String entry, Map<String, byte[]> classes) throws ChildLost, InterruptedException {
-        return call(
+        Request request =
                 new Request(
                         Wire.LOAD,
                         out -> {
+                            out.writeUTF(contract.contract().getName());
                             out.writeUTF(entry);
                             out.writeInt(classes.size());
                             for (Map.Entry<String, byte[]> one : classes.entrySet()) {
                                 out.writeUTF(one.getKey());
                                 Frames.write(out, one.getValue());
                             }
-                        }),
-                (status, in) -> {
-                    if (status == Wire.NOT_LOADABLE)
-                        throw new IOException("cannot make an instance of " + entry);
-                    return returned(new PixelRecording(1), "");
-                });
-    }
-
-    Answer call(TopicGrading.Call call) throws ChildLost, InterruptedException {
-        return call(
-                new Request(call.operation(), call::writeTo),
-                (status, in) -> drawn(status, in, call.mostPixels()));
+                        });
+        try {
+            return ask(
+                    request,
+                    callLimit,
+                    (status, in) -> {
+                        if (status == Wire.NOT_LOADABLE)
+                            throw new IOException("cannot make an instance of " + entry);
+                        return Answer.without(Answer.Ending.RETURNED, "", "", "");
+                    });
+        } catch (Asked.Threw threw) {
+            return threw.answer();
+        }
     }
 
     /**
-     * What came of drawing into a sink that sums up.
+     * Has the student's method answer.
+     *
+     * @throws ChildLost when the child gave no answer; it is dead then
+     */
+    Answer call(TopicGrading.Call call) throws ChildLost, InterruptedException {
+        Asked asked = new Asked(contract, arguments -> send(call.caps(), arguments));
+        try {
+            return asked.with(Answer.Ending.RETURNED, call.recorded(asked.method()));
+        } catch (LimitReached reached) {
+            return asked.with(Answer.Ending.CUT, reached.recorded());
+        } catch (InputChanged changed) {
+            return asked.without(Answer.Ending.OVERWROTE, "");
+        } catch (Asked.Unanswered stopped) {
+            Throwable cause = stopped.getCause();
+            if (cause instanceof InterruptedException interrupted) throw interrupted;
+            if (!(cause instanceof ChildLost lost)) return asked.ended().orElseThrow();
+            child.close();
+            throw lost;
+        } catch (RuntimeException unusable) {
+            if (!asked.asked()) throw unusable;
+            String message = unusable.getMessage();
+            return asked.without(Answer.Ending.UNUSABLE, message == null ? "" : message);
+        }
+    }
+
+    private Asked.Reply send(Caps caps, Object[] arguments)
+            throws ChildLost, InterruptedException, Asked.Threw {
+        Request request =
+                new Request(
+                        Wire.CALL,
+                        out -> {
+                            // with one item more the topic itself finds its limit reached
+                            out.writeInt(caps.items() + 1);
+                            out.writeInt(caps.bytes());
+                            contract.writeArguments(arguments, out);
+                        });
+        Duration limit = caps.processor();
+        return ask(
+                request,
+                limit.compareTo(callLimit) < 0 ? limit : callLimit,
+                (status, in) -> {
+                    if (status != Wire.DONE && status != Wire.CUT && status != Wire.TOO_LONG)
+                        throw new IOException("status " + status + " after a call");
+                    byte[] answer = Frames.read(in, Wire.MOST_ANSWER_BYTES);
+                    return new Asked.Reply(status, answer, Wire.cut(in.readUTF()));
+                });
+    }
+
+    /**
+     * What came of timed calls.
      *
      * @param nanos measured by this process
      * @param own what the child tells: without the way there and back
      * @param printed number of bytes
      * @param thrown class of an exception; empty where there was none
      */
-    record Timed(long nanos, long own, long count, long sum, long printed, String thrown) {}
+    record Timed(long nanos, long own, Told told, long printed, String thrown) {}
 
-    Timed time(TopicGrading.Timing timing) throws ChildLost, InterruptedException {
-        Request request = new Request(timing.operation(), timing::writeTo);
+    Timed time(TimedBatch batch) throws ChildLost, InterruptedException {
         long start = System.nanoTime();
         return child.ask(
-                request,
+                batch.request(),
                 patience.limit(callLimit),
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
-                    return status == Wire.DONE
-                            ? new Timed(
-                                    nanos,
-                                    in.readLong(),
-                                    in.readLong(),
-                                    in.readLong(),
-                                    in.readLong(),
-                                    "")
-                            : new Timed(nanos, 0, 0, 0, 0, Wire.cut(in.readUTF()));
+                    if (status != Wire.DONE)
+                        return new Timed(nanos, 0, TimedBatch.NOTHING, 0, Wire.cut(in.readUTF()));
+                    long own = in.readLong();
+                    long count = in.readLong();
+                    long sum = in.readLong();
+                    long printed = in.readLong();
+                    Told told = new Told(count, sum, batch.looked(in));
+                    return new Timed(nanos, own, told, printed, "");
                 });
     }
 
-    private Answer call(Request request, Reading<Answer> reading)
-            throws ChildLost, InterruptedException {
-        Answer answer =
+    private <T> T ask(Request request, Duration limit, Reading<T> reading)
+            throws ChildLost, InterruptedException, Asked.Threw {
+        Optional<T> answer =
                 child.ask(
                         request,
-                        patience.limit(callLimit),
-                        (status, in) ->
-                                status == Wire.THREW
-                                        ? threw(in.readUTF(), "", "", 0)
-                                        : reading.read(status, in));
-        return answer.ending() == Answer.Ending.THREW ? withMessage(answer) : answer;
+                        patience.limit(limit),
+                        (status, in) -> {
+                            if (status != Wire.THREW) return Optional.of(reading.read(status, in));
+                            thrown = Wire.cut(in.readUTF());
+                            return Optional.empty();
+                        });
+        if (answer.isPresent()) return answer.get();
+        throw new Asked.Threw(withMessage(thrown));
     }
 
     /** The message comes by itself, since asking for it runs the student's code once more. */
-    private Answer withMessage(Answer threw) throws InterruptedException {
+    private Answer withMessage(String exception) throws InterruptedException {
         try {
             return child.more(
                     patience.limit(MESSAGE_LIMIT),
-                    (status, in) ->
-                            threw(
-                                    threw.exception(),
-                                    Wire.cut(in.readUTF()),
-                                    Wire.cut(in.readUTF()),
-                                    in.readInt()));
+                    (status, in) -> {
+                        String message = Wire.cut(in.readUTF());
+                        String printed = Wire.cut(in.readUTF());
+                        return Answer.threw(exception, message, in.readInt(), printed);
+                    });
         } catch (ChildLost lost) {
             over = true;
-            return threw;
+            return Answer.threw(exception, "", 0, "");
         }
-    }
-
-    private static Answer drawn(int status, DataInputStream in, int most) throws IOException {
-        if (status != Wire.DONE && status != Wire.CUT)
-            throw new IOException("status " + status + " after drawing");
-        int size = in.readInt();
-        if (size < 0 || size > most)
-            throw new IOException(size + " pixels, at most " + most + " are allowed");
-        PixelRecording pixels = new PixelRecording(Math.max(1, most));
-        for (int i = 0; i < size; i++) pixels.plot(in.readInt(), in.readInt());
-        String printed = Wire.cut(in.readUTF());
-        return status == Wire.DONE
-                ? returned(pixels, printed)
-                : new Answer(Answer.Ending.CUT, pixels, "", "", 0, printed);
-    }
-
-    private static Answer returned(PixelRecording pixels, String printed) {
-        return new Answer(Answer.Ending.RETURNED, pixels, "", "", 0, printed);
-    }
-
-    private static Answer threw(String exception, String message, String printed, int line) {
-        return new Answer(
-                Answer.Ending.THREW,
-                new PixelRecording(1),
-                Wire.cut(exception),
-                message,
-                line,
-                printed);
     }
 }

@@ -1,20 +1,25 @@
 package rasterlab.exercises.score;
 
+import java.util.Optional;
 import java.util.stream.Stream;
-import rasterlab.engine.raster.PixelRecording;
 
 /**
  * What a student's method did with one input, as the child told it.
  *
- * @param pixels what it plotted, in order; none where it threw
+ * @param output of the topic; empty where there is none
+ * @param items number of items of the output
+ * @param told a digest of all that the child told of the output
  * @param exception class name of what it threw, empty where it did not
- * @param message of the exception, cut; may be empty
+ * @param message of the exception, cut, or what is wrong with an answer that cannot be used; may be
+ *     empty
  * @param line of the source where the exception was thrown, from 1; 0 where none is known
  * @param printed what it printed, cut
  */
 public record Answer(
         Ending ending,
-        PixelRecording pixels,
+        Optional<Object> output,
+        long items,
+        String told,
         String exception,
         String message,
         int line,
@@ -22,19 +27,40 @@ public record Answer(
     /** How the call ended. */
     public enum Ending {
         RETURNED,
-        /** Stopped, because it went on plotting beyond the limit. */
+        /** Stopped, because it went on beyond the limit of items. */
         CUT,
+        /** Its answer has more bytes than are taken. */
+        TOO_LONG,
+        /** It returned null. */
+        NULL,
+        /** It wrote into what it was only given to read. */
+        OVERWROTE,
+        /** What it returned is no answer to this input, such as too few numbers. */
+        UNUSABLE,
         THREW
     }
 
-    /** Whether both ended alike and plotted the same pixels in the same order. */
+    /** An answer with an output. */
+    public static Answer with(
+            Ending ending, Object output, long items, String told, String printed) {
+        return new Answer(ending, Optional.of(output), items, told, "", "", 0, printed);
+    }
+
+    /** An answer without an output. */
+    public static Answer without(Ending ending, String told, String message, String printed) {
+        return new Answer(ending, Optional.empty(), 0, told, "", message, 0, printed);
+    }
+
+    /** The end of a method that threw something. */
+    public static Answer threw(String exception, String message, int line, String printed) {
+        return new Answer(Ending.THREW, Optional.empty(), 0, "", exception, message, line, printed);
+    }
+
+    /** Whether both ended alike and told the same, in the same order. */
     public boolean isSameAs(Answer other) {
-        if (ending != other.ending
-                || !exception.equals(other.exception)
-                || pixels.size() != other.pixels.size()) return false;
-        for (int i = 0; i < pixels.size(); i++)
-            if (pixels.x(i) != other.pixels.x(i) || pixels.y(i) != other.pixels.y(i)) return false;
-        return true;
+        return ending == other.ending
+                && exception.equals(other.exception)
+                && told.equals(other.told);
     }
 
     /** The exception's class and message as one text. */

@@ -1,15 +1,12 @@
 package rasterlab.exercises.score;
 
 import java.util.List;
-import java.util.Optional;
-import rasterlab.engine.raster.Plotted;
 
 /**
  * What is to be said about one answer.
  *
  * @param said what is wrong; nothing when nothing is
  * @param pictures that show it; none where nothing can be shown
- * @param drawn what was plotted, where it is not right
  * @param explanations of a wrong answer, each some mistakes that together explain it; several where
  *     it cannot be told which they are
  */
@@ -17,7 +14,6 @@ public record Finding(
         GradingVerdict verdict,
         Message said,
         List<CasePicture> pictures,
-        Optional<Plotted> drawn,
         List<List<Cause>> explanations) {
     public static final Finding OK = of(GradingVerdict.OK, Message.NONE);
 
@@ -33,7 +29,7 @@ public record Finding(
 
     /** The same with what explains it. */
     public static Finding of(GradingVerdict verdict, Message said, List<List<Cause>> explanations) {
-        return new Finding(verdict, said, List.of(), Optional.empty(), explanations);
+        return new Finding(verdict, said, List.of(), explanations);
     }
 
     public boolean right() {

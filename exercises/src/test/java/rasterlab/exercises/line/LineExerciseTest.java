@@ -145,7 +145,7 @@ class LineExerciseTest {
         Segment tied = new Segment(0, 0, 2, 1);
         PixelRecording upper = new PixelRecording(3);
         IntStream.of(0, 1, 2).forEach(x -> upper.plot(x, (x + 1) / 2));
-        Answer answer = new Answer(Answer.Ending.RETURNED, upper, "", "", 0, "");
+        Answer answer = answer(Answer.Ending.RETURNED, upper);
         LineCase loose = new LineCase(List.of(tied), false, 100, false);
         LineCase strict = new LineCase(List.of(tied), true, 100, false);
         assertEquals(Finding.OK, new LineJudge(loose, true).judge(tied, answer));
@@ -177,7 +177,7 @@ class LineExerciseTest {
             pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
         Segment segment = new Segment(0, 0, 2, 0);
         LineCase demand = new LineCase(List.of(segment), true, 100, false);
-        Answer answer = new Answer(Answer.Ending.RETURNED, pixels, "", "", 0, "");
+        Answer answer = answer(Answer.Ending.RETURNED, pixels);
         String said = new LineJudge(demand, false).judge(segment, answer).said().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
     }
@@ -203,10 +203,8 @@ class LineExerciseTest {
         wrong.plot(0, -1);
         wrong.plot(1, 0);
         LineCase demand = new LineCase(List.of(segment), false, 100, false);
-        Finding finding =
-                new LineJudge(demand, true)
-                        .judge(segment, new Answer(Answer.Ending.RETURNED, wrong, "", "", 0, ""));
-        String scene = LineJudge.scene(segment, finding.drawn());
+        Answer answer = answer(Answer.Ending.RETURNED, wrong);
+        String scene = LineJudge.scene(segment, LineJudge.plotted(answer));
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1],[1,0]]}"), scene);
     }
 
@@ -216,10 +214,8 @@ class LineExerciseTest {
         PixelRecording wrong = new PixelRecording(1);
         wrong.plot(0, -1);
         LineCase demand = new LineCase(List.of(segment), false, 1, false);
-        Finding finding =
-                new LineJudge(demand, true)
-                        .judge(segment, new Answer(Answer.Ending.CUT, wrong, "", "", 0, ""));
-        String scene = LineJudge.scene(segment, finding.drawn());
+        Answer answer = answer(Answer.Ending.CUT, wrong);
+        String scene = LineJudge.scene(segment, LineJudge.plotted(answer));
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1]],\"drawnCut\":true}"), scene);
     }
 
@@ -232,8 +228,7 @@ class LineExerciseTest {
         twice.plot(1, 0);
         LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Finding finding =
-                new LineJudge(demand, true)
-                        .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", 0, ""));
+                new LineJudge(demand, true).judge(segment, answer(Answer.Ending.RETURNED, twice));
         assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
     }
 
@@ -271,7 +266,7 @@ class LineExerciseTest {
         PixelRecording drawn = new PixelRecording(501);
         for (int i = 0; i <= 500; i++) drawn.plot(i == 300 ? x : i, i == 300 ? y : 0);
         LineCase demand = new LineCase(List.of(segment), false, 1000, false);
-        Answer answer = new Answer(Answer.Ending.RETURNED, drawn, "", "", 0, "");
+        Answer answer = answer(Answer.Ending.RETURNED, drawn);
         Finding finding = new LineJudge(demand, true).judge(segment, answer);
         assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
         PicturePart part = finding.pictures().get(0).part().orElseThrow();
@@ -281,9 +276,13 @@ class LineExerciseTest {
 
     private static void assertMarked(Segment segment, PixelRecording drawn, Answer.Ending ending) {
         LineCase demand = new LineCase(List.of(segment), false, 100, false);
-        Answer answer = new Answer(ending, drawn, "", "", 0, "");
+        Answer answer = answer(ending, drawn);
         List<CasePicture> pictures = new LineJudge(demand, true).judge(segment, answer).pictures();
         assertEquals(3, pictures.size());
         assertFalse(Arrays.equals(pictures.get(0).png(), pictures.get(2).png()));
+    }
+
+    private static Answer answer(Answer.Ending ending, PixelRecording drawn) {
+        return Answer.with(ending, drawn, drawn.size(), "", "");
     }
 }

@@ -3,8 +3,6 @@ package rasterlab.exercises.line;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.line.LineTopic;
-import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
@@ -29,28 +27,24 @@ record MarkedMethod(Exercise exercise, Marking marking) {
     }
 
     private static TriedCase tried(Exercise exercise, Case one, LineRasterizer method, long seed) {
-        List<Segment> segments = LineCaseReader.read(one, seed).segments();
         List<Call> calls = new LineGrading().calls(one, exercise.tolerance(), seed);
         List<TriedCall> tried = new ArrayList<>();
-        for (int i = 0; i < calls.size(); i++) {
-            Answer answer = answer(method, segments.get(i), calls.get(i).mostPixels());
-            tried.add(TriedCall.answered(calls.get(i), answer));
-        }
+        for (Call call : calls) tried.add(TriedCall.answered(call, answer(method, call)));
         return TriedCase.tried(one, tried);
     }
 
-    private static Answer answer(LineRasterizer method, Segment segment, int most) {
+    private static Answer answer(LineRasterizer method, Call call) {
         try {
-            PixelRecording drawn = new LineTopic().record(method, segment, most);
-            return new Answer(Answer.Ending.RETURNED, drawn, "", "", 0, "");
+            return answer(Answer.Ending.RETURNED, call.recorded(method));
         } catch (LimitReached reached) {
-            PixelRecording recorded = (PixelRecording) reached.recorded();
-            return new Answer(Answer.Ending.CUT, recorded, "", "", 0, "");
+            return answer(Answer.Ending.CUT, reached.recorded());
         } catch (IllegalArgumentException | ArithmeticException e) {
-            String type = e.getClass().getName();
-            PixelRecording none = new PixelRecording(1);
-            return new Answer(Answer.Ending.THREW, none, type, e.getMessage(), 0, "");
+            return Answer.threw(e.getClass().getName(), e.getMessage(), 0, "");
         }
+    }
+
+    private static Answer answer(Answer.Ending ending, Object drawn) {
+        return Answer.with(ending, drawn, ((PixelRecording) drawn).size(), "", "");
     }
 
     /** Points for accuracy and stability together. */

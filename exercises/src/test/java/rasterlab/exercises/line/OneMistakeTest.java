@@ -3,12 +3,8 @@ package rasterlab.exercises.line;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.DataInputStream;
-import java.io.DataOutputStream;
-import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -18,11 +14,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Timing;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.child.PixelSum;
+import rasterlab.exercises.child.ItemSum;
 import rasterlab.exercises.score.SpeedPoints;
 
 /** One mistake is named as what it is, costs about one mistake, and leaves the speed its points. */
@@ -62,32 +60,21 @@ class OneMistakeTest {
         LineTimings timings = new LineTimings(new Random(3), marked.marking().uncharged());
         for (int round = 0; round < 2; round++) {
             Timing timing = timings.next();
-            PixelSum drawn = drawn(timing, method);
             boolean paid =
-                    timing.mistakes(drawn.count(), drawn.sum())
-                            .filter(charged::containsAll)
-                            .isPresent();
+                    timing.mistakes(told(timing, method)).filter(charged::containsAll).isPresent();
             if (!paid) return false;
         }
         return true;
     }
 
-    /** Draws what a child would be asked for. */
-    private static PixelSum drawn(Timing timing, LineRasterizer method) {
-        PixelSum sum = new PixelSum();
-        ByteArrayOutputStream asked = new ByteArrayOutputStream();
-        try (DataOutputStream out = new DataOutputStream(asked)) {
-            timing.writeTo(out);
-            DataInputStream in = new DataInputStream(new ByteArrayInputStream(asked.toByteArray()));
-            int segments = in.readInt();
-            in.readInt();
-            in.readInt();
-            for (int left = segments; left > 0; left--)
-                method.draw(in.readInt(), in.readInt(), in.readInt(), in.readInt(), sum);
-        } catch (IOException e) {
-            throw new AssertionError("memory cannot fail", e);
+    /** What a child would tell. */
+    private static TopicGrading.Told told(Timing timing, LineRasterizer method) {
+        ItemSum sum = new ItemSum();
+        for (int i = 0; i < timing.inputs(); i++) {
+            PixelRecording drawn = (PixelRecording) timing.recorded(i, method);
+            for (int k = 0; k < drawn.size(); k++) sum.plot(drawn.x(k), drawn.y(k));
         }
-        return sum;
+        return new TopicGrading.Told(sum.count(), sum.sum(), Optional.empty());
     }
 
     @Test
@@ -115,10 +102,10 @@ class OneMistakeTest {
                         new PlainBresenham().draw(x0, y0, x1, y1, out);
                 };
         Timing left = new LineTimings(new Random(5), four).next();
-        assertEquals(left.count(), drawn(left, onlyGentle).count());
+        assertEquals(left.count(), told(left, onlyGentle).count());
         List<Set<String>> more =
                 Stream.concat(four.stream(), Stream.of(Set.of("gentle", "left", "up"))).toList();
         Timing all = new LineTimings(new Random(5), more).next();
-        assertTrue(drawn(all, onlyGentle).count() < all.count());
+        assertTrue(told(all, onlyGentle).count() < all.count());
     }
 }

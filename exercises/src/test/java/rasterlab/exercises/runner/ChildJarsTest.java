@@ -8,7 +8,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.jar.JarFile;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -33,6 +36,23 @@ class ChildJarsTest {
             assertEquals(List.of(jars.folder()), folders(), "the old folder stays");
         }
         assertEquals(List.of(), folders());
+    }
+
+    /** No method and no reference: a student's code finds nothing there to copy an answer from. */
+    @Test
+    void holdContractsAndTheHarnessAlone() throws IOException {
+        try (ChildJars jars = ChildJars.assemble(temporary)) {
+            assertEquals(Set.of("rasterlab/contract"), packages(jars.contract()));
+            assertEquals(Set.of("rasterlab/exercises/child"), packages(jars.harness()));
+        }
+    }
+
+    private static Set<String> packages(Path jar) throws IOException {
+        try (JarFile file = new JarFile(jar.toFile())) {
+            return file.stream()
+                    .map(entry -> entry.getName().replaceAll("/[^/]*$", ""))
+                    .collect(Collectors.toSet());
+        }
     }
 
     @Test

@@ -28,7 +28,7 @@ final class ChildWithParent {
                 Child child = unscanned.child(ChildKind.RUN)) {
             Daemons.named("teller").newThread(() -> tell(begun, child)).start();
             Compilation compiled = Compilation.of(endless(begun), compiler, LONG);
-            StudentRun run = new StudentRun(child, LONG, new Patience(() -> 0));
+            StudentRun run = new StudentRun(child, Unscanned.CONTRACT, LONG, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
             run.call(new LineGrading().warmUp());
         }

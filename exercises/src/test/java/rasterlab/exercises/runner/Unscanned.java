@@ -3,12 +3,15 @@ package rasterlab.exercises.runner;
 import java.time.Duration;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.line.LineGrading;
 import rasterlab.exercises.score.Answer;
 
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
     private static final TopicGrading.Call CALL = new LineGrading().warmUp();
+    static final ContractCall CONTRACT = ContractCall.of(LineRasterizer.class);
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
 
     final ChildJars jars = ChildJars.assemble();
@@ -31,7 +34,7 @@ final class Unscanned implements AutoCloseable {
             Compilation compiled = Compilation.of(source, compiler, Duration.ofSeconds(10));
             if (!compiled.errors().isEmpty())
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
-            StudentRun run = new StudentRun(runner, CALL_LIMIT, new Patience(() -> 0));
+            StudentRun run = new StudentRun(runner, CONTRACT, CALL_LIMIT, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
             return run.call(CALL);
         }
@@ -43,10 +46,23 @@ final class Unscanned implements AutoCloseable {
         try (Child compiler = child(ChildKind.COMPILE);
                 Child runner = child(ChildKind.RUN)) {
             Compilation compiled = Compilation.of(source, compiler, Duration.ofMinutes(2));
-            StudentRun run = new StudentRun(runner, Duration.ofMinutes(1), patience);
+            StudentRun run = new StudentRun(runner, CONTRACT, Duration.ofMinutes(1), patience);
             run.load("Mine", compiled.classes());
-            Request request = new Request(CALL.operation(), CALL::writeTo);
-            return runner.ask(request, limit, (status, in) -> in.readInt());
+            Request request =
+                    new Request(
+                            Wire.CALL,
+                            out -> {
+                                out.writeInt(Wire.MOST_ITEMS);
+                                out.writeInt(Wire.MOST_ANSWER_BYTES);
+                                CONTRACT.writeArguments(new Object[] {0, 0, 1001, 500, null}, out);
+                            });
+            return runner.ask(
+                    request,
+                    limit,
+                    (status, in) -> {
+                        in.readInt();
+                        return in.readInt();
+                    });
         }
     }
 

@@ -2,8 +2,11 @@ package rasterlab.exercises.child;
 
 import rasterlab.contract.Pixels;
 
-/** Counts pixels and sums a mix of their coordinates, so that the parent sees they were drawn. */
-public final class PixelSum implements Pixels {
+/**
+ * Counts items and sums a mix of their numbers, so that the parent sees that they were made. The
+ * sum does not depend on the order of the items.
+ */
+public final class ItemSum implements Pixels {
     /**
      * 2⁶⁴ divided by the golden ratio, odd: spreads neighbours over all bits. Source: D. Knuth, The
      * Art of Computer Programming 3, section 6.4.
@@ -24,11 +27,18 @@ public final class PixelSum implements Pixels {
         sum += x * FOR_X ^ y * FOR_Y;
     }
 
+    /** Adds an item of any number of numbers, whose order counts. */
+    void add(long... numbers) {
+        long mixed = 0;
+        for (long number : numbers) mixed = (mixed ^ number * FOR_X) * FOR_Y;
+        count++;
+        sum += mixed;
+    }
+
     public long count() {
         return count;
     }
 
-    /** Does not depend on the order of the pixels. */
     public long sum() {
         return sum;
     }

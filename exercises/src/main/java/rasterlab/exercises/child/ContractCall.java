@@ -1,0 +1,178 @@
+package rasterlab.exercises.child;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import rasterlab.contract.PixelGrid;
+
+/**
+ * A call of a contract's single method on the wire: what the method is given, and what came of it.
+ *
+ * <p>Given are values ({@link Values}), a picture, and sinks, which are not sent: the child has its
+ * own. What came of it is, in this order: the items of each sink and the writings of each picture,
+ * the value that was returned, and the given values once more if the method changed any.
+ */
+public final class ContractCall {
+    private final Class<?> contract;
+    private final Method method;
+    private final List<Class<?>> given;
+
+    private ContractCall(Class<?> contract, Method method) {
+        this.contract = contract;
+        this.method = method;
+        this.given = List.of(method.getParameterTypes());
+    }
+
+    /**
+     * The calls of a contract.
+     *
+     * @throws IllegalArgumentException if it has not exactly one method without a body, or that one
+     *     takes or returns what cannot be sent
+     */
+    public static ContractCall of(Class<?> contract) {
+        List<Method> open =
+                Stream.of(contract.getMethods())
+                        .filter(one -> Modifier.isAbstract(one.getModifiers()))
+                        .toList();
+        if (open.size() != 1)
+            throw new IllegalArgumentException(
+                    "%s must have one method to implement, got %d"
+                            .formatted(contract.getSimpleName(), open.size()));
+        Method method = open.get(0);
+        for (Class<?> type : method.getParameterTypes())
+            if (!Values.carries(type) && !Sheets.isKept(type)) throw cannotBeSent(method, type);
+        Class<?> returned = method.getReturnType();
+        if (returned != void.class && !Values.carries(returned))
+            throw cannotBeSent(method, returned);
+        return new ContractCall(contract, method);
+    }
+
+    private static IllegalArgumentException cannotBeSent(Method method, Class<?> type) {
+        return new IllegalArgumentException(
+                "%s.%s has a %s, which cannot be sent"
+                        .formatted(
+                                method.getDeclaringClass().getSimpleName(),
+                                method.getName(),
+                                type.getSimpleName()));
+    }
+
+    public Class<?> contract() {
+        return contract;
+    }
+
+    Method method() {
+        return method;
+    }
+
+    /** Writes what the method is given. */
+    public void writeArguments(Object[] arguments, DataOutputStream out) throws IOException {
+        for (int i = 0; i < arguments.length; i++) {
+            if (arguments[i] instanceof PixelGrid picture) GridSheet.write(picture, out);
+            else if (!Sheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
+        }
+    }
+
+    /**
+     * Reads what the method is given, with fresh sheets for its sinks and pictures.
+     *
+     * @param most the most items of a sheet
+     * @param room for so many items from the start
+     */
+    Object[] readArguments(DataInputStream in, int most, int room) throws IOException {
+        Object[] arguments = new Object[given.size()];
+        for (int i = 0; i < arguments.length; i++)
+            arguments[i] =
+                    Sheets.isKept(given.get(i))
+                            ? Sheets.of(given.get(i), in, most, room)
+                            : Values.read(given.get(i), in);
+        return arguments;
+    }
+
+    /** Writes what came of a call. */
+    void writeAnswer(byte[] before, Object[] arguments, Object returned, DataOutputStream out)
+            throws IOException {
+        for (Object one : arguments) if (one instanceof Sheet sheet) sheet.writeTo(out);
+        if (returnsValue()) Values.write(method.getReturnType(), returned, out);
+        byte[] after = values(arguments);
+        boolean changed = !Arrays.equals(before, after);
+        out.writeBoolean(changed);
+        if (changed) out.write(after);
+    }
+
+    /** The given values alone, as they are written. */
+    byte[] values(Object[] arguments) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        DataOutputStream out = new DataOutputStream(bytes);
+        for (int i = 0; i < arguments.length; i++)
+            if (!Sheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
+        return bytes.toByteArray();
+    }
+
+    /** Adds what came of a call to a sum. */
+    void addTo(ItemSum sum, Object[] arguments, Object returned) throws IOException {
+        for (Object one : arguments) if (one instanceof Sheet sheet) sheet.addTo(sum);
+        if (!returnsValue() && hasSheets()) return;
+        var bytes = new ByteArrayOutputStream();
+        DataOutputStream out = new DataOutputStream(bytes);
+        if (returnsValue()) Values.write(method.getReturnType(), returned, out);
+        else out.write(values(arguments));
+        sum.add(longs(bytes.toByteArray()));
+    }
+
+    private boolean hasSheets() {
+        return given.stream().anyMatch(Sheets::isKept);
+    }
+
+    private static long[] longs(byte[] bytes) {
+        long[] longs = new long[(bytes.length + Long.BYTES - 1) / Long.BYTES];
+        for (int i = 0; i < bytes.length; i++)
+            longs[i / Long.BYTES] = longs[i / Long.BYTES] << Byte.SIZE | bytes[i] & 0xFF;
+        return longs;
+    }
+
+    /**
+     * What a method did.
+     *
+     * @param value that it returned; null where it returns nothing, and where it returned null
+     * @param items that it sent to sinks, and 1 for a value
+     */
+    public record Done(Object value, int items) {}
+
+    /**
+     * Does to the arguments what the method did to those in the child: sends the items to its
+     * sinks, writes into its pictures and changes its arrays.
+     *
+     * @throws IOException if the bytes are no answer
+     */
+    public Done replay(DataInputStream in, Object[] arguments) throws IOException {
+        int items = 0;
+        for (int i = 0; i < arguments.length; i++)
+            if (Sheets.isKept(given.get(i))) items += Sheets.replay(given.get(i), in, arguments[i]);
+        Object value = returnsValue() ? Values.read(method.getReturnType(), in) : null;
+        if (in.readBoolean())
+            for (int i = 0; i < arguments.length; i++)
+                if (!Sheets.isKept(given.get(i)))
+                    Values.copy(Values.read(given.get(i), in), arguments[i]);
+        return new Done(value, value == null ? items : items + 1);
+    }
+
+    public boolean returnsValue() {
+        return method.getReturnType() != void.class;
+    }
+
+    /** Calls a method of the contract in this process. */
+    public Object invoke(Object implementation, Object[] arguments) throws Throwable {
+        try {
+            return method.invoke(implementation, arguments);
+        } catch (InvocationTargetException e) {
+            throw e.getCause();
+        }
+    }
+}

@@ -1,0 +1,106 @@
+package rasterlab.exercises.runner;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Method;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.exercises.TopicGrading.Timing;
+import rasterlab.exercises.TopicGrading.Told;
+import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.Frames;
+import rasterlab.exercises.child.Wire;
+
+/**
+ * The calls that a right method gets for the inputs of a batch, to be made of another and timed.
+ */
+final class TimedBatch {
+    static final Told NOTHING = new Told(0, 0, Optional.empty());
+
+    private final ContractCall contract;
+    private final Timing timing;
+    private final ByteArrayOutputStream arguments = new ByteArrayOutputStream();
+    private int calls;
+    private int from;
+    private int to;
+
+    TimedBatch(ContractCall contract, Timing timing) {
+        this.contract = contract;
+        this.timing = timing;
+        Object listening = Asked.proxy(contract, new Listening());
+        int looked = timing.looked().orElse(-1);
+        for (int i = 0; i < timing.inputs(); i++) {
+            if (i == looked) from = calls;
+            timing.recorded(i, listening);
+            if (i == looked) to = calls;
+        }
+    }
+
+    /** Writes down what the right method is given. */
+    private final class Listening implements InvocationHandler {
+        private final DataOutputStream out = new DataOutputStream(arguments);
+
+        @Override
+        public Object invoke(Object proxy, Method method, Object[] given) throws Throwable {
+            if (method.isDefault()) return InvocationHandler.invokeDefault(proxy, method, given);
+            contract.writeArguments(given, out);
+            calls++;
+            return contract.invoke(timing.right(), given);
+        }
+    }
+
+    Request request() {
+        return new Request(
+                Wire.TIME,
+                out -> {
+                    out.writeInt(calls);
+                    out.writeInt(timing.mostItems());
+                    out.writeInt(timing.usualItems());
+                    out.writeInt(from);
+                    out.writeInt(to);
+                    arguments.writeTo(out);
+                });
+    }
+
+    /**
+     * The answer to the input that is looked at; empty where none is, or where it cannot be used.
+     */
+    Optional<Object> looked(DataInputStream in) throws IOException {
+        Deque<byte[]> answers = new ArrayDeque<>();
+        for (int i = from; i < to; i++) answers.add(Frames.read(in, Wire.MOST_ANSWER_BYTES));
+        if (timing.looked().isEmpty()) return Optional.empty();
+        try {
+            return Optional.of(
+                    timing.recorded(
+                            timing.looked().getAsInt(),
+                            Asked.proxy(contract, new Replaying(answers))));
+        } catch (LimitReached | IllegalStateException unusable) {
+            return Optional.empty();
+        }
+    }
+
+    /** Gives one answer after the other. */
+    private final class Replaying implements InvocationHandler {
+        private final Deque<byte[]> answers;
+
+        Replaying(Deque<byte[]> answers) {
+            this.answers = answers;
+        }
+
+        @Override
+        public Object invoke(Object proxy, Method method, Object[] given) throws Throwable {
+            if (method.isDefault()) return InvocationHandler.invokeDefault(proxy, method, given);
+            var in = new DataInputStream(new ByteArrayInputStream(answers.remove()));
+            Object value = contract.replay(in, given).value();
+            if (contract.returnsValue() && value == null)
+                throw new IllegalStateException("null is no answer");
+            return value;
+        }
+    }
+}
