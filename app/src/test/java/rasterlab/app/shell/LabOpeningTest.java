@@ -96,6 +96,7 @@ class LabOpeningTest {
                             "vertex-normals roof-with-a-long-side", EnumSet.of(NORMALS_LENGTHENED)),
                     Map.entry("vertex-normals both-sides-of-a-sheet", EnumSet.of(FACE_NORMAL)),
                     Map.entry("shade-face zero-area-face", EnumSet.of(CORNER_MOVED)),
+                    Map.entry("shade light-in-the-plane", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade interpolated-normal", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade eye-across-the-mirror", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade huge-normal", EnumSet.of(NORMAL_LENGTH)),

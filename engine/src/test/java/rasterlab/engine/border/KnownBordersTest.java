@@ -13,11 +13,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.AxisRotation;
+import rasterlab.contract.LightSource;
 import rasterlab.contract.LinePlane;
+import rasterlab.contract.LitFace;
 import rasterlab.contract.SegmentClipper;
+import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.geometry.meeting.LinePlaneTopic;
+import rasterlab.engine.light.face.FacePoints;
+import rasterlab.engine.light.face.FaceTopic;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
@@ -151,6 +156,28 @@ class KnownBordersTest {
             double[] levels = topic.record(method.implementation(), pixels, 1);
             assertArrayEquals(new double[] {127.5, 127.5, 127.5, 127.5}, levels, 0.5);
         }
+    }
+
+    /** n·l is 2·10⁻³⁰⁸ − 2·10⁻¹¹⁹: the third normal's length is above 1 by 7·10⁻⁸⁰. */
+    @Test
+    void aLampAHairBehindAMixedNormalGivesNoHighlight() {
+        double little = 0x1p-131;
+        double[] nothing = new double[3];
+        double[] green = {0, 1, 0};
+        var face =
+                new LitFace(
+                        numbers("0 0 0 0 0 0 0 -1 -1"),
+                        new double[] {0, 0, -1, 0, 0, 0, Double.MIN_NORMAL, 1, little},
+                        numbers("1 -1 0"),
+                        nothing,
+                        new SurfaceMaterial(nothing, nothing, green, nothing, 0),
+                        LightSource.white(),
+                        nothing);
+        var points = new FacePoints(face, new double[] {little, 0, 1});
+        var topic = new FaceTopic();
+        assertArrayEquals(nothing, topic.exact(points, 1));
+        for (var method : promising(topic.methods()))
+            assertArrayEquals(nothing, topic.record(method.implementation(), points, 1));
     }
 
     /** Some subnormal steps off, which is a quarter of what there is to see. */

@@ -32,8 +32,6 @@ final class LightBorders {
     /** What the text of shade-face phong says of distances and normals. */
     private static final double NEAR = 0.1;
 
-    private static final double ROUNDED = 1e-12;
-
     /** A cosine nearer to 0 has too few right digits for a power below 1. */
     private static final double STEEP = 1e-4;
 
@@ -57,10 +55,6 @@ final class LightBorders {
                         light(draws),
                         shares(draws, LightSource.BRIGHTEST));
         requireSteady(point.light(), point.toLight(), point.distance());
-        double lit = Math.abs(cosine(point.normal(), point.toLight()));
-        // Whether the eye's direction is needed is decided by a cosine of which nothing is left.
-        if (lit < LEAST_SHARE && largest(point.toEye()) == 0)
-            throw new IllegalArgumentException("no direction to an eye that is hardly asked for");
         return new LitPoints(List.of(point));
     }
 
@@ -151,16 +145,14 @@ final class LightBorders {
         return new FacePoints(face, weights);
     }
 
-    /** Passes where the sign of no cosine next to 0 decides about a highlight. */
+    /** Passes where no highlight is a power below 1 of an r·v next to 0. */
     private static void requireSure(
             LitFace face, double[] normal, double[] toLamp, double[] toEye) {
-        double[] highlight = face.light().specular().clone();
-        for (int c = 0; c < 3; c++) highlight[c] *= face.material().specular()[c];
+        double shininess = face.material().shininess();
         double nl = cosine(normal, toLamp);
         double across = 2 * nl * cosine(normal, toEye) - cosine(toLamp, toEye);
-        boolean steep = face.material().shininess() < 1 && face.material().shininess() > 0;
-        if (largest(highlight) > 0 && (Math.abs(nl) < ROUNDED || steep && Math.abs(across) < STEEP))
-            throw new IllegalArgumentException("rounding decides about a highlight");
+        if (shininess > 0 && shininess < 1 && Math.abs(across) < STEEP)
+            throw new IllegalArgumentException("too few digits for a power below 1");
     }
 
     private static double[] mixed(double[] three, double[] weights) {

@@ -34,7 +34,9 @@ final class ExactFace {
                             face.material(),
                             face.light(),
                             face.globalAmbient());
-            System.arraycopy(ExactShade.intensity(point, Reflection.PHONG), 0, shades, i, 3);
+            boolean lit = ExactSide.signum(face.normals(), weights, i, toLight) > 0;
+            double[] shade = ExactShade.intensity(point, Reflection.PHONG, lit);
+            System.arraycopy(shade, 0, shades, i, 3);
         }
         return shades;
     }

@@ -21,7 +21,7 @@ final class FaceHazards {
     private FaceHazards() {}
 
     static List<Hazard<FacePoints>> all() {
-        return Stream.of(curved(), degenerate()).flatMap(List::stream).toList();
+        return Stream.of(curved(), beside(), degenerate()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<FacePoints>> curved() {
@@ -78,6 +78,24 @@ final class FaceHazards {
                         DEGRADED,
                         EXACT,
                         EXACT));
+    }
+
+    private static List<Hazard<FacePoints>> beside() {
+        return List.of(
+                hazard(
+                        "lamp-in-the-plane",
+                        "The lamp lies in the plane of the face: rounding lights highlights all over"
+                                + " it.",
+                        Faces.face(
+                                new double[] {0, 0, 0, 5, 0, -6, 0, 5, -8},
+                                new double[] {6, 8, 5, 6, 8, 5, 12, 16, 10},
+                                new double[] {-5, 10, -10},
+                                new double[] {11, 3, 7},
+                                Faces.grey(0.5, 0.5, 1)),
+                        WRONG,
+                        WRONG,
+                        EXACT,
+                        WRONG));
     }
 
     private static List<Hazard<FacePoints>> degenerate() {

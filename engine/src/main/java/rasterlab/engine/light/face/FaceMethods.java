@@ -55,8 +55,8 @@ final class FaceMethods {
                         "1 formula per pixel",
                         "none known where lamp and eye are at least a tenth of the largest"
                                 + " coordinate away, mixed normals are as long, the attenuation is at"
-                                + " most 10 and no cosine that decides about a highlight is within"
-                                + " rounding of 0; refuses where mixed normals cancel out",
+                                + " most 10 and, with a shininess below 1, r·v is at least 10⁻⁴ from"
+                                + " 0; refuses where mixed normals cancel out",
                         "B. T. Phong, Illumination for computer generated pictures,"
                                 + " Communications of the ACM 18(6), 1975",
                         new PhongFace()));

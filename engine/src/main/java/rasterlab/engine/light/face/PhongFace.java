@@ -1,6 +1,7 @@
 package rasterlab.engine.light.face;
 
 import rasterlab.contract.LitFace;
+import rasterlab.contract.LitPoint;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.shade.FormulaShader;
 
@@ -24,7 +25,9 @@ final class PhongFace implements SteppedFace {
             double c = weights[i + 2];
             double[] place = FacePoint.mixed(face.corners(), a, b, c);
             double[] normal = FacePoint.mixed(normals, a, b, c);
-            double[] shade = formula.intensity(FacePoint.of(face, place, normal));
+            LitPoint point = FacePoint.of(face, place, normal);
+            boolean lit = LampSide.isLit(face, weights, i, normal, point.toLight());
+            double[] shade = formula.intensity(point, lit);
             told.at(place, normal, shade);
             System.arraycopy(shade, 0, shades, i, 3);
         }

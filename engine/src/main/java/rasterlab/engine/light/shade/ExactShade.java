@@ -24,6 +24,23 @@ public final class ExactShade {
 
     /** Three shares, or NaN where the contract refuses. */
     public static double[] intensity(LitPoint point, Reflection reflection) {
+        return intensity(point, reflection, isLit(point));
+    }
+
+    /** Whether n·l is above 0; rounding to directions of length 1 could make 0 a little more. */
+    private static boolean isLit(LitPoint point) {
+        BigDecimal sum = ZERO;
+        for (int i = 0; i < 3; i++) sum = sum.add(product(point.normal()[i], point.toLight()[i]));
+        return sum.signum() > 0;
+    }
+
+    /**
+     * {@link #intensity(LitPoint, Reflection)} of a point whose normal and way to the light are
+     * rounded.
+     *
+     * @param lit whether n·l is above 0 before that
+     */
+    public static double[] intensity(LitPoint point, Reflection reflection, boolean lit) {
         double[] nothing = {Double.NaN, Double.NaN, Double.NaN};
         boolean mirrors = reflection != Reflection.LAMBERT;
         if (isZero(point.normal()) || isZero(point.toLight())) return nothing;
@@ -34,7 +51,7 @@ public final class ExactShade {
         BigDecimal nl = dot(n, l);
         BigDecimal strength = cone(point.light().cone(), l).divide(divisor, DIGITS);
         BigDecimal mirrored = ZERO;
-        if (mirrors && nl.signum() > 0) {
+        if (mirrors && lit) {
             if (isZero(point.toEye())) return nothing;
             BigDecimal cosine =
                     reflection == Reflection.PHONG && ExactMirror.signum(point) == 0

@@ -35,15 +35,30 @@ public final class FormulaShader implements PointShader, TermShader {
         return terms(point).intensity();
     }
 
+    /**
+     * The intensity of a point whose normal and way to the light are rounded.
+     *
+     * @param lit whether n·l is above 0 before that
+     */
+    public double[] intensity(LitPoint point, boolean lit) {
+        double[] n = unit("normal", point.normal());
+        double[] l = unit("to-light", point.toLight());
+        return terms(point, n, l, lit).intensity();
+    }
+
     @Override
     public Terms terms(LitPoint point) {
         double[] n = unit("normal", point.normal());
         double[] l = unit("to-light", point.toLight());
+        return terms(point, n, l, isLit(point, n, l));
+    }
+
+    private Terms terms(LitPoint point, double[] n, double[] l, boolean lit) {
         double attenuation = attenuation(point);
         double cone = cone(point.light().cone(), l);
         double strength = attenuation * cone;
         double cosine = Math.max(0, n[0] * l[0] + n[1] * l[1] + n[2] * l[2]);
-        double mirrored = isLit(point, n, l) ? mirrored(point, n, l) : 0;
+        double mirrored = lit ? mirrored(point, n, l) : 0;
         var material = point.material();
         var light = point.light();
         return new Terms(

@@ -26,7 +26,9 @@ final class ShadeHazards {
     private ShadeHazards() {}
 
     static List<Hazard<LitPoints>> all() {
-        return Stream.of(signs(), lengths(), sums(), lights()).flatMap(List::stream).toList();
+        return Stream.of(signs(), eyes(), lengths(), sums(), lights())
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static List<Hazard<LitPoints>> signs() {
@@ -51,12 +53,32 @@ final class ShadeHazards {
                         EXACT,
                         lit(UP, new double[] {4, 0, Double.MIN_VALUE}, UP, material(0, 0, 0.5, 0))),
                 hazard(
+                        "light-in-the-plane",
+                        "The light lies in the plane of the surface, which directions brought to"
+                                + " length 1 miss by a rounding.",
+                        WRONG,
+                        EXACT,
+                        lit(
+                                new double[] {9, 5, 5},
+                                new double[] {5, 0, -9},
+                                new double[] {-1, 0, 1})),
+                hazard(
                         "light-behind-beside-ambient",
                         "The light is behind the surface, and ambient light still reaches it.",
                         WRONG,
                         EXACT,
                         new LitPoint(
-                                UP, BELOW, UP, 1, DIM, withAmbient(Attenuation.none()), grey(0.5))),
+                                UP,
+                                BELOW,
+                                UP,
+                                1,
+                                DIM,
+                                withAmbient(Attenuation.none()),
+                                grey(0.5))));
+    }
+
+    private static List<Hazard<LitPoints>> eyes() {
+        return List.of(
                 hazard(
                         "eye-against-the-mirror",
                         "The eye is away from the mirrored light, and an even power hides the sign.",
