@@ -1,6 +1,7 @@
 package rasterlab.engine.circle;
 
 import java.util.List;
+import java.util.function.IntBinaryOperator;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.study.Mutant;
@@ -25,13 +26,14 @@ final class CircleMutants {
                         "x-y-swapped",
                         "off-the-diagonal",
                         (x, y, r, out) -> RIGHT.draw(y, x, r, out)),
-                new Mutant<>("root-rounded-down", "crowded-columns", CircleMutants::roundedDown),
+                new Mutant<>(
+                        "root-rounded-down",
+                        "crowded-columns",
+                        byRoots((r, u) -> (int) Math.sqrt((double) r * r - (double) u * u))),
                 new Mutant<>(
                         "squares-in-int",
                         "squares-beyond-int",
-                        (x, y, r, out) -> {
-                            if (r * r >= 0) RIGHT.draw(x, y, r, out);
-                        }),
+                        byRoots((r, u) -> (int) Math.rint(Math.sqrt(r * r - u * u)))),
                 new Mutant<>("diagonals-left-out", "corner", CircleMutants::withoutCorner));
     }
 
@@ -69,13 +71,15 @@ final class CircleMutants {
                 });
     }
 
-    private static void roundedDown(int centreX, int centreY, int radius, Pixels out) {
-        Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
-        for (int u = 0; ; u++) {
-            int v = (int) Math.sqrt((double) radius * radius - (double) u * u);
-            if (u > v) return;
-            mirror.four(u, v);
-            if (u != v) mirror.four(v, u);
-        }
+    /** Draws an octant by the root that gives the row for a column, and mirrors it. */
+    private static CircleRasterizer byRoots(IntBinaryOperator root) {
+        return (centreX, centreY, radius, out) -> {
+            Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
+            for (int u = 0; ; u++) {
+                int v = root.applyAsInt(radius, u);
+                if (u > v) return;
+                mirror.eight(u, v);
+            }
+        };
     }
 }

@@ -44,7 +44,7 @@ final class LinePlaneMutants {
                         (n, c, p, q) ->
                                 Double.isFinite(slope(n, p, q))
                                         ? RIGHT.meets(n, c, p, q)
-                                        : Double.NaN),
+                                        : (c - at(n, p)) / slope(n, p, q)),
                 new Mutant<>(
                         "plane-point-rounded",
                         "plane-far-away",

@@ -83,15 +83,16 @@ final class ShadeMutants {
                         "square-overflows",
                         "huge-normal",
                         point ->
-                                Double.isInfinite(square(point.normal()))
-                                        ? new double[3]
-                                        : RIGHT.intensity(point)),
+                                RIGHT.intensity(
+                                        Double.isInfinite(square(point.normal()))
+                                                ? withoutCosines(point)
+                                                : point)),
                 new Mutant<>(
                         "square-vanishes",
                         "tiny-normal",
                         point ->
-                                square(point.normal()) == 0 && point.normal()[0] != 0
-                                        ? new double[3]
+                                square(point.normal()) == 0 && !isZero(point.normal())
+                                        ? times(point.normal(), Double.NaN)
                                         : RIGHT.intensity(point)));
     }
 
@@ -103,6 +104,10 @@ final class ShadeMutants {
 
     private static double square(double[] n) {
         return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+    }
+
+    private static boolean isZero(double[] n) {
+        return n[0] == 0 && n[1] == 0 && n[2] == 0;
     }
 
     private static double factor(LitPoint point) {
@@ -129,6 +134,19 @@ final class ShadeMutants {
         double[] everywhere = new double[3];
         for (int c = 0; c < 3; c++) everywhere[c] = point.globalAmbient()[c] + light.ambient()[c];
         return RIGHT.intensity(with(point, without, everywhere));
+    }
+
+    /** A normal divided by infinity is 0, and so is its product with any direction. */
+    private static LitPoint withoutCosines(LitPoint point) {
+        LightSource light = point.light();
+        var ambient =
+                new LightSource(
+                        light.ambient(),
+                        new double[3],
+                        new double[3],
+                        light.attenuation(),
+                        light.cone());
+        return with(point, ambient, point.globalAmbient());
     }
 
     /** A normal that is too short or long makes the diffuse light so, which is what shows. */

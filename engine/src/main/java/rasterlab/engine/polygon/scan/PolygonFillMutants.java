@@ -49,7 +49,7 @@ final class PolygonFillMutants {
                         "two-corners-drawn",
                         "two-corners",
                         (x, y, rule, w, h, out) -> {
-                            if (x.length == 2) out.span(1, 1, 2);
+                            if (x.length == 2) line(x, y, w, h, out);
                             else RIGHT.fill(x, y, rule, w, h, out);
                         }));
     }
@@ -73,6 +73,16 @@ final class PolygonFillMutants {
                 x, y, rule, width, height, (row, from, to) -> spans.add(new int[] {row, from, to}));
         Collections.reverse(spans);
         for (int[] span : spans) out.span(span[0], span[1], span[2]);
+    }
+
+    /** Fills in each row between the two corners the pixel that is nearest to their line. */
+    private static void line(double[] x, double[] y, int width, int height, Spans out) {
+        double last = Math.min(height - 1, Math.max(y[0], y[1]));
+        for (int row = (int) Math.max(0, Math.ceil(Math.min(y[0], y[1]))); row <= last; row++) {
+            double share = y[0] == y[1] ? 0 : (row - y[0]) / (y[1] - y[0]);
+            int column = (int) Math.rint(x[0] + share * (x[1] - x[0]));
+            if (column >= 0 && column < width) out.span(row, column, column + 1);
+        }
     }
 
     private interface Crosses {

@@ -6,7 +6,7 @@ import rasterlab.engine.study.Mutant;
 
 /** Rotations about an axis with one mistake. */
 final class AxisMutants {
-    private static final AxisRotation RIGHT = new RodriguesRotation();
+    private static final RodriguesRotation RIGHT = new RodriguesRotation();
 
     private AxisMutants() {}
 
@@ -53,14 +53,18 @@ final class AxisMutants {
                                         points)));
     }
 
-    /** A direction whose square does not fit in a double stays as long as it is: no unit vector. */
+    /** A direction whose square does not fit in a double has no length to be divided by. */
     private static void bySquares(
             double[] through, double[] direction, double degrees, double[] points) {
         double square = 0;
         for (double each : direction) square += each * each;
-        double length = Math.sqrt(square);
-        if (length > 0 && length < Double.POSITIVE_INFINITY)
+        if (square > 0 && square < Double.POSITIVE_INFINITY)
             RIGHT.rotate(through, direction, degrees, points);
-        else for (int i = 0; i < points.length; i++) points[i] /= length;
+        else {
+            CheckedAxisRotation.checked(through, direction, points);
+            var divided = new double[3];
+            for (int i = 0; i < 3; i++) divided[i] = direction[i] / Math.sqrt(square);
+            RIGHT.turn(through, divided, degrees, points);
+        }
     }
 }

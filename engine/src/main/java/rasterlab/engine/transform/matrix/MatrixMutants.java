@@ -1,5 +1,6 @@
 package rasterlab.engine.transform.matrix;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import rasterlab.contract.MatrixFormula;
@@ -68,7 +69,7 @@ final class MatrixMutants {
     private static double[][] byZero(String name, double... parameters) {
         double[][] rows = RIGHT.rows(name, parameters);
         if (name.equals("ROTAXIS") && parameters[3] == 0 && parameters[4] == 0)
-            rows[0][0] = 0.0 / 0.0;
+            for (double[] row : rows) Arrays.fill(row, 0, 3, 0.0 / 0.0);
         return rows;
     }
 
