@@ -1,6 +1,7 @@
 package rasterlab.exercises.drawing;
 
 import java.awt.Color;
+import java.util.List;
 import rasterlab.engine.raster.PixelMark;
 
 /** The colors of the pictures; form always tells the same as color. */
@@ -22,6 +23,10 @@ final class Ink {
 
     static final Color MISSING = new Color(0xB3001B);
     static final Color EXTRA = PixelMark.COLOUR;
+
+    /** The most important ones first. */
+    static final List<Color> ALL =
+            List.of(PAPER, EXPECTED, ACTUAL, MISSING, EXTRA, LABEL, GIVEN, GRID);
 
     private Ink() {}
 

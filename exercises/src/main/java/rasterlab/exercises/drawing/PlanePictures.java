@@ -78,7 +78,7 @@ public final class PlanePictures {
                 new Drawn(difference(comparison), texts.difference(comparison)));
     }
 
-    private BufferedImage one(List<PlaneFigure> figures, Color color) {
+    private byte[] one(List<PlaneFigure> figures, Color color) {
         BufferedImage image = image();
         paint(
                 image,
@@ -89,10 +89,10 @@ public final class PlanePictures {
                     painter.lines(figures, color, LINE);
                     axes.tag(g, tag("", figures), "", color);
                 });
-        return image;
+        return PngBytes.small(image);
     }
 
-    private BufferedImage difference(PlaneComparison comparison) {
+    private byte[] difference(PlaneComparison comparison) {
         BufferedImage image = image();
         new PlaneFill(view, axes.width(), axes.height()).paint(image, expected, actual);
         paint(
@@ -105,7 +105,7 @@ public final class PlanePictures {
                     axes.tag(g, missing, extra, Ink.MISSING);
                     axes.tag(g, extra, "", Ink.EXTRA);
                 });
-        return image;
+        return PngBytes.small(image);
     }
 
     /** Paper with the axes and the fill of what is given. */

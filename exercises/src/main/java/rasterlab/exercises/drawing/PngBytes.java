@@ -1,5 +1,6 @@
 package rasterlab.exercises.drawing;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
@@ -8,6 +9,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
@@ -34,7 +36,7 @@ final class PngBytes {
         return bytes.toByteArray();
     }
 
-    /** The same; a picture larger than {@link #MOST} keeps only its most frequent colors. */
+    /** The same; a picture larger than {@link #MOST} keeps only its most important colors. */
     static byte[] small(BufferedImage image) {
         byte[] bytes = of(image);
         for (int i = 0; i < FEW.length && bytes.length > MOST; i++)
@@ -42,20 +44,24 @@ final class PngBytes {
         return bytes;
     }
 
-    /** The picture with each color as the one most like it among the most frequent ones. */
+    /** The picture with each color as the most similar of its inks and most frequent colors. */
     private static BufferedImage inFewColors(BufferedImage image, int most) {
         var counts = new HashMap<Integer, Integer>();
         int width = image.getWidth();
         int[] pixels = image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
         for (int rgb : pixels) counts.merge(rgb, 1, Integer::sum);
         int[] colors =
-                counts.entrySet().stream()
-                        .sorted(
-                                Map.Entry.<Integer, Integer>comparingByValue()
-                                        .reversed()
-                                        .thenComparing(Map.Entry.comparingByKey()))
+                Stream.concat(
+                                Ink.ALL.stream().map(Color::getRGB).filter(counts::containsKey),
+                                counts.entrySet().stream()
+                                        .sorted(
+                                                Map.Entry.<Integer, Integer>comparingByValue()
+                                                        .reversed()
+                                                        .thenComparing(Map.Entry.comparingByKey()))
+                                        .map(Map.Entry::getKey))
+                        .distinct()
                         .limit(most)
-                        .mapToInt(Map.Entry::getKey)
+                        .mapToInt(rgb -> rgb)
                         .toArray();
         var model =
                 new IndexColorModel(4, colors.length, colors, 0, false, -1, DataBuffer.TYPE_BYTE);

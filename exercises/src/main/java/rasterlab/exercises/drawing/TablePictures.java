@@ -66,9 +66,12 @@ public final class TablePictures {
     private List<CasePicture> drawn() {
         return ThreePictures.of(
                 new Drawn(
-                        sheet.numbers(table::expected, Ink.EXPECTED), numbersSaid(table::expected)),
-                new Drawn(sheet.numbers(table::actual, Ink.ACTUAL), numbersSaid(table::actual)),
-                new Drawn(sheet.difference(), differenceSaid()));
+                        PngBytes.small(sheet.numbers(table::expected, Ink.EXPECTED)),
+                        numbersSaid(table::expected)),
+                new Drawn(
+                        PngBytes.small(sheet.numbers(table::actual, Ink.ACTUAL)),
+                        numbersSaid(table::actual)),
+                new Drawn(PngBytes.small(sheet.difference()), differenceSaid()));
     }
 
     /** The size, and the numbers that the picture shows, row by row. */

@@ -1,6 +1,5 @@
 package rasterlab.exercises.drawing;
 
-import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.score.CasePicture;
@@ -23,9 +22,9 @@ final class ThreePictures {
      *
      * @param text tells what it shows to people who do not see it
      */
-    record Drawn(BufferedImage image, Message text) {
+    record Drawn(byte[] png, Message text) {
         private CasePicture called(String kind) {
-            return new CasePicture(kind, PngBytes.small(image), text, Optional.empty());
+            return new CasePicture(kind, png, text, Optional.empty());
         }
     }
 }

@@ -18,21 +18,23 @@ import rasterlab.exercises.score.CasePicture;
 /** Looks at the three pictures of a case. */
 final class Seen {
     private final List<CasePicture> pictures;
+    private final List<BufferedImage> images;
 
     Seen(List<CasePicture> pictures) {
         this.pictures = pictures;
+        images = pictures.stream().map(Seen::decoded).toList();
     }
 
     BufferedImage expected() {
-        return image(0);
+        return images.get(0);
     }
 
     BufferedImage actual() {
-        return image(1);
+        return images.get(1);
     }
 
     BufferedImage difference() {
-        return image(2);
+        return images.get(2);
     }
 
     String expectedText(String language) {
@@ -88,9 +90,9 @@ final class Seen {
         return false;
     }
 
-    private BufferedImage image(int index) {
+    private static BufferedImage decoded(CasePicture picture) {
         try {
-            return ImageIO.read(new ByteArrayInputStream(pictures.get(index).png()));
+            return ImageIO.read(new ByteArrayInputStream(picture.png()));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
