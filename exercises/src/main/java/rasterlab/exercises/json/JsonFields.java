@@ -1,14 +1,15 @@
 package rasterlab.exercises.json;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.StreamReadFeature;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Iterator;
 import java.util.List;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.format.Misfit;
+import rasterlab.engine.study.Format;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.score.Phrase;
 
@@ -17,24 +18,11 @@ import rasterlab.exercises.score.Phrase;
  * a {@link CatalogueException} that names the place and what is allowed.
  */
 public final class JsonFields {
-    private static final JsonMapper MAPPER =
-            JsonMapper.builder()
-                    .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-                    .build();
+    private final Value object;
 
-    private final Phrase place;
-    private final JsonNode node;
-
-    private JsonFields(Phrase place, JsonNode node, String... known) {
-        this.place = place;
-        this.node = node;
-        if (!node.isObject()) throw wrong("", Phrase.of("field.object", shown(node)));
-        for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
-            String name = names.next();
-            if (known.length > 0 && !List.of(known).contains(name))
-                throw wrong(name, Phrase.of("field.unknown", Arrays.toString(known)));
-        }
+    private JsonFields(Value object, String... known) {
+        this.object = object;
+        object.requireObject(known);
     }
 
     /**
@@ -49,85 +37,49 @@ public final class JsonFields {
 
     /** The same where words of ours say the place. */
     public static JsonFields parse(Phrase place, String json, String... known) {
-        return new JsonFields(place, tree(place, json), known);
+        return new JsonFields(new Value(place, "", Value.read(place, json)), known);
     }
 
     /** Reads an array of objects, each of which may have the known fields. */
     public static List<JsonFields> parseArray(String file, String json, String... known) {
         Phrase place = Phrase.quoted(file);
-        JsonNode array = tree(place, json);
-        if (!array.isArray()) throw wrong(place, Phrase.of("field.array", shown(array)), null);
-        List<JsonFields> objects = new ArrayList<>();
-        for (JsonNode item : array)
+        var objects = new ArrayList<JsonFields>();
+        for (Value item : new Value(place, "", Value.read(place, json)).members())
             objects.add(
-                    new JsonFields(Phrase.quoted(file + "[" + objects.size() + "]"), item, known));
+                    new JsonFields(
+                            item.called(Phrase.quoted(file + "[" + objects.size() + "]")), known));
         return objects;
     }
 
-    private static JsonNode tree(Phrase place, String json) {
-        try {
-            return MAPPER.readTree(json);
-        } catch (JsonProcessingException e) {
-            throw wrong(place, Phrase.of("json.not", JsonMistake.in(e)), e);
-        }
-    }
-
     public boolean has(String field) {
-        return node.has(field);
+        return object.has(field);
     }
 
     public JsonFields object(String field, String... known) {
-        return new JsonFields(place(field), required(field), known);
+        return new JsonFields(required(field), known);
     }
 
     /** An array of objects, each of which may have the known fields; none where it is missing. */
     public List<JsonFields> objects(String field, String... known) {
         if (!has(field)) return List.of();
-        JsonNode array = node.get(field);
-        if (!array.isArray()) throw wrong(field, Phrase.of("field.array", shown(array)));
-        List<JsonFields> objects = new ArrayList<>();
-        for (JsonNode item : array)
-            objects.add(new JsonFields(place(field + "[" + objects.size() + "]"), item, known));
-        return objects;
+        return object.at(field).members().stream()
+                .map(item -> new JsonFields(item, known))
+                .toList();
     }
 
     public String text(String field) {
-        JsonNode value = required(field);
-        if (!value.isTextual() || value.textValue().isBlank())
-            throw wrong(field, Phrase.of("field.text", shown(value)));
-        return value.textValue();
+        return required(field).text();
     }
 
     /** One of the allowed words. */
     public String word(String field, List<String> allowed) {
         String text = text(field);
-        if (!allowed.contains(text))
-            throw wrong(field, Phrase.of("field.word", String.join(", ", allowed), text));
+        if (!allowed.contains(text)) throw object.at(field).notOneOf(allowed, text);
         return text;
     }
 
     public int integer(String field, int least, int most) {
-        return integer(field, required(field), least, most);
-    }
-
-    private int integer(String field, JsonNode value, int least, int most) {
-        if (!value.isIntegralNumber()
-                || !value.canConvertToInt()
-                || value.intValue() < least
-                || value.intValue() > most)
-            throw wrong(
-                    field,
-                    least == most
-                            ? Phrase.of("field.only", least, shown(value))
-                            : Phrase.of("field.whole", least, most, shown(value)));
-        return value.intValue();
-    }
-
-    /** What is allowed, in words: a range, or the one number. */
-    public static String wholeNumber(int least, int most) {
-        return least == most
-                ? String.valueOf(least)
-                : "a whole number from " + least + " to " + most;
+        return required(field).integer(least, most);
     }
 
     public int integer(String field, int least, int most, int otherwise) {
@@ -135,71 +87,123 @@ public final class JsonFields {
     }
 
     public boolean flag(String field, boolean otherwise) {
-        if (!has(field)) return otherwise;
-        JsonNode value = node.get(field);
-        if (!value.isBoolean()) throw wrong(field, Phrase.of("field.flag", shown(value)));
-        return value.booleanValue();
-    }
-
-    /** A point [x, y] in pixels. */
-    public int[] point(String field) {
-        JsonNode value = required(field);
-        if (!value.isArray() || value.size() != 2)
-            throw wrong(field, Phrase.of("field.point", shown(value)));
-        return new int[] {
-            integer(field, value.get(0), Integer.MIN_VALUE, Integer.MAX_VALUE),
-            integer(field, value.get(1), Integer.MIN_VALUE, Integer.MAX_VALUE)
-        };
-    }
-
-    /** So many whole numbers. */
-    public int[] integers(String field, int count) {
-        JsonNode value = required(field);
-        if (!value.isArray() || value.size() != count)
-            throw wrong(field, Phrase.of("field.wholes", count, shown(value)));
-        int[] numbers = new int[count];
-        for (int i = 0; i < count; i++)
-            numbers[i] = integer(field, value.get(i), Integer.MIN_VALUE, Integer.MAX_VALUE);
-        return numbers;
+        return has(field) ? object.at(field).flag() : otherwise;
     }
 
     public List<String> texts(String field) {
-        JsonNode value = required(field);
-        List<String> texts = new ArrayList<>();
-        for (JsonNode item : value) if (item.isTextual()) texts.add(item.textValue());
-        if (!value.isArray() || texts.isEmpty() || texts.size() != value.size())
-            throw wrong(field, Phrase.of("field.texts", shown(value)));
-        return texts;
+        return required(field).texts();
     }
 
     /** The object under that field as JSON text. */
     public String json(String field) {
-        JsonNode value = required(field);
-        if (!value.isObject()) throw wrong(field, Phrase.of("field.object", shown(value)));
-        return value.toString();
+        Value value = required(field);
+        value.requireObject();
+        return value.asJson();
+    }
+
+    /** The value of a field that must be there, by its shape. */
+    public <T> T get(Field<T> field) {
+        return given(List.of(field)).get(field);
+    }
+
+    /**
+     * The input that a topic's format makes of its fields, which may stand among others.
+     *
+     * @throws IllegalArgumentException if it makes none of them
+     */
+    public <I> I input(Format<?, I, ?> format) {
+        try {
+            return format.read(given(format.input()));
+        } catch (Misfit e) {
+            throw new IllegalArgumentException(e.reason(), e);
+        }
+    }
+
+    private Given given(List<Field<?>> fields) {
+        try {
+            return new PlacedValues<>(object).openObject(fields);
+        } catch (IOException e) {
+            throw new AssertionError("reading from memory failed", e);
+        }
     }
 
     /** An exception that names this place and the field; with no field this place alone. */
     public CatalogueException wrong(String field, Phrase what) {
-        return wrong(field.isEmpty() ? place : place(field), what, null);
+        return (field.isEmpty() ? object : object.at(field)).wrong(what);
     }
 
-    private static CatalogueException wrong(Phrase place, Phrase what, Throwable cause) {
-        return new CatalogueException(Phrase.of("field.wrong", place, what), cause);
+    private Value required(String field) {
+        return object.required(field);
     }
 
-    private Phrase place(String field) {
-        return Phrase.of("field", place, field);
-    }
+    /** A value by the words for the place that it is in, and by its field there. */
+    private static final class Value extends JsonPlace<Value> {
+        private final Phrase in;
 
-    private JsonNode required(String field) {
-        if (!has(field)) throw wrong(field, Phrase.of("field.missing"));
-        return node.get(field);
-    }
+        /** Empty for {@link #in} itself. */
+        private final String field;
 
-    private static Object shown(JsonNode value) {
-        if (value.isMissingNode()) return Phrase.of("field.nothing");
-        String text = value.toString();
-        return text.length() <= 60 ? text : text.substring(0, 60) + "…";
+        private final JsonNode node;
+
+        Value(Phrase in, String field, JsonNode node) {
+            super(node);
+            this.in = in;
+            this.field = field;
+            this.node = node;
+        }
+
+        static JsonNode read(Phrase place, String json) {
+            try {
+                return tree(json);
+            } catch (JsonProcessingException e) {
+                throw wrong(place, Phrase.of("json.not", JsonMistake.in(e)), e);
+            }
+        }
+
+        Value called(Phrase name) {
+            return new Value(name, "", node);
+        }
+
+        private Phrase place() {
+            return field.isEmpty() ? in : Phrase.of("field", in, field);
+        }
+
+        @Override
+        protected Value field(String name, JsonNode value) {
+            return new Value(place(), name, value);
+        }
+
+        @Override
+        protected Value member(int index, JsonNode value) {
+            return new Value(in, field + "[" + index + "]", value);
+        }
+
+        /** {@inheritDoc} A point is told as a whole. */
+        @Override
+        protected Value number(int index, JsonNode value) {
+            return new Value(in, field, value);
+        }
+
+        @Override
+        protected String listed(String... known) {
+            return Arrays.toString(known);
+        }
+
+        List<String> texts() {
+            var texts = new ArrayList<String>();
+            for (JsonNode item : node) if (item.isTextual()) texts.add(item.textValue());
+            if (!isArray() || texts.isEmpty() || texts.size() != node.size())
+                throw wrong(Phrase.of("field.texts", shown()));
+            return texts;
+        }
+
+        @Override
+        protected CatalogueException wrong(Phrase what) {
+            return wrong(place(), what, null);
+        }
+
+        private static CatalogueException wrong(Phrase place, Phrase what, Throwable cause) {
+            return new CatalogueException(Phrase.of("field.wrong", place, what), cause);
+        }
     }
 }

@@ -62,9 +62,7 @@ public final class LineCaseReader {
     }
 
     private static Segment segment(JsonFields fields) {
-        int[] from = fields.point("from");
-        int[] to = fields.point("to");
-        return new Segment(from[0], from[1], to[0], to[1]);
+        return fields.input(new LineTopic().format());
     }
 
     /** The segment of a hazard of the topic, so that lab, study and exercise have the same one. */

@@ -1,118 +1,73 @@
 package rasterlab.exercises.scene;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.StreamReadFeature;
-import com.fasterxml.jackson.core.json.JsonReadFeature;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
-import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
-import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.json.JsonMistake;
+import rasterlab.exercises.json.JsonPlace;
+import rasterlab.exercises.score.Phrase;
 
 /** A place of a JSON text that knows its path; whatever is wrong there is refused with it. */
-final class Place {
-    static final JsonMapper MAPPER =
-            JsonMapper.builder()
-                    .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-                    // Read, so that they are refused with their path.
-                    .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
-                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-                    .build();
-    private static final int SHOWN = 60;
+final class Place extends JsonPlace<Place> {
+    /** Makes what is written. */
+    static final JsonMapper MAPPER = new JsonMapper();
 
     /** The whole text. */
     private final String json;
 
     private final String path;
-    private final JsonNode node;
 
     private Place(String json, String path, JsonNode node) {
+        super(node);
         this.json = json;
         this.path = path;
-        this.node = node;
     }
 
     static Place root(String json) {
         try {
-            return new Place(json, "$", MAPPER.readTree(json));
+            return new Place(json, "$", treeWithEndlessNumbers(json));
         } catch (JsonProcessingException e) {
             throw new IllegalArgumentException("not JSON: " + JsonMistake.in(e), e);
         }
     }
 
+    @Override
+    protected Place field(String name, JsonNode value) {
+        return new Place(json, path + "." + name, value);
+    }
+
+    @Override
+    protected Place member(int index, JsonNode value) {
+        return new Place(json, path + "[" + index + "]", value);
+    }
+
+    @Override
+    protected Place unknown(String name) {
+        return at(cut(name));
+    }
+
+    @Override
+    protected String listed(String... known) {
+        return String.join(", ", known);
+    }
+
+    @Override
+    protected String endless() {
+        return endlessNumber(path, json);
+    }
+
     /** This object, in which only the known fields may occur; none given: any. */
     Place object(String... known) {
-        if (!node.isObject()) throw wrong("must be an object {…}, got " + shown());
-        for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
-            String name = names.next();
-            if (known.length > 0 && !List.of(known).contains(name))
-                throw at(cut(name))
-                        .wrong("is not known here; known are " + String.join(", ", known));
-        }
+        requireObject(known);
         return this;
     }
 
     /** This place, which holds an object or could have held a scene's name. */
     Place nameOrObject() {
-        if (!node.isObject())
-            throw wrong("must be a scene's name or an object {…}, got " + shown());
+        if (!isObject()) throw wrong("must be a scene's name or an object {…}, got " + shown());
         return this;
-    }
-
-    boolean has(String field) {
-        return node.has(field);
-    }
-
-    boolean isText() {
-        return node.isTextual();
-    }
-
-    /** A field that must be there. */
-    Place at(String field) {
-        return new Place(json, path + "." + field, node.path(field));
-    }
-
-    Optional<Place> optional(String field) {
-        return has(field) ? Optional.of(at(field)) : Optional.empty();
-    }
-
-    /** The members of this array. */
-    List<Place> members() {
-        if (!node.isArray()) throw wrong("must be an array […], got " + shown());
-        List<Place> members = new ArrayList<>();
-        for (JsonNode member : node)
-            members.add(new Place(json, path + "[" + members.size() + "]", member));
-        return members;
-    }
-
-    String text() {
-        if (!node.isTextual() || node.textValue().isBlank())
-            throw wrong("must be a text that is not blank, got " + shown());
-        return node.textValue();
-    }
-
-    boolean flag() {
-        if (!node.isBoolean()) throw wrong("must be true or false, got " + shown());
-        return node.booleanValue();
-    }
-
-    int integer(int least, int most) {
-        boolean whole = node.isIntegralNumber() && node.canConvertToInt();
-        if (!whole || node.intValue() < least || node.intValue() > most)
-            throw wrong("must be " + JsonFields.wholeNumber(least, most) + ", got " + shown());
-        return node.intValue();
-    }
-
-    double number(double least, double most) {
-        double value = node.isNumber() ? node.doubleValue() : Double.NaN;
-        if (!(value >= least && value <= most))
-            throw wrong("must be a number from %s to %s, got ".formatted(least, most) + shown());
-        return value;
     }
 
     /** So many numbers. */
@@ -127,18 +82,13 @@ final class Place {
     String json() {
         object();
         requireFinite();
-        return node.toString();
+        return asJson();
     }
 
     private void requireFinite() {
         if (isEndless()) throw wrong("must be a finite number, got " + shown());
-        if (node.isArray()) members().forEach(Place::requireFinite);
-        node.fieldNames().forEachRemaining(name -> at(name).requireFinite());
-    }
-
-    /** Whether this is NaN or infinite, for which JSON has no number. */
-    private boolean isEndless() {
-        return node.isFloatingPointNumber() && !Double.isFinite(node.doubleValue());
+        if (isArray()) members().forEach(Place::requireFinite);
+        names().forEach(name -> at(name).requireFinite());
     }
 
     /** What {@code make} makes of this place; what it refuses is refused with the path. */
@@ -156,13 +106,9 @@ final class Place {
         return new WrongPlace(path + ": " + what);
     }
 
-    private String shown() {
-        if (node.isMissingNode()) return "nothing";
-        return cut(isEndless() ? EndlessNumber.at(path, json) : node.toString());
-    }
-
-    private static String cut(String text) {
-        return text.length() <= SHOWN ? text : text.substring(0, SHOWN) + "…";
+    @Override
+    protected IllegalArgumentException wrong(Phrase what) {
+        return wrong(what.toString());
     }
 
     private static final class WrongPlace extends IllegalArgumentException {
