@@ -9,8 +9,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Stream;
+import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Encodes pictures as PNG. */
@@ -25,13 +29,33 @@ final class PngBytes {
 
     /** The whole picture in all its colors. */
     static byte[] of(BufferedImage image) {
+        return written(image, writer -> writer.getDefaultWriteParam());
+    }
+
+    /** The same, compressed as far as PNG can be, which takes longer. */
+    private static byte[] compressed(BufferedImage image) {
+        return written(
+                image,
+                writer -> {
+                    ImageWriteParam parameters = writer.getDefaultWriteParam();
+                    parameters.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+                    parameters.setCompressionQuality(0);
+                    return parameters;
+                });
+    }
+
+    private static byte[] written(
+            BufferedImage image, Function<ImageWriter, ImageWriteParam> parameters) {
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
         var bytes = new ByteArrayOutputStream();
         // in memory: what ImageIO takes by itself may lie in a temporary file
         try (var out = new MemoryCacheImageOutputStream(bytes)) {
-            if (!ImageIO.write(image, "png", out))
-                throw new AssertionError("this JDK writes no PNG");
+            writer.setOutput(out);
+            writer.write(null, new IIOImage(image, null, null), parameters.apply(writer));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
+        } finally {
+            writer.dispose();
         }
         return bytes.toByteArray();
     }
@@ -40,7 +64,7 @@ final class PngBytes {
     static byte[] small(BufferedImage image) {
         byte[] bytes = of(image);
         for (int i = 0; i < FEW.length && bytes.length > MOST; i++)
-            bytes = of(inFewColors(image, FEW[i]));
+            bytes = compressed(inFewColors(image, FEW[i]));
         return bytes;
     }
 

@@ -9,12 +9,15 @@ import static rasterlab.exercises.drawing.PlaneFigure.polygon;
 import static rasterlab.exercises.drawing.PlaneFigure.segment;
 import static rasterlab.exercises.drawing.PlaneFigure.window;
 
+import java.awt.Color;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import rasterlab.exercises.score.CasePicture;
 
 class PlanePicturesTest {
     private static final List<PlaneFigure> NONE = List.of();
@@ -92,7 +95,7 @@ class PlanePicturesTest {
         assertTrue(Seen.count(seen.difference(), Ink.pale(Ink.EXTRA), right) > 1000);
         assertTrue(
                 Seen.count(seen.difference(), Ink.faint(Ink.EXTRA), right)
-                        > Seen.count(seen.difference(), Ink.faint(Ink.MISSING), left),
+                        > 1.4 * Seen.count(seen.difference(), Ink.faint(Ink.MISSING), left),
                 "a plus has more pixels than a minus");
     }
 
@@ -182,6 +185,24 @@ class PlanePicturesTest {
             new Seen(PlanePictures.of(given, expected, actual, tolerance, axis))
                     .assertComplete("seed " + seed + ", picture " + i);
         }
+    }
+
+    @Test
+    void aCrowdedPictureStaysSmallAndKeepsItsColors() {
+        var random = new Random(3);
+        var expected = new ArrayList<PlaneFigure>();
+        var actual = new ArrayList<PlaneFigure>();
+        for (int i = 0; i < 300; i++) {
+            double[] n = random.doubles(8, 0, 8).toArray();
+            expected.add(segment(n[0], n[1], n[2], n[3]));
+            actual.add(i % 3 == 0 ? segment(n[4], n[5], n[6], n[7]) : expected.get(i));
+        }
+        List<CasePicture> pictures = PlanePictures.of(WINDOW, expected, actual, 0, YAxis.UP);
+        for (CasePicture one : pictures)
+            assertTrue(one.png().length < 1.25 * PngBytes.MOST, one.kind() + one.png().length);
+        BufferedImage difference = new Seen(pictures).difference();
+        for (Color ink : List.of(Ink.EXPECTED, Ink.MISSING, Ink.EXTRA))
+            assertTrue(Seen.count(difference, ink) > 100, ink::toString);
     }
 
     @Test

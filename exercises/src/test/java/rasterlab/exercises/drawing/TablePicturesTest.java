@@ -28,6 +28,9 @@ class TablePicturesTest {
                 assertEquals(
                         row == 1 && column == 1, marked > 50, row + ", " + column + ": " + marked);
             }
+        Rectangle2D wrong = cell(actual, 1, 1);
+        var sign = new Rectangle2D.Double(wrong.getX() + 6, wrong.getY() + 6, 14, 14);
+        assertTrue(Seen.count(seen.difference(), PixelMark.COLOUR, sign) > 10, "no sign");
         assertEquals(0, Seen.count(seen.expected(), PixelMark.COLOUR));
         assertEquals(0, Seen.count(seen.actual(), PixelMark.COLOUR));
     }
@@ -117,6 +120,8 @@ class TablePicturesTest {
         assertTrue(within.holds(0, 0, infinity, infinity));
         assertTrue(within.holds(0, 0, Double.NaN, Double.NaN));
         assertTrue(within.holds(0, 0, 0.0, -0.0));
+        assertTrue(Agreement.within(0.5).holds(0, 0, 1, 1.5), "the tolerance itself is allowed");
+        assertFalse(Agreement.within(0.5).holds(0, 0, 1, 1.75));
         assertFalse(within.holds(0, 0, infinity, -infinity));
         assertFalse(within.holds(0, 0, infinity, 1e308));
         assertFalse(within.holds(0, 0, Double.NaN, 1));
