@@ -21,7 +21,7 @@ final class PlaneDifference {
     /** A difference of fewer pixels is not seen. */
     private static final double DOT = 4;
 
-    /** Pairs of strokes to compare; where there are more, whole strokes are missing or extra. */
+    /** Pairs of strokes to compare; where there are more, each is wholly missing or extra. */
     private static final long MOST_PAIRS = 4_000_000;
 
     private static final int SAMPLES = 4;
@@ -29,6 +29,7 @@ final class PlaneDifference {
     private final PlaneComparison figures;
     private final PlaneView view;
     private final double slack;
+    private final boolean many;
     private final List<Line2D> missing;
     private final List<Line2D> extra;
     private final List<Line2D> agreeing = new ArrayList<>();
@@ -48,7 +49,7 @@ final class PlaneDifference {
         slack = Math.max(ONE_STROKE, pixels);
         missing = strokes(figures.missing());
         extra = strokes(figures.extra());
-        boolean many = (long) missing.size() * extra.size() > MOST_PAIRS;
+        many = (long) missing.size() * extra.size() > MOST_PAIRS;
         for (Line2D stroke : missing) split(stroke, many ? List.of() : extra, missingParts);
         for (Line2D stroke : extra) split(stroke, many ? List.of() : missing, extraParts);
     }
@@ -106,6 +107,7 @@ final class PlaneDifference {
 
     /** The places at which both a missing and an extra figure have a vertex. */
     private List<Point2D> shared(List<PlaneFigure> wanted, List<PlaneFigure> got) {
+        if (many) return List.of();
         List<Point2D> there = got.stream().flatMap(each -> view.corners(each).stream()).toList();
         return wanted.stream()
                 .flatMap(each -> view.corners(each).stream())
@@ -136,7 +138,8 @@ final class PlaneDifference {
      * Whether anything that is missing is as far from all that is extra as can be seen, or back.
      */
     private boolean isSeen(List<PlaneFigure> wanted, List<PlaneFigure> got) {
-        return isApart(missingParts, extra)
+        return many
+                || isApart(missingParts, extra)
                 || isApart(extraParts, missing)
                 || isAnyApart(points(wanted), points(got))
                 || isAnyApart(points(got), points(wanted))

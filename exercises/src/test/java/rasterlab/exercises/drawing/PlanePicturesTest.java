@@ -206,6 +206,21 @@ class PlanePicturesTest {
     }
 
     @Test
+    void figuresOfManyVerticesAreNotComparedInPairs() {
+        var round = new double[20_000];
+        for (int i = 0; i < round.length; i += 2) {
+            round[i] = 5 + 4 * Math.cos(i * 1e-3);
+            round[i + 1] = 4 + 3 * Math.sin(i * 1e-3);
+        }
+        double[] moved = round.clone();
+        moved[0] += 1e-6;
+        Seen seen = seen(List.of(polygon(round)), List.of(polygon(moved)));
+        seen.assertComplete("10,000 vertices");
+        assertTrue(Seen.count(seen.difference(), Ink.MISSING) > 20);
+        assertTrue(seen.expectedText("en").contains("polygon of 10000 vertices"));
+    }
+
+    @Test
     void aNegativeToleranceIsRefused() {
         assertThrows(
                 IllegalArgumentException.class,
