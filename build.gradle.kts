@@ -43,8 +43,6 @@ subprojects {
         systemProperty("junit.jupiter.execution.timeout.default", "10 m")
         systemProperty("junit.jupiter.execution.timeout.threaddump.enabled", "true")
         timeout = java.time.Duration.ofSeconds(1500)
-        // Without these the engine computes one number at a time, with them eight.
-        jvmArgs("@${rootDir}/engine/vector-options")
         // One thread is enough to collect what tests leave.
         jvmArgs("-XX:+UseSerialGC")
     }

@@ -45,4 +45,8 @@ tasks.assemble {
     dependsOn(contractJar)
 }
 
-tasks.test { maxParallelForks = 2 }
+tasks.test {
+    maxParallelForks = 2
+    // Without these the engine computes one number at a time, as in the window, with them eight.
+    jvmArgs("@${rootDir}/engine/vector-options")
+}

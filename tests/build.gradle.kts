@@ -33,6 +33,8 @@ application {
 tasks.test {
     maxParallelForks = 3
     maxHeapSize = "2g"
+    // Each window runs code of its own for seconds, in which the second compiler would only cost time.
+    jvmArgs("-XX:TieredStopAtLevel=1")
     // AssertJ Swing reads a field of java.util.TimerTask.
     jvmArgs("--add-opens", "java.base/java.util=ALL-UNNAMED")
 }

@@ -159,9 +159,15 @@ class BuildEqualityTest {
                 argumentSet(
                         "an option of all tests is missing in Maven",
                         "pom.xml",
-                        " ${vector.options}</argLine>",
+                        " -XX:+UseSerialGC</argLine>",
                         "</argLine>",
-                        "grader: option of tests @<root>/engine/vector-options: not given"),
+                        "grader: option of tests -XX:+UseSerialGC: not given"),
+                argumentSet(
+                        "a file of options is missing in Maven",
+                        "engine/pom.xml",
+                        " \"@${maven.multiModuleProjectDirectory}/engine/vector-options\"",
+                        "",
+                        "engine: option of tests @<root>/engine/vector-options: not given"),
                 argumentSet(
                         "an option of one module's tests is missing in Gradle",
                         "tests/build.gradle.kts",
