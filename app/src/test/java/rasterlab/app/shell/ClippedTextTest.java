@@ -19,6 +19,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.language.Language;
 
+/**
+ * Texts and pictures in the smallest window and in a large one, in a laptop's as well with {@code
+ * -Drasterlab.full=true}.
+ */
 @Tag("slow")
 class ClippedTextTest {
     private static final Dimension SMALLEST = new Dimension(900, 538);
@@ -43,17 +47,20 @@ class ClippedTextTest {
                                                 language,
                                                 LabTheme.LIGHT,
                                                 100,
-                                                List.of(SMALLEST, LAPTOP, LARGE)),
+                                                sizes(SMALLEST, LARGE)),
                                         Arguments.of(
-                                                language,
-                                                LabTheme.LIGHT,
-                                                150,
-                                                List.of(SMALLEST, LAPTOP)),
+                                                language, LabTheme.LIGHT, 150, sizes(SMALLEST)),
                                         Arguments.of(
                                                 language,
                                                 LabTheme.PROJECTOR,
                                                 100,
-                                                List.of(SMALLEST, LAPTOP))));
+                                                sizes(SMALLEST))));
+    }
+
+    private static List<Dimension> sizes(Dimension... always) {
+        Stream<Dimension> laptop =
+                Boolean.getBoolean("rasterlab.full") ? Stream.of(LAPTOP) : Stream.empty();
+        return Stream.concat(Stream.of(always), laptop).toList();
     }
 
     @ParameterizedTest(name = "a label is cut off or a picture too small: {0}, {1}, {2} %")
