@@ -8,6 +8,7 @@ import picocli.CommandLine.Option;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.tour.Tour;
+import rasterlab.engine.study.StudySettings;
 
 /** Makes the tour. */
 @Command(
@@ -37,6 +38,12 @@ final class TourCommand implements Callable<Integer> {
     @Option(names = "--quick", description = "each lab in one language and one theme only")
     private boolean quick;
 
+    @Option(
+            names = "--untimed",
+            hidden = true,
+            description = "with --quick: studies run each method once, for who looks at all else")
+    private boolean untimed;
+
     TourCommand(Console console) {
         this.console = console;
     }
@@ -45,7 +52,8 @@ final class TourCommand implements Callable<Integer> {
     public Integer call() {
         var tour = new Tour(folder, console.language().inWindow(), console.err());
         try {
-            boolean whole = quick ? tour.makeQuickly(home()) : tour.make(home());
+            var timing = untimed ? StudySettings.shortest() : StudySettings.quick();
+            boolean whole = quick ? tour.makeQuickly(home(), timing) : tour.make(home());
             console.out().println(tour.index().toAbsolutePath().normalize());
             return whole ? ExitCode.DONE : ExitCode.FOUND_WRONG;
         } catch (InterruptedException e) {

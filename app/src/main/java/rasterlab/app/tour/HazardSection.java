@@ -2,6 +2,7 @@ package rasterlab.app.tour;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.StudyWords;
 import rasterlab.app.study.TopicNames;
@@ -13,6 +14,19 @@ import rasterlab.engine.study.Topic;
 
 /** Every topic's method × hazard table. */
 final class HazardSection implements TourPart {
+    private final Function<Topic<?, ?, ?>, HazardMatrix> judge;
+
+    HazardSection() {
+        this(topic -> HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT));
+    }
+
+    /**
+     * @param judge gives the verdicts of a topic's methods
+     */
+    HazardSection(Function<Topic<?, ?, ?>, HazardMatrix> judge) {
+        this.judge = judge;
+    }
+
     @Override
     public String key() {
         return "hazards";
@@ -23,8 +37,8 @@ final class HazardSection implements TourPart {
         for (Topic<?, ?, ?> topic : Topics.all()) make(page, topic);
     }
 
-    private static void make(TourPage page, Topic<?, ?, ?> topic) {
-        HazardMatrix matrix = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
+    private void make(TourPage page, Topic<?, ?, ?> topic) {
+        HazardMatrix matrix = judge.apply(topic);
         var called = TopicNames.in(page.texts().language());
         page.heading(page.texts().text("topic", called.topic(topic.name()), topic.name()));
         var words = new StudyWords(page.texts().language());

@@ -12,6 +12,7 @@ import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.study.StudySettings;
 
 /** Makes the tour: a folder with pictures and one page that shows them. */
 public final class Tour {
@@ -38,12 +39,17 @@ public final class Tour {
      * @throws Complaint if the folder cannot be written to
      */
     public boolean make(Optional<Path> home) throws InterruptedException {
-        return make(parts(home, Look.all()));
+        return make(parts(home, Look.all(), StudySettings.quick()));
     }
 
-    /** Makes the same in little time: the labs only in the page's language and light. */
-    public boolean makeQuickly(Optional<Path> home) throws InterruptedException {
-        return make(parts(home, List.of(new Look(LabTheme.LIGHT, language))));
+    /**
+     * Makes the same in little time: the labs only in the page's language and light.
+     *
+     * @param timing how long each study takes its time
+     */
+    public boolean makeQuickly(Optional<Path> home, StudySettings timing)
+            throws InterruptedException {
+        return make(parts(home, List.of(new Look(LabTheme.LIGHT, language)), timing));
     }
 
     /** Makes those parts and the page; returns and throws the same. */
@@ -63,8 +69,8 @@ public final class Tour {
         return folder.resolve("index.html");
     }
 
-    private List<TourPart> parts(Optional<Path> home, List<Look> looks) {
-        var studies = new TourStudies(Texts.of("tour", language), progress::println);
+    private List<TourPart> parts(Optional<Path> home, List<Look> looks, StudySettings timing) {
+        var studies = new TourStudies(timing, Texts.of("tour", language), progress::println);
         return List.of(
                 new LabPictures(name -> true, () -> studies.of(new LineTopic()), looks),
                 new ScenePictures(),

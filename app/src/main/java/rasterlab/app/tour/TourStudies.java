@@ -13,15 +13,18 @@ import rasterlab.engine.study.Topic;
  * Studies for the parts of one tour: each is measured when it is first asked for, and only then.
  */
 final class TourStudies {
+    private final StudySettings settings;
     private final Texts texts;
     private final Consumer<String> progress;
     private final Map<String, Study> studies = new HashMap<>();
 
     /**
+     * @param settings how long each study takes its time
      * @param texts the tour's
      * @param progress told about each topic whether it is measured or only shown again
      */
-    TourStudies(Texts texts, Consumer<String> progress) {
+    TourStudies(StudySettings settings, Texts texts, Consumer<String> progress) {
+        this.settings = settings;
         this.texts = texts;
         this.progress = progress;
     }
@@ -32,11 +35,8 @@ final class TourStudies {
         return studies.computeIfAbsent(topic.name(), name -> measure(topic));
     }
 
-    private static Study measure(Topic<?, ?, ?> topic) {
+    private Study measure(Topic<?, ?, ?> topic) {
         return StudyRunner.measure(
-                topic,
-                StudySettings.quick(),
-                progress -> {},
-                Thread.currentThread()::isInterrupted);
+                topic, settings, step -> {}, Thread.currentThread()::isInterrupted);
     }
 }

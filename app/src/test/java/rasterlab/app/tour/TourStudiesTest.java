@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 
 class TourStudiesTest {
@@ -20,7 +21,8 @@ class TourStudiesTest {
     @MethodSource("steps")
     void topicIsMeasuredOnceAndThenSaidToBeShownAgain(Language language, List<String> steps) {
         var log = new ArrayList<String>();
-        var studies = new TourStudies(Texts.of("tour", language), log::add);
+        var studies =
+                new TourStudies(StudySettings.shortest(), Texts.of("tour", language), log::add);
         Study first = studies.of(new MatrixTopic());
         assertEquals("matrix", first.topic());
         assertSame(first, studies.of(new MatrixTopic()));

@@ -33,9 +33,17 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.UsualLook;
+import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.light.shade.ShadeTopic;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 @Tag("slow")
 class TourTest {
@@ -59,7 +67,7 @@ class TourTest {
                 List.of(
                         new GradingSection(Optional.empty()),
                         new ScenePictures(),
-                        new HazardSection());
+                        new HazardSection(TourTest::recorded));
         assertFalse(tour.make(parts), "the server cannot be found");
         String html = Files.readString(tour.index());
         assertTrue(html.contains("<p class=\"failure\">"), html);
@@ -70,6 +78,22 @@ class TourTest {
         assertCellsAreRussian(html);
         assertTrue(html.contains("Тема «отрезок» (line)"), html);
         assertFalse(html.contains(">steep-upward<"), "a hazard has no words");
+    }
+
+    /** As if judged, which takes long: HazardsCommandTest and RussianVerdictsTest do so. */
+    private static HazardMatrix recorded(Topic<?, ?, ?> topic) {
+        List<String> methods = topic.methods().stream().map(Method::name).toList();
+        List<String> hazards = topic.hazards().stream().map(Hazard::name).toList();
+        List<Cell> cells =
+                topic.hazards().stream()
+                        .flatMap(hazard -> methods.stream().map(method -> recorded(hazard, method)))
+                        .toList();
+        return new HazardMatrix(topic.name(), methods, hazards, cells);
+    }
+
+    private static Cell recorded(Hazard<?> hazard, String method) {
+        Verdict.Kind kind = hazard.recorded().get(method);
+        return new Cell(hazard.name(), method, new Verdict(kind, Deviation.NONE, ""), kind);
     }
 
     @Test
@@ -110,7 +134,11 @@ class TourTest {
     void studyAndExerciseAreShownWithWhatCameOfThem() throws Exception {
         var tour = new Tour(folder, Language.RUSSIAN, System.err);
         // Measured in a second, where lines take ten; the tour's own study is of lines.
-        var studies = new TourStudies(Texts.of("tour", Language.RUSSIAN), System.err::println);
+        var studies =
+                new TourStudies(
+                        StudySettings.quick(),
+                        Texts.of("tour", Language.RUSSIAN),
+                        System.err::println);
         Supplier<Study> charted = () -> studies.of(new ShadeTopic());
         List<String> labs = List.of("chart", "checked");
         var looks = List.of(new Look(LabTheme.LIGHT, Language.RUSSIAN));

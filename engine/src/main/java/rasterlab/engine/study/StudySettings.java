@@ -32,6 +32,11 @@ public record StudySettings(Duration warmUp, Duration round, int rounds, Duratio
                 Duration.ofMillis(30), Duration.ofMillis(5), 7, Duration.ofSeconds(2));
     }
 
+    /** For whoever wants all of a study but its times: one pass after one of warm-up. */
+    public static StudySettings shortest() {
+        return new StudySettings(Duration.ZERO, Duration.ofNanos(1), 1, quick().wallLimit());
+    }
+
     private static void requireSome(Duration value, String name) {
         if (value.compareTo(Duration.ZERO) <= 0)
             throw new IllegalArgumentException(name + " must be longer than 0, got " + value);
