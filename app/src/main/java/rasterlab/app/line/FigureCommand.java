@@ -1,6 +1,11 @@
 package rasterlab.app.line;
 
 import java.util.Optional;
+import rasterlab.app.canvas.CommandInput;
+import rasterlab.engine.circle.Circle;
+import rasterlab.engine.circle.CircleTopic;
+import rasterlab.engine.circle.Ellipse;
+import rasterlab.engine.circle.EllipseTopic;
 
 /** The shell command that draws what the lab shows. */
 final class FigureCommand {
@@ -19,17 +24,18 @@ final class FigureCommand {
     static Optional<String> of(FigureScene scene) {
         if (scene.mode() == LineMode.BRIGHTNESS) return Optional.of(brightness(scene));
         if (!(scene.figure() instanceof ArcFigure arc)) return Optional.empty();
-        String radii =
-                arc.round()
-                        ? "\"radius\": %d".formatted(arc.radiusX())
-                        : "\"rx\": %d, \"ry\": %d".formatted(arc.radiusX(), arc.radiusY());
         return Optional.of(
-                "echo '{\"center\": [%d, %d], %s}' | ./lab run %s %s"
-                        .formatted(
-                                arc.centreX(),
-                                arc.centreY(),
-                                radii,
-                                scene.mode().code(),
-                                scene.method()));
+                "echo '%s' | ./lab run %s %s"
+                        .formatted(input(arc), scene.mode().code(), scene.method()));
+    }
+
+    private static String input(ArcFigure arc) {
+        int x = arc.centreX();
+        int y = arc.centreY();
+        return arc.round()
+                ? CommandInput.of(new CircleTopic().format(), new Circle(x, y, arc.radiusX()))
+                : CommandInput.of(
+                        new EllipseTopic().format(),
+                        new Ellipse(x, y, arc.radiusX(), arc.radiusY()));
     }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
-import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.DepthFormat;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
@@ -32,18 +31,6 @@ final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
     @Override
     int pixels(DepthRows rows) {
         return rows.pixels();
-    }
-
-    @Override
-    String json(DepthRows rows) {
-        double far = rows.range().far();
-        return "{\"near\": %s%s, \"depths\": %s, \"to\": %s, \"pixels\": %d}"
-                .formatted(
-                        CallJson.number(rows.range().near()),
-                        Double.isInfinite(far) ? "" : ", \"far\": " + CallJson.number(far),
-                        CallJson.list(rows.depths()),
-                        CallJson.list(rows.to()),
-                        rows.pixels());
     }
 
     @Override

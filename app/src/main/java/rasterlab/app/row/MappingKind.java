@@ -3,7 +3,6 @@ package rasterlab.app.row;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.texture.Texture;
@@ -41,15 +40,6 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
     @Override
     int pixels(TexturedSpan span) {
         return span.pixels();
-    }
-
-    @Override
-    String json(TexturedSpan span) {
-        return "{\"from\": %s, \"to\": %s, \"pixels\": %d}"
-                .formatted(
-                        CallJson.list(new double[] {span.fromS(), span.fromT(), span.fromDepth()}),
-                        CallJson.list(new double[] {span.toS(), span.toT(), span.toDepth()}),
-                        span.pixels());
     }
 
     @Override

@@ -3,6 +3,7 @@ package rasterlab.app.row;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.canvas.CommandInput;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
@@ -41,7 +42,9 @@ abstract class RowKind<C, I, O> {
     abstract RowScene.Numbers numbers(I input, O exact, Optional<O> actual, int pixel);
 
     /** The input as {@code ./lab run} reads it. */
-    abstract String json(I input);
+    String json(I input) {
+        return CommandInput.of(topic.format(), input);
+    }
 
     final String json(String hazard) {
         return json(hazard(hazard).input());

@@ -42,17 +42,12 @@ public final class CallJson {
         return rows.stream().collect(Collectors.joining(", ", "[", "]"));
     }
 
-    /** {@code [a, b, …]}. */
-    public static String list(double[] numbers) {
-        return list(Arrays.stream(numbers).boxed().toList());
-    }
-
     private static String list(List<Double> numbers) {
         return numbers.stream().map(CallJson::number).collect(Collectors.joining(", ", "[", "]"));
     }
 
     /** All digits that the number has, a whole one without ".0". */
-    public static String number(double value) {
+    private static String number(double value) {
         String digits = Double.toString(value + 0.0);
         return digits.endsWith(".0") ? digits.substring(0, digits.length() - 2) : digits;
     }

@@ -1,6 +1,5 @@
 package rasterlab.app.coordinates.list;
 
-import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.EyeView;
 import rasterlab.engine.transform.view.Look;
 import rasterlab.engine.transform.view.ViewTopic;
@@ -19,15 +18,5 @@ final class LookTrial extends ImagesTrial<EyeView, Look> {
     @Override
     Look only(Look look, int point) {
         return new Look(look.theta(), look.phi(), look.rho(), xyz(look.points(), point));
-    }
-
-    @Override
-    String json(Look look) {
-        return "{\"points\": %s, \"theta\": %s, \"phi\": %s, \"rho\": %s}"
-                .formatted(
-                        CallJson.points(3, look.points()),
-                        CallJson.number(look.theta()),
-                        CallJson.number(look.phi()),
-                        CallJson.number(look.rho()));
     }
 }

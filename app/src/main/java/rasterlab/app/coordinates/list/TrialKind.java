@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.canvas.CommandInput;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -55,9 +56,6 @@ abstract class TrialKind<C, I, O> {
         return Arrays.copyOfRange(all, 3 * point, 3 * point + 3);
     }
 
-    /** The input as {@code ./lab run} reads it. */
-    abstract String json(I input);
-
     /**
      * @throws IllegalArgumentException naming the hazards there are
      */
@@ -69,8 +67,9 @@ abstract class TrialKind<C, I, O> {
         return list(hazard(hazard).input());
     }
 
+    /** The hazard as {@code ./lab run} reads it. */
     final String json(String hazard) {
-        return json(hazard(hazard).input());
+        return CommandInput.of(topic.format(), hazard(hazard).input());
     }
 
     /** Tries the method; takes as long as the method does. */

@@ -1,6 +1,5 @@
 package rasterlab.app.coordinates.list;
 
-import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.AxisRotation;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.axis.AxisTurn;
@@ -20,15 +19,5 @@ final class TurnTrial extends ImagesTrial<AxisRotation, AxisTurn> {
     AxisTurn only(AxisTurn turn, int point) {
         return new AxisTurn(
                 turn.through(), turn.direction(), turn.degrees(), xyz(turn.points(), point));
-    }
-
-    @Override
-    String json(AxisTurn turn) {
-        return "{\"points\": %s, \"through\": %s, \"direction\": %s, \"degrees\": %s}"
-                .formatted(
-                        CallJson.points(3, turn.points()),
-                        CallJson.list(turn.through()),
-                        CallJson.list(turn.direction()),
-                        CallJson.number(turn.degrees()));
     }
 }

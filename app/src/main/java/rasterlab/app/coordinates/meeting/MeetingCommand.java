@@ -1,9 +1,12 @@
 package rasterlab.app.coordinates.meeting;
 
+import java.util.List;
 import java.util.Optional;
-import rasterlab.app.coordinates.figure.CallJson;
+import rasterlab.app.canvas.CommandInput;
 import rasterlab.engine.geometry.Plane;
 import rasterlab.engine.geometry.Vector;
+import rasterlab.engine.geometry.meeting.LinePlaneTopic;
+import rasterlab.engine.geometry.meeting.PlaneAndLines;
 
 /** The shell command that asks the same. */
 final class MeetingCommand {
@@ -18,21 +21,11 @@ final class MeetingCommand {
         } catch (IllegalArgumentException beyond) {
             return Optional.empty();
         }
+        var input = new PlaneAndLines(plane, Optional.of(point), List.of(choice.line()));
         return Optional.of(
-                "echo '{\"line\": %s, \"normal\": %s, \"point\": %s}' | ./lab run line-plane %s"
+                "echo '%s' | ./lab run line-plane %s"
                         .formatted(
-                                "["
-                                        + numbers(choice.line().from())
-                                        + ", "
-                                        + numbers(choice.line().through())
-                                        + "]",
-                                numbers(plane.normal()),
-                                numbers(point),
+                                CommandInput.of(new LinePlaneTopic().format(), input),
                                 choice.method()));
-    }
-
-    private static String numbers(Vector v) {
-        return "[%s, %s, %s]"
-                .formatted(CallJson.number(v.x()), CallJson.number(v.y()), CallJson.number(v.z()));
     }
 }

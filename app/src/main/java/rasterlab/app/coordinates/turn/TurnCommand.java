@@ -1,17 +1,17 @@
 package rasterlab.app.coordinates.turn;
 
-import rasterlab.app.coordinates.figure.CallJson;
+import rasterlab.app.canvas.CommandInput;
+import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.transform.rotate.Turns;
 
 /** The shell command that turns what the lab turns. */
 final class TurnCommand {
     private TurnCommand() {}
 
     static String of(TurnChoice choice) {
-        return "echo '{\"points\": %s, \"degrees\": %s, \"times\": %d}' | ./lab run rotate %s"
-                .formatted(
-                        CallJson.points(2, new double[] {choice.x(), choice.y()}),
-                        CallJson.number(choice.degrees()),
-                        choice.times(),
-                        choice.method());
+        double[] point = {choice.x(), choice.y()};
+        var turns = new Turns(choice.degrees(), choice.times(), point);
+        return "echo '%s' | ./lab run rotate %s"
+                .formatted(CommandInput.of(new RotateTopic().format(), turns), choice.method());
     }
 }

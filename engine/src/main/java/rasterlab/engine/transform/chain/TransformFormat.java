@@ -102,12 +102,13 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
     @Override
     protected Given given(Chain chain) {
         int dimension = chain.dimension();
+        boolean plain = Arrays.stream(chain.h()).allMatch(h -> h == 1);
         var points = new ArrayList<double[]>();
         for (int i = 0; i < chain.h().length; i++) {
             int from = i * dimension;
             double[] point = Arrays.copyOfRange(chain.points(), from, from + dimension + 1);
             point[dimension] = chain.h()[i];
-            points.add(chain.h()[i] == 1 ? Arrays.copyOf(point, dimension) : point);
+            points.add(plain ? Arrays.copyOf(point, dimension) : point);
         }
         List<double[][]> matrices =
                 Arrays.stream(chain.matrices()).map(cells -> rows(cells, dimension + 1)).toList();
