@@ -3,6 +3,7 @@ package rasterlab.exercises;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
@@ -19,6 +20,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param revision changes whenever anything that grading depends on changes
  * @param tolerance what still counts as right
  * @param points the most points for accuracy, stability and speed
+ * @param timed how the inputs to measure speed on are drawn, as JSON; empty where the topic knows
  * @param groups what cases ask for, where several ask for the same
  */
 public record Exercise(
@@ -31,6 +33,7 @@ public record Exercise(
         String revision,
         Tolerance tolerance,
         PointPlan points,
+        Optional<String> timed,
         List<Group> groups,
         List<Case> cases) {
     /** In all, and so for each kind and each case. */
@@ -57,8 +60,18 @@ public record Exercise(
             PointPlan points,
             List<Case> cases) {
         this(
-                id, topic, title, statement, pictures, starter, revision, tolerance, points,
-                List.of(), cases);
+                id,
+                topic,
+                title,
+                statement,
+                pictures,
+                starter,
+                revision,
+                tolerance,
+                points,
+                Optional.empty(),
+                List.of(),
+                cases);
     }
 
     /** The group that a case belongs to; empty where it stands alone. */
@@ -113,8 +126,15 @@ public record Exercise(
      *
      * @param eitherPixelOnTies where the exact line passes midway between two pixels, either is
      *     right
+     * @param worst the largest error that is right, in the topic's unit; where it is not given,
+     *     what the topic calls correct
      */
-    public record Tolerance(boolean eitherPixelOnTies) {}
+    public record Tolerance(boolean eitherPixelOnTies, OptionalDouble worst) {
+        /** What the topic calls correct, of pixels on ties either where that is said. */
+        public Tolerance(boolean eitherPixelOnTies) {
+            this(eitherPixelOnTies, OptionalDouble.empty());
+        }
+    }
 
     /** The most points of each kind, from 0 to 100. */
     public record PointPlan(int accuracy, int stability, int speed) {

@@ -40,8 +40,19 @@ public interface TopicGrading {
     /** The right method that a student's speed is held against. */
     Class<?> reference();
 
-    /** Something for the reference to draw before it is timed. */
-    Call warmUp();
+    /** The unit of the topic's errors, in which an exercise may state a tolerance. */
+    default Optional<String> unit() {
+        return Optional.empty();
+    }
+
+    /**
+     * The key of a text in this topic's words.
+     *
+     * @param key of the text about lines
+     */
+    default String inOwnWords(String key) {
+        return key + ".any";
+    }
 
     /**
      * Inputs to time a method on.
@@ -49,7 +60,7 @@ public interface TopicGrading {
      * @param wrongOn traits of the inputs on which it was wrong for a reason that no points were
      *     lost for: as far as possible it is not timed on the like
      */
-    Timings timings(Random random, Collection<Set<String>> wrongOn);
+    Timings timings(Exercise exercise, Random random, Collection<Set<String>> wrongOn);
 
     /**
      * Beyond which a call is stopped.

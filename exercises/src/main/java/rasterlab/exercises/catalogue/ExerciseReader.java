@@ -6,7 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
 import java.util.Set;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Shape;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
@@ -29,6 +34,9 @@ final class ExerciseReader {
         "name", "title", "group", "kind", "visibility", "points", "input", "generate"
     };
 
+    private static final Field<Double> WORST =
+            Field.required("worst", Shape.number(0, Double.MAX_VALUE));
+
     private final ExerciseFolder folder;
 
     ExerciseReader(ExerciseFolder folder) {
@@ -48,6 +56,7 @@ final class ExerciseReader {
                         "title",
                         "tolerance",
                         "points",
+                        "timed",
                         "groups",
                         "cases");
         TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
@@ -60,20 +69,34 @@ final class ExerciseReader {
         checkSum(cases, Kind.ACCURACY, points.accuracy());
         checkSum(cases, Kind.STABILITY, points.stability());
         Map<String, String> statements = statements();
-        return new Exercise(
-                id,
-                topic.name(),
-                titles(fields.object("title", "en", "ru")),
-                statements,
-                new StatementPictures(folder).read(statements),
-                folder.text("Starter.java"),
-                Revision.of(folder.read()),
-                new Tolerance(
-                        fields.object("tolerance", "eitherPixelOnTies")
-                                .flag("eitherPixelOnTies", false)),
-                points,
-                groups,
-                cases);
+        Exercise read =
+                new Exercise(
+                        id,
+                        topic.name(),
+                        titles(fields.object("title", "en", "ru")),
+                        statements,
+                        new StatementPictures(folder).read(statements),
+                        folder.text("Starter.java"),
+                        Revision.of(folder.read()),
+                        tolerance(
+                                fields.object("tolerance", "eitherPixelOnTies", "worst", "unit"),
+                                topic),
+                        points,
+                        fields.has("timed") ? Optional.of(fields.json("timed")) : Optional.empty(),
+                        groups,
+                        cases);
+        // drawn once, so that a mistake shows before anybody submits
+        topic.timings(read, new Random(0), List.of()).next();
+        return read;
+    }
+
+    /** An error is stated with its unit, so that nobody takes pixels for shares. */
+    private static Tolerance tolerance(JsonFields fields, TopicGrading topic) {
+        boolean either = fields.flag("eitherPixelOnTies", false);
+        if (!fields.has("worst") && !fields.has("unit")) return new Tolerance(either);
+        if (topic.unit().isEmpty()) throw fields.wrong("worst", Phrase.of("field.no-tolerance"));
+        fields.word("unit", List.of(topic.unit().get()));
+        return new Tolerance(either, OptionalDouble.of(fields.get(WORST)));
     }
 
     static Map<String, String> titles(JsonFields fields) {

@@ -10,6 +10,7 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.Pixel;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
@@ -48,15 +49,20 @@ public final class LineGrading implements TopicGrading {
         return PlainBresenham.class;
     }
 
-    @Override
-    public Call warmUp() {
+    /** A long line to begin with. */
+    public static Call warmUp() {
         Segment segment = new Segment(0, 0, LineTiming.STEPS, LineTiming.STEPS / 2);
         LineCase demand = new LineCase(List.of(segment), false, LineCase.MOST_PIXELS, false);
         return new SegmentCall(segment, demand, new LineJudge(demand, true));
     }
 
     @Override
-    public Timings timings(Random random, Collection<Set<String>> wrongOn) {
+    public String inOwnWords(String key) {
+        return key;
+    }
+
+    @Override
+    public Timings timings(Exercise exercise, Random random, Collection<Set<String>> wrongOn) {
         return new LineTimings(random, wrongOn);
     }
 

@@ -102,6 +102,7 @@ final class SharedCause {
 
     /** The traits, at most two, that those inputs have and none of the others has all of. */
     private static Message where(List<TriedCall> with, List<TriedCall> without) {
+        if (with.get(0).call().traits().isEmpty()) return Message.NONE;
         if (without.isEmpty()) return Message.of("where.everywhere");
         List<String> common = common(with);
         for (String one : common)

@@ -185,7 +185,12 @@ final class GradingRun {
         int band = SpeedPoints.band(speed.ratio(), before);
         memory.keep(key, band);
         return SpeedPoints.measured(
-                speed.nanosPerPixel(), speed.reference(), speed.printed(), most, band);
+                topic::inOwnWords,
+                speed.nanosPerPixel(),
+                speed.reference(),
+                speed.printed(),
+                most,
+                band);
     }
 
     private static Message tooInaccurate() {
@@ -212,7 +217,8 @@ final class GradingRun {
         try {
             return new SpeedTrial(
                             contract,
-                            topic.timings(new SecureRandom(), marking.uncharged()),
+                            topic.timings(exercise, new SecureRandom(), marking.uncharged()),
+                            topic::inOwnWords,
                             student,
                             reference,
                             before,
@@ -224,7 +230,7 @@ final class GradingRun {
             return SpeedTrial.Outcome.none(
                     lost.isIdle()
                             ? SpeedTrial.UNSETTLED
-                            : Message.of("speed.stopped").and(lost.said()));
+                            : Message.of(topic.inOwnWords("speed.stopped")).and(lost.said()));
         }
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.exercises.runner;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCall;
@@ -29,6 +30,7 @@ final class SpeedTrial {
 
     private final ContractCall contract;
     private final TopicGrading.Timings timings;
+    private final UnaryOperator<String> words;
     private final Student student;
     private final Student reference;
     private final List<Call> before;
@@ -42,12 +44,14 @@ final class SpeedTrial {
      * @param before what both draw before they are timed
      * @param timings what they are timed on, not known to the student, so that nothing can be
      *     computed beforehand
+     * @param words the key of a text in the topic's words
      * @param charged codes of mistakes that cost points already, and cost none here
      * @param patience tells whether the machine is busy
      */
     SpeedTrial(
             ContractCall contract,
             TopicGrading.Timings timings,
+            UnaryOperator<String> words,
             Student student,
             Student reference,
             List<Call> before,
@@ -55,6 +59,7 @@ final class SpeedTrial {
             Patience patience) {
         this.contract = contract;
         this.timings = timings;
+        this.words = words;
         this.student = student;
         this.reference = reference;
         this.before = List.copyOf(before.subList(0, Math.min(MOST_BEFORE, before.size())));
@@ -154,9 +159,9 @@ final class SpeedTrial {
         if (!reply.thrown().isEmpty())
             return Optional.of(
                     Answer.isOfTheJdk(reply.thrown())
-                            ? Message.of("speed.threw", reply.thrown())
-                            : Message.of("speed.threw-own"));
+                            ? Message.of(words.apply("speed.threw"), reply.thrown())
+                            : Message.of(words.apply("speed.threw-own")));
         boolean right = timing.mistakes(reply.told()).filter(charged::containsAll).isPresent();
-        return right ? Optional.empty() : Optional.of(Message.of("speed.wrong"));
+        return right ? Optional.empty() : Optional.of(Message.of(words.apply("speed.wrong")));
     }
 }

@@ -72,7 +72,14 @@ public record CaseReport(
         if (visibility == Disclosure.OPEN
                 || visibility == Disclosure.AFTER_DEADLINE && afterDeadline) return this;
         String shown = visibility == Disclosure.NEVER ? HIDDEN : name;
-        return new CaseReport(
-                shown, visibility, verdict, points, of, verdict.hint(), List.of(), "");
+        return new CaseReport(shown, visibility, verdict, points, of, hint(), List.of(), "");
+    }
+
+    /** The class of the error; lines and other topics are wrong in words of their own. */
+    private Message hint() {
+        boolean any = said.sentences().stream().anyMatch(one -> one.key().startsWith("answer."));
+        return any && verdict == GradingVerdict.WRONG
+                ? Message.of("hidden.wrong.any")
+                : verdict.hint();
     }
 }

@@ -43,7 +43,10 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|drawing\\..*");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|answer\\.(?:at|worst.*)|drawing\\..*");
+
+    /** The text whose place may hold the key of another, on a mistake that is known. */
+    private static final String OF_A_MISTAKE = "known-mistake";
 
     private static final JsonMapper MAPPER = new JsonMapper();
 
@@ -58,9 +61,7 @@ public record Message(List<Sentence> sentences) {
         }
 
         private String in(ResourceBundle texts) {
-            boolean ours = NUMBERS.matcher(key).matches();
-            Object[] said =
-                    arguments.stream().map(one -> ours ? inForm(one, texts) : one).toArray();
+            Object[] said = arguments.stream().map(one -> said(one, texts)).toArray();
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
         }
 
@@ -68,6 +69,12 @@ public record Message(List<Sentence> sentences) {
          * A number or numbers in brackets with the language's minus and decimal sign, and with what
          * it sets between numbers; all else as it is.
          */
+        private String said(String argument, ResourceBundle texts) {
+            if (key.equals(OF_A_MISTAKE) && texts.containsKey(argument))
+                return texts.getString(argument);
+            return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
+        }
+
         private static String inForm(String argument, ResourceBundle texts) {
             if (!ALONE.matcher(argument).matches() && !IN_BRACKETS.matcher(argument).matches())
                 return argument;
@@ -83,6 +90,11 @@ public record Message(List<Sentence> sentences) {
 
     public Message {
         sentences = List.copyOf(sentences);
+    }
+
+    /** Whether there is a text of that key. */
+    public static boolean isKnown(String key) {
+        return texts("en").containsKey(key);
     }
 
     /** One sentence of ours. */

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
+import java.util.function.UnaryOperator;
 
 /** Points for speed, in bands, because a measured time is never the same twice. */
 public final class SpeedPoints {
@@ -56,24 +57,35 @@ public final class SpeedPoints {
     /** The line of the report on speed for a source that was not measured before. */
     public static CaseReport measured(double nanos, double reference, boolean printed, int of) {
         return measured(
-                nanos, reference, printed, of, band(nanos / reference, OptionalInt.empty()));
+                UnaryOperator.identity(),
+                nanos,
+                reference,
+                printed,
+                of,
+                band(nanos / reference, OptionalInt.empty()));
     }
 
     /**
      * The line of the report on speed.
      *
-     * @param nanos the student's time per pixel, above 0
+     * @param words the key of a text in the topic's words
+     * @param nanos the student's time per item, above 0
      * @param reference that of the reference
      * @param printed whether the method printed while it was measured
      * @param band as {@link #band} has it
      */
     public static CaseReport measured(
-            double nanos, double reference, boolean printed, int of, int band) {
+            UnaryOperator<String> words,
+            double nanos,
+            double reference,
+            boolean printed,
+            int of,
+            int band) {
         int points = points(band, of);
         boolean worthless = points == 0 && of > 0;
         Message said =
                 Message.of(
-                        worthless ? "speed.worthless" : "speed.measured",
+                        words.apply(worthless ? "speed.worthless" : "speed.measured"),
                         twoPlaces(nanos),
                         twoPlaces(reference),
                         twoPlaces(nanos / reference),

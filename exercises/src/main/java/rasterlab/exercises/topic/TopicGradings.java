@@ -2,6 +2,9 @@ package rasterlab.exercises.topic;
 
 import java.util.List;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.graded.ClipGrading;
+import rasterlab.exercises.graded.FaceGrading;
+import rasterlab.exercises.graded.TriangleGrading;
 import rasterlab.exercises.line.LineGrading;
 
 /** The topics that can be graded, by name. A further topic is one more line here. */
@@ -9,7 +12,8 @@ public final class TopicGradings {
     private TopicGradings() {}
 
     public static List<TopicGrading> all() {
-        return List.of(new LineGrading());
+        return List.of(
+                new LineGrading(), new TriangleGrading(), new ClipGrading(), new FaceGrading());
     }
 
     public static List<String> names() {

@@ -62,7 +62,12 @@ class CatalogueTest {
     void aFolderIsAddedWithoutCompiling() {
         Catalogue catalogue = Catalogue.builtIn().withFolder(folder);
         assertEquals(
-                List.of("line-bresenham", "my-line"),
+                List.of(
+                        "line-bresenham",
+                        "point-in-triangle",
+                        "clip-segment",
+                        "shade-face",
+                        "my-line"),
                 catalogue.all().stream().map(Exercise::id).toList());
         Exercise exercise = catalogue.named("my-line");
         assertEquals(100, exercise.points().total());
@@ -146,7 +151,9 @@ class CatalogueTest {
         Exception e =
                 assertThrows(
                         IllegalArgumentException.class, () -> Catalogue.builtIn().named("circle"));
-        assertEquals("no exercise called 'circle'; there are line-bresenham", e.getMessage());
+        assertEquals(
+                "no exercise called 'circle'; there are line-bresenham, point-in-triangle, clip-segment, shade-face",
+                e.getMessage());
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -198,7 +205,7 @@ class CatalogueTest {
                         json,
                         "\"line\"",
                         "\"lines\"",
-                        "field 'topic' must be one of line, got 'lines'"),
+                        "field 'topic' must be one of line, point-in-triangle, clip-segment, shade-face, got 'lines'"),
                 argumentSet(
                         "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
                 argumentSet(

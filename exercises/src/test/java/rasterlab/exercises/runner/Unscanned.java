@@ -10,7 +10,7 @@ import rasterlab.exercises.score.Answer;
 
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
-    private static final TopicGrading.Call CALL = new LineGrading().warmUp();
+    private static final TopicGrading.Call CALL = LineGrading.warmUp();
     static final ContractCall CONTRACT = ContractCall.of(LineRasterizer.class);
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
 

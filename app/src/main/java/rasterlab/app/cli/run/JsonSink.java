@@ -5,61 +5,14 @@ import java.io.IOException;
 import rasterlab.app.language.Complaints;
 import rasterlab.engine.format.ValueSink;
 
-/** Writes values as JSON. */
-public record JsonSink(JsonGenerator json) implements ValueSink {
-    @Override
-    public void startObject() throws IOException {
-        json.writeStartObject();
-    }
-
-    @Override
-    public void endObject() throws IOException {
-        json.writeEndObject();
-    }
-
-    @Override
-    public void startArray() throws IOException {
-        json.writeStartArray();
-    }
-
-    @Override
-    public void endArray() throws IOException {
-        json.writeEndArray();
-    }
-
-    @Override
-    public void name(String field) throws IOException {
-        json.writeFieldName(field);
-    }
-
-    @Override
-    public void number(double value) throws IOException {
-        if (Double.isFinite(value)) json.writeNumber(value);
-        else json.writeNull();
-    }
-
-    @Override
-    public void whole(long value) throws IOException {
-        json.writeNumber(value);
-    }
-
-    @Override
-    public void flag(boolean value) throws IOException {
-        json.writeBoolean(value);
-    }
-
-    @Override
-    public void text(String value) throws IOException {
-        json.writeString(value);
+/** Writes values as JSON, with the engine's sentences as a program is told them. */
+public final class JsonSink extends rasterlab.exercises.json.JsonSink {
+    public JsonSink(JsonGenerator json) {
+        super(json);
     }
 
     @Override
     public void said(String name, String english) throws IOException {
         text(name, Complaints.saidToProgram(english));
-    }
-
-    @Override
-    public void nothing() throws IOException {
-        json.writeNull();
     }
 }

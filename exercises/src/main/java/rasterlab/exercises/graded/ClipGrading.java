@@ -1,0 +1,45 @@
+package rasterlab.exercises.graded;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.contract.SegmentClipper;
+import rasterlab.engine.clip.ClippedEnds;
+import rasterlab.engine.clip.segment.ClipWindow;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.clip.segment.SegmentsInWindow;
+import rasterlab.exercises.drawing.PlaneFigure;
+import rasterlab.exercises.drawing.PlanePictures;
+import rasterlab.exercises.drawing.YAxis;
+import rasterlab.exercises.judging.ByTopic;
+import rasterlab.exercises.score.CasePicture;
+
+/** How the topic {@code clip-segment} is graded: drawn is what is left of each segment. */
+public final class ClipGrading extends ByTopic<SegmentClipper, SegmentsInWindow, ClippedEnds> {
+    /** The most that a right end may be off, in window sizes. */
+    private static final double RIGHT = 1e-12;
+
+    public ClipGrading() {
+        super(new SegmentClipTopic(), SegmentClipper.class, new PlainClip());
+    }
+
+    @Override
+    protected List<CasePicture> pictures(
+            SegmentsInWindow input, ClippedEnds exact, ClippedEnds actual) {
+        ClipWindow window = input.window();
+        return PlanePictures.of(
+                List.of(
+                        PlaneFigure.window(
+                                window.xmin(), window.ymin(), window.xmax(), window.ymax())),
+                left(exact),
+                left(actual),
+                RIGHT * window.unit(),
+                YAxis.UP);
+    }
+
+    private static List<PlaneFigure> left(ClippedEnds ends) {
+        return ends.parts().stream()
+                .flatMap(Optional::stream)
+                .map(one -> PlaneFigure.segment(one[0], one[1], one[2], one[3]))
+                .toList();
+    }
+}

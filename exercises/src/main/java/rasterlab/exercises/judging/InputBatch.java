@@ -1,0 +1,80 @@
+package rasterlab.exercises.judging;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Random;
+import java.util.Set;
+import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.TopicGrading.Timing;
+import rasterlab.exercises.TopicGrading.Told;
+
+/**
+ * Inputs to time a method on. The answer to one of them, drawn at random, is judged like that of a
+ * case.
+ */
+final class InputBatch<C, I, O> implements Timing {
+    private final ByTopic<C, I, O> grading;
+    private final List<I> inputs;
+    private final Tolerance tolerance;
+    private final int looked;
+    private final long count;
+
+    InputBatch(ByTopic<C, I, O> grading, List<I> inputs, Tolerance tolerance, Random random) {
+        this.grading = grading;
+        this.inputs = inputs;
+        this.tolerance = tolerance;
+        this.looked = random.nextInt(inputs.size());
+        this.count =
+                inputs.stream()
+                        .mapToLong(input -> grading.topic().spend(grading.right(), input))
+                        .sum();
+    }
+
+    @Override
+    public int inputs() {
+        return inputs.size();
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // the caller has it from this grading's contract
+    public Object recorded(int input, Object method) {
+        return grading.topic().record((C) method, inputs.get(input), mostItems());
+    }
+
+    @Override
+    public int mostItems() {
+        return grading.topic().mostItems();
+    }
+
+    @Override
+    public int usualItems() {
+        return 1;
+    }
+
+    @Override
+    public OptionalInt looked() {
+        return OptionalInt.of(looked);
+    }
+
+    @Override
+    public Object right() {
+        return grading.right();
+    }
+
+    @Override
+    public long count() {
+        return count;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // recorded by this class
+    public Optional<Set<String>> mistakes(Told told) {
+        I input = inputs.get(looked);
+        return told.looked()
+                .filter(
+                        output ->
+                                grading.isRight(input, grading.exact(input), (O) output, tolerance))
+                .map(right -> Set.of());
+    }
+}

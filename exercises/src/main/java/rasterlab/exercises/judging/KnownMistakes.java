@@ -1,0 +1,63 @@
+package rasterlab.exercises.judging;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Topic;
+import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.Message;
+
+/**
+ * The topic's mutants and faulty methods that give the very answer which a student's method gave.
+ */
+final class KnownMistakes<C, I, O> {
+    private static final System.Logger LOG = System.getLogger(KnownMistakes.class.getName());
+
+    private final Topic<C, I, O> topic;
+    private final I input;
+
+    KnownMistakes(Topic<C, I, O> topic, I input) {
+        this.topic = topic;
+        this.input = input;
+    }
+
+    /** Each explains the answer by itself. */
+    List<List<Cause>> of(O actual) {
+        List<List<Cause>> found = new ArrayList<>();
+        for (Mutant<C> one : topic.mutants())
+            if (gives(one.implementation(), actual)) {
+                String text = "mutant." + topic.name() + "." + one.name();
+                found.add(List.of(new Cause(one.name(), Message.of("known-mistake", text))));
+            }
+        for (Method<C> one : topic.methods())
+            if (one.faulty() && gives(one.implementation(), actual))
+                found.add(List.of(new Cause(one.name(), Message.of("known-answer", one.name()))));
+        return found;
+    }
+
+    private boolean gives(C method, O actual) {
+        return output(method).filter(output -> isSame(output, actual)).isPresent();
+    }
+
+    /** Up to rounding, or to the letter: a comparison may look at the input beside both. */
+    private boolean isSame(O known, O actual) {
+        return topic.correct(topic.compare(input, known, actual))
+                || Leaves.of(topic.format(), input, known)
+                        .equals(Leaves.of(topic.format(), input, actual));
+    }
+
+    /** Empty where it refuses, goes on without end or breaks down, as a faulty one may. */
+    private Optional<O> output(C method) {
+        try {
+            return Optional.of(topic.record(method, input, topic.mostItems()));
+        } catch (LimitReached | IllegalArgumentException refused) {
+            return Optional.empty();
+        } catch (RuntimeException broken) {
+            LOG.log(System.Logger.Level.DEBUG, "a known faulty method breaks down here", broken);
+            return Optional.empty();
+        }
+    }
+}

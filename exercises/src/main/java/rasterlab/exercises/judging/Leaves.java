@@ -1,0 +1,121 @@
+package rasterlab.exercises.judging;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import rasterlab.engine.study.Format;
+import rasterlab.exercises.json.JsonSink;
+
+/** The numbers and truth values of an answer, each by its place, such as {@code inside[3]}. */
+final class Leaves {
+    private static final JsonMapper MAPPER = new JsonMapper();
+    private static final String NONE = "–";
+
+    private final Map<String, String> values = new LinkedHashMap<>();
+
+    static <C, I, O> Leaves of(Format<C, I, O> format, I input, O output) {
+        Leaves leaves = new Leaves();
+        leaves.add("", tree(json -> format.write(input, output, json)));
+        return leaves;
+    }
+
+    /** An input as {@code ./lab run} takes it. */
+    static <C, I> String json(Format<C, I, ?> format, I input) {
+        return text(json -> format.writeInput(input, json));
+    }
+
+    private interface Writing {
+        void to(JsonSink json) throws IOException;
+    }
+
+    private static JsonNode tree(Writing fields) {
+        try {
+            return MAPPER.readTree(text(fields));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static String text(Writing fields) {
+        StringWriter text = new StringWriter();
+        try (JsonGenerator json = MAPPER.createGenerator(text)) {
+            json.writeStartObject();
+            fields.to(new JsonSink(json));
+            json.writeEndObject();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return text.toString();
+    }
+
+    private void add(String place, JsonNode node) {
+        if (node.isArray()) {
+            for (int i = 0; i < node.size(); i++) add(place + "[" + i + "]", node.get(i));
+            if (node.isEmpty()) values.put(place, NONE);
+        } else if (node.isObject()) {
+            node.properties()
+                    .forEach(
+                            field ->
+                                    add(
+                                            place.isEmpty()
+                                                    ? field.getKey()
+                                                    : place + "." + field.getKey(),
+                                            field.getValue()));
+        } else {
+            values.put(place, node.isNull() ? NONE : node.asText());
+        }
+    }
+
+    /** The first place whose values differ by more than rounding, or else at all. */
+    Optional<String> firstUnlike(Leaves other) {
+        Set<String> places = new LinkedHashSet<>(values.keySet());
+        places.addAll(other.values.keySet());
+        Optional<String> clear =
+                places.stream().filter(place -> !isNear(at(place), other.at(place))).findFirst();
+        return clear.or(
+                () ->
+                        places.stream()
+                                .filter(place -> !at(place).equals(other.at(place)))
+                                .findFirst());
+    }
+
+    private static boolean isNear(String one, String other) {
+        try {
+            double a = Double.parseDouble(one);
+            double b = Double.parseDouble(other);
+            return Math.abs(a - b) <= 1e-9 * Math.max(Math.abs(a), Math.abs(b));
+        } catch (NumberFormatException notANumber) {
+            return one.equals(other);
+        }
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Leaves leaves && values.equals(leaves.values);
+    }
+
+    @Override
+    public int hashCode() {
+        return values.hashCode();
+    }
+
+    /** The value at a place; a dash where there is none. */
+    String at(String place) {
+        return values.getOrDefault(place, NONE);
+    }
+
+    /** At most three significant digits. */
+    static String number(double value) {
+        return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toString();
+    }
+}

@@ -1,0 +1,170 @@
+package rasterlab.exercises.graded;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.InputChanged;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.topic.TopicGradings;
+
+/** The exercises that are graded by their topic's own comparison reject what is wrong. */
+class TopicExercisesTest {
+    private static final long SEED = 20261127;
+
+    static Stream<String> exercises() {
+        return Stream.of("point-in-triangle", "clip-segment", "shade-face");
+    }
+
+    @DisplayName("a plain right method loses accuracy points")
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void aPlainRightMethodIsFullyAccurate(String id) throws Exception {
+        for (long seed = SEED; seed < SEED + 20; seed++) {
+            Tried tried = tried(id, reference(id), seed);
+            assertEquals(List.of(), tried.failed(Kind.ACCURACY), "seed " + seed);
+        }
+    }
+
+    @DisplayName("a method with a known mistake passes all cases")
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void everyFaultyMethodAndMutantIsRejected(String id) {
+        Topic<?, ?, ?> topic = topic(id);
+        List<String> accepted = new ArrayList<>();
+        for (Method<?> one : topic.methods())
+            if (one.faulty() && tried(id, one.implementation(), SEED).failed().isEmpty())
+                accepted.add(one.name());
+        for (Mutant<?> one : topic.mutants())
+            if (isAnswered(topic, one.hazard())
+                    && tried(id, one.implementation(), SEED).failed().isEmpty())
+                accepted.add(one.name());
+        assertEquals(List.of(), accepted);
+    }
+
+    /** A mutant that answers what has to be refused fails where a refusal is asked for alone. */
+    private static boolean isAnswered(Topic<?, ?, ?> topic, String hazard) {
+        return topic.hazards().stream()
+                .filter(one -> one.name().equals(hazard))
+                .anyMatch(one -> one.recorded().containsValue(Verdict.Kind.EXACT));
+    }
+
+    @DisplayName("a mutant's answer is not named by its mistake")
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void aMutantsWrongAnswerIsNamed(String id) {
+        for (Mutant<?> one : topic(id).mutants()) {
+            Tried tried = tried(id, one.implementation(), SEED);
+            boolean answered =
+                    tried.wrong().anyMatch(call -> call.verdict() == GradingVerdict.WRONG);
+            boolean named =
+                    tried.wrong()
+                            .flatMap(finding -> finding.explanations().stream())
+                            .flatMap(causes -> Cause.codes(causes).stream())
+                            .anyMatch(one.name()::equals);
+            assertTrue(named || !answered, one + " is not named");
+        }
+    }
+
+    @DisplayName("a wrong answer has no pictures, or none with words in both languages")
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void aWrongAnswerIsShownInThreePictures(String id) {
+        Topic<?, ?, ?> topic = topic(id);
+        Tried tried = tried(id, topic.mutants().get(0).implementation(), SEED);
+        Finding shown = tried.shown().orElseThrow();
+        assertEquals(
+                List.of(CasePicture.EXPECTED, CasePicture.ACTUAL, CasePicture.DIFFERENCE),
+                shown.pictures().stream().map(CasePicture::kind).toList());
+        for (CasePicture picture : shown.pictures())
+            for (String language : List.of("en", "ru"))
+                assertFalse(picture.text().in(language).isBlank());
+    }
+
+    /** What came of all cases. */
+    private record Tried(Exercise exercise, Marking marking) {
+        List<String> failed() {
+            return failed(Kind.values());
+        }
+
+        List<String> failed(Kind... kinds) {
+            return exercise.cases().stream()
+                    .filter(one -> List.of(kinds).contains(one.kind()))
+                    .map(Case::name)
+                    .filter(name -> !marking.paying().contains(name))
+                    .toList();
+        }
+
+        Stream<Finding> wrong() {
+            return calls().map(TriedCall::finding).filter(finding -> !finding.right());
+        }
+
+        private Stream<TriedCall> calls() {
+            return marking.cases().stream().flatMap(one -> one.calls().stream());
+        }
+
+        Optional<Finding> shown() {
+            return calls().filter(call -> call.finding().verdict() == GradingVerdict.WRONG)
+                    .map(call -> call.call().judge(call.answer().orElseThrow()))
+                    .findFirst();
+        }
+    }
+
+    private static Tried tried(String id, Object method, long seed) {
+        Exercise exercise = Catalogue.builtIn().named(id);
+        TopicGrading grading = TopicGradings.named(exercise.topic());
+        Marking marking = new Marking(exercise);
+        for (Case one : exercise.cases()) {
+            List<TriedCall> calls = new ArrayList<>();
+            for (TopicGrading.Call call : grading.calls(one, exercise.tolerance(), seed))
+                calls.add(TriedCall.answered(call, answer(call, method)));
+            marking.put(TriedCase.tried(one, calls));
+        }
+        return new Tried(exercise, marking);
+    }
+
+    private static Answer answer(TopicGrading.Call call, Object method) {
+        try {
+            return Answer.with(Answer.Ending.RETURNED, call.recorded(method), 1, "", "");
+        } catch (LimitReached reached) {
+            return Answer.with(Answer.Ending.CUT, reached.recorded(), 1, "", "");
+        } catch (InputChanged changed) {
+            return Answer.without(Answer.Ending.OVERWROTE, "", "", "");
+        } catch (RuntimeException thrown) {
+            return Answer.threw(thrown.getClass().getName(), "" + thrown.getMessage(), 0, "");
+        }
+    }
+
+    private static Object reference(String id) throws ReflectiveOperationException {
+        return TopicGradings.named(id).reference().getDeclaredConstructor().newInstance();
+    }
+
+    private static Topic<?, ?, ?> topic(String id) {
+        return Topics.named(id);
+    }
+}
