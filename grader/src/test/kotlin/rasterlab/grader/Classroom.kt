@@ -155,9 +155,9 @@ class Classroom(
             2,
             5,
             Message.quoted("secret of $name <img src=x onerror=alert(1)>").and(Message.of("pixel.missing", "(1, 2)")),
-            listOf("expected", "actual", "difference").mapIndexed { number, kind ->
-                CasePicture(kind, byteArrayOf((number + 1).toByte()), Message.rows("a part\n#+-."), Optional.of(part()))
-            },
+            listOf("expected" to "#.#.", "actual" to "##..", "difference" to "#+-.").mapIndexed { number, (kind, row) ->
+                CasePicture(kind, byteArrayOf((number + 1).toByte()), Message.rows("a part\n$row"), Optional.of(part()))
+            } + CasePicture("input", byteArrayOf(4), Message.of("pixel.extra", "(-1, 2)"), Optional.empty()),
             """{"from":[0,0],"to":[3,1]}""",
         )
 

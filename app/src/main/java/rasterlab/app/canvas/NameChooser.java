@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
@@ -103,6 +104,17 @@ public final class NameChooser extends JComboBox<String> {
         if (!always.contains(chosen) && getItemCount() == always.size()) addItem(chosen);
         setSelectedItem(chosen);
         setToolTipText(always.contains(chosen) ? null : chosen);
+        refreshing = false;
+    }
+
+    /** Offers those names from now on, and shows a choice of them without telling anybody. */
+    public void offer(List<String> names, String chosen) {
+        refreshing = true;
+        if (!IntStream.range(0, getItemCount()).mapToObj(this::getItemAt).toList().equals(names)) {
+            removeAllItems();
+            names.forEach(this::addItem);
+        }
+        setSelectedItem(chosen);
         refreshing = false;
     }
 

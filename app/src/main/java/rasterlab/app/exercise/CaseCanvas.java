@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -25,8 +26,12 @@ import rasterlab.exercises.score.PicturePart;
 final class CaseCanvas extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
-    static final List<String> VIEWS =
-            List.of("together", "expected", "actual", "difference", "blink");
+    /** The pictures that most cases have, and that are offered before there is one. */
+    static final List<String> USUAL =
+            List.of(CasePicture.EXPECTED, CasePicture.ACTUAL, CasePicture.DIFFERENCE);
+
+    private static final String TOGETHER = "together";
+    private static final String BLINK = "blink";
 
     /** As long as the eye needs to see what jumps. */
     private static final int BLINK_MILLIS = 450;
@@ -36,9 +41,12 @@ final class CaseCanvas extends SelfDrawn {
     private final transient Texts texts;
     private final transient Consumer<Throwable> onFailure;
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
-    private transient List<CasePicture> pictures = List.of();
+    private transient List<TriedPicture> pictures = List.of();
     private transient CaseDrawing drawing = CaseDrawing.NONE;
-    private String view = VIEWS.get(0);
+
+    /** What the user chose, which a case may not have. */
+    private String wish = TOGETHER;
+
     private boolean second;
 
     /**
@@ -52,23 +60,30 @@ final class CaseCanvas extends SelfDrawn {
         getAccessibleContext().setAccessibleName(texts.text("case.picture"));
     }
 
-    void show(List<CasePicture> next) {
+    void show(List<TriedPicture> next) {
         if (!next.equals(pictures)) {
             pictures = next;
             drawing = next.isEmpty() ? CaseDrawing.NONE : decoded(next);
-            CasePicture.of(next, CasePicture.DIFFERENCE)
-                    .ifPresent(
-                            drawn ->
-                                    getAccessibleContext()
-                                            .setAccessibleDescription(inWords(drawn)));
+            if (!next.isEmpty()) getAccessibleContext().setAccessibleDescription(inWords());
+            blinkWhereChosen();
         }
         repaint();
     }
 
-    private String inWords(CasePicture drawn) {
-        Stream<String> rows = drawn.rows().stream();
+    /** Of grids the difference alone, which tells all of them. */
+    private String inWords() {
+        return pictures.stream()
+                .filter(one -> one.rows().isEmpty() || one.isDifference())
+                .flatMap(this::inWords)
+                .collect(Collectors.joining("\n"));
+    }
+
+    private Stream<String> inWords(TriedPicture drawn) {
+        List<String> rows = drawn.rows();
+        if (rows.isEmpty())
+            return Stream.of(nameOf(drawn.kind()) + ": " + drawn.text().in(texts.language()));
         Optional<PicturePart> cut = drawn.part().filter(part -> !part.isWhole());
-        return Stream.concat(cut.map(this::said).stream(), rows).collect(Collectors.joining("\n"));
+        return Stream.concat(cut.map(this::said).stream(), rows.stream());
     }
 
     private String said(PicturePart part) {
@@ -76,7 +91,7 @@ final class CaseCanvas extends SelfDrawn {
         return texts.text("case.part", place);
     }
 
-    private CaseDrawing decoded(List<CasePicture> from) {
+    private CaseDrawing decoded(List<TriedPicture> from) {
         try {
             return CaseDrawing.of(from);
         } catch (IOException e) {
@@ -85,21 +100,49 @@ final class CaseCanvas extends SelfDrawn {
         }
     }
 
+    /** What can be chosen for the pictures that are shown. */
+    List<String> views() {
+        List<String> kinds = kinds();
+        var views = new ArrayList<String>(List.of(TOGETHER));
+        views.addAll(kinds);
+        if (kinds.containsAll(List.of(CasePicture.EXPECTED, CasePicture.ACTUAL))) views.add(BLINK);
+        return List.copyOf(views);
+    }
+
+    /** The choice; where these pictures do not allow it, all of them together. */
+    String view() {
+        return views().contains(wish) ? wish : TOGETHER;
+    }
+
+    /** A view in words; a kind of picture that is not known under its own name. */
+    String nameOf(String view) {
+        String key = "view." + view;
+        return texts.has(key) ? texts.text(key) : view;
+    }
+
+    private List<String> kinds() {
+        return drawing.pictures().isEmpty() ? USUAL : List.copyOf(drawing.pictures().keySet());
+    }
+
     /**
-     * @param next one of {@link #VIEWS}
+     * @param next one of {@link #views}
      */
     void choose(String next) {
-        view = next;
+        wish = next;
         second = false;
-        if (view.equals("blink")) blink.start();
-        else blink.stop();
+        blinkWhereChosen();
         repaint();
+    }
+
+    private void blinkWhereChosen() {
+        if (!view().equals(BLINK)) blink.stop();
+        else if (!blink.isRunning()) blink.start();
     }
 
     /** Which picture is seen just now, where it is one. */
     String seen() {
-        if (!view.equals("blink")) return view;
-        return second ? "actual" : "expected";
+        if (!view().equals(BLINK)) return view();
+        return second ? CasePicture.ACTUAL : CasePicture.EXPECTED;
     }
 
     /** Stops blinking. */
@@ -122,23 +165,31 @@ final class CaseCanvas extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        if (!drawing.rasters().isEmpty()) paint(g);
+        if (!drawing.pictures().isEmpty()) paint(g);
         g.dispose();
     }
 
     private void paint(Graphics2D g) {
-        String alone = view.equals("together") && !together() ? "difference" : seen();
-        List<String> keys = alone.equals("together") ? CaseDrawing.KEYS : List.of(alone);
+        List<String> keys = shown();
         Optional<PlacedCase> found = arranged(keys);
         if (found.isEmpty()) return;
         PlacedCase placed = found.get();
         g.setFont(placed.pictures().type());
         for (int i = 0; i < keys.size(); i++) {
             Rectangle place = placed.pictures().places().get(i);
-            drawing.rasters().get(keys.get(i)).paint(g, placed.part(), place);
-            frame(g, place, texts.text("view." + keys.get(i)));
+            drawing.pictures().get(keys.get(i)).paint(g, placed.part(), place);
+            frame(g, place, nameOf(keys.get(i)));
         }
         write(g, placed);
+    }
+
+    /** Where there is no room for all, the one that tells most. */
+    private List<String> shown() {
+        if (!view().equals(TOGETHER)) return List.of(seen());
+        List<String> kinds = kinds();
+        if (together()) return kinds;
+        return List.of(
+                kinds.contains(CasePicture.DIFFERENCE) ? CasePicture.DIFFERENCE : kinds.get(0));
     }
 
     private static void frame(Graphics2D g, Rectangle place, String name) {
@@ -166,13 +217,13 @@ final class CaseCanvas extends SelfDrawn {
 
     /** Whether all pictures have room for their names. */
     boolean together() {
-        return arranged(CaseDrawing.KEYS).isPresent();
+        return arranged(kinds()).isPresent();
     }
 
     /** Where those pictures stand now; empty where their names have no room. */
     Optional<PlacedCase> arranged(List<String> keys) {
         Font type = type();
-        List<String> names = keys.stream().map(key -> texts.text("view." + key)).toList();
+        List<String> names = keys.stream().map(this::nameOf).toList();
         // The frame's last line lies outside of its picture.
         var room = new Dimension(getWidth() - 1, getHeight() - 1);
         var whole =

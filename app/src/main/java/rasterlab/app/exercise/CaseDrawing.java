@@ -10,23 +10,28 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.PicturePart;
 
 /**
- * A case's pictures, decoded: what is right, what was drawn, and where they differ.
+ * A case's pictures, decoded.
  *
- * @param pixels that each of them shows, across and down
- * @param part which ones these are; empty where that is not known
- * @param rasters by their kinds
+ * @param pixels that each grid of pixels shows, across and down; where there is no grid, the shape
+ *     of the place in which each picture has room
+ * @param divisible whether that is a grid, of which a part can be shown
+ * @param part which pixels these are; empty where that is not known
+ * @param pictures by their kinds, in order
  */
 record CaseDrawing(
-        Dimension pixels, Optional<PicturePart> part, Map<String, RasterPicture> rasters) {
-    static final List<String> KEYS = List.of("expected", "actual", "difference");
-
+        Dimension pixels,
+        boolean divisible,
+        Optional<PicturePart> part,
+        Map<String, PaintedPicture> pictures) {
     /** Before there is a picture. */
     static final CaseDrawing NONE =
-            new CaseDrawing(new Dimension(1, 1), Optional.empty(), Map.of());
+            new CaseDrawing(new Dimension(1, 1), true, Optional.empty(), Map.of());
+
+    /** Units along the longer side of a place without pixels: fine enough for its shape. */
+    private static final int SIDE = 24;
 
     /**
      * What there is room for.
@@ -37,22 +42,41 @@ record CaseDrawing(
     record Cut(Rectangle place, Optional<PicturePart> said) {}
 
     /**
-     * @throws IOException if they are no pictures, or of several sizes
+     * @param from at least one
+     * @throws IOException if they are no pictures, or grids of several sizes
      */
-    static CaseDrawing of(List<CasePicture> from) throws IOException {
+    static CaseDrawing of(List<TriedPicture> from) throws IOException {
         var decoded = new LinkedHashMap<String, BufferedImage>();
-        for (CasePicture one : from) decoded.put(one.kind(), decoded(one.png()));
-        BufferedImage first = decoded.get(from.get(0).kind());
-        for (BufferedImage other : decoded.values()) requireAlike(first, other);
-        Dimension told = pixels(from.get(0).rows());
+        for (TriedPicture one : from) decoded.put(one.kind(), decoded(one.png()));
+        List<TriedPicture> grids = from.stream().filter(one -> !one.rows().isEmpty()).toList();
+        if (grids.isEmpty()) return ofShapes(decoded);
+        BufferedImage first = decoded.get(grids.get(0).kind());
+        for (TriedPicture grid : grids) requireAlike(first, decoded.get(grid.kind()));
+        Dimension told = pixels(grids.get(0).rows());
         int dots = dots(told, first);
         var pixels = dots > 0 ? told : new Dimension(first.getWidth(), first.getHeight());
-        var rasters = new LinkedHashMap<String, RasterPicture>();
-        decoded.forEach(
-                (kind, picture) ->
-                        rasters.put(kind, RasterPicture.of(picture, pixels, Math.max(1, dots))));
+        var pictures = new LinkedHashMap<String, PaintedPicture>();
+        decoded.forEach((kind, picture) -> pictures.put(kind, new FittedPicture(picture)));
+        for (TriedPicture grid : grids)
+            pictures.put(
+                    grid.kind(),
+                    RasterPicture.of(decoded.get(grid.kind()), pixels, Math.max(1, dots)));
         return new CaseDrawing(
-                pixels, from.get(0).part().filter(part -> isOf(part, pixels)), rasters);
+                pixels, true, grids.get(0).part().filter(part -> isOf(part, pixels)), pictures);
+    }
+
+    private static CaseDrawing ofShapes(Map<String, BufferedImage> decoded) {
+        var pictures = new LinkedHashMap<String, PaintedPicture>();
+        decoded.forEach((kind, picture) -> pictures.put(kind, new FittedPicture(picture)));
+        int width = decoded.values().stream().mapToInt(BufferedImage::getWidth).max().orElseThrow();
+        int height =
+                decoded.values().stream().mapToInt(BufferedImage::getHeight).max().orElseThrow();
+        double unit = (double) Math.max(width, height) / SIDE;
+        var shape =
+                new Dimension(
+                        (int) Math.max(1, Math.round(width / unit)),
+                        (int) Math.max(1, Math.round(height / unit)));
+        return new CaseDrawing(shape, false, Optional.empty(), pictures);
     }
 
     /** Columns and rows. */

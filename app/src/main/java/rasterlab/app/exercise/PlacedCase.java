@@ -45,7 +45,7 @@ record PlacedCase(Rectangle part, NamedPictures pictures, List<String> words) {
             FontMetrics metrics = whole.metrics().apply(whole.type());
             int below = lines == 0 ? 0 : NamedPictures.ABOVE_NAME + lines * metrics.getHeight();
             var left = new Dimension(room.width, room.height - below);
-            Dimension size = whole.part(CLEAR, left);
+            Dimension size = drawing.divisible() ? whole.part(CLEAR, left) : drawing.pixels();
             CaseDrawing.Cut cut = drawing.cut(size);
             List<String> words =
                     cut.said()

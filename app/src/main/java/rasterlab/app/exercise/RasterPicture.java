@@ -16,7 +16,8 @@ import rasterlab.engine.raster.PixelMark;
  * @param dots of the picture across each pixel
  * @param raster one dot for each pixel
  */
-record RasterPicture(BufferedImage picture, int dots, BufferedImage raster) {
+record RasterPicture(BufferedImage picture, int dots, BufferedImage raster)
+        implements PaintedPicture {
     /** Marks have their shape from so many view units for each pixel on. */
     private static final int SHAPED = 6;
 
@@ -52,11 +53,8 @@ record RasterPicture(BufferedImage picture, int dots, BufferedImage raster) {
                 < ALIKE;
     }
 
-    /**
-     * @param part of the raster, in its pixels
-     * @param place in view units
-     */
-    void paint(Graphics2D g, Rectangle part, Rectangle place) {
+    @Override
+    public void paint(Graphics2D g, Rectangle part, Rectangle place) {
         boolean shaped = place.width >= SHAPED * part.width;
         int each = shaped ? dots : 1;
         boolean whole = place.width % (each * part.width) == 0;

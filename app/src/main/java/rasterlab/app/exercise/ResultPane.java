@@ -67,12 +67,7 @@ final class ResultPane extends JPanel {
         table = new CaseTable(texts, this::chosen);
         remarks = new RemarkList(texts, toLine);
         picture = new CaseCanvas(texts, onFailure);
-        view =
-                new NameChooser(
-                        "view",
-                        CaseCanvas.VIEWS,
-                        key -> texts.text("view." + key),
-                        picture::choose);
+        view = new NameChooser("view", picture.views(), picture::nameOf, picture::choose);
         viewLabel = Controls.label("view", texts, view);
         open = Controls.button("open", texts, () -> openChosen(onFailure));
         reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
@@ -221,6 +216,7 @@ final class ResultPane extends JPanel {
         String words = smallest ? texts.text("smallest", said) : said;
         reason.setText(words.isEmpty() ? hint(chosen) : words);
         picture.show(chosen.map(TriedCase::pictures).orElse(List.of()));
+        view.offer(picture.views(), picture.view());
         view.setEnabled(chosen.filter(one -> !one.pictures().isEmpty()).isPresent());
         Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
         Optional<String> obstacle = scene.flatMap(this::obstacle);

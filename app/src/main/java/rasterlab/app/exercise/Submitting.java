@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.Points;
 import rasterlab.exercises.score.PublishedVerdict;
@@ -89,7 +88,7 @@ final class Submitting {
             JsonNode one = english.path("cases").get(i);
             // Not by its name: several may be called hidden.
             JsonNode other = russian.path("cases").path(i);
-            cases.add(tried(one, said(one, other), pictures(one.path("pictures"))));
+            cases.add(tried(one, said(one, other), pictures(one, other)));
         }
         return new Outcome(
                 source,
@@ -123,7 +122,7 @@ final class Submitting {
         }
     }
 
-    private static TriedCase tried(JsonNode one, Said said, List<CasePicture> pictures) {
+    private static TriedCase tried(JsonNode one, Said said, List<TriedPicture> pictures) {
         JsonNode scene = one.path("scene");
         var verdict =
                 new PublishedVerdict(
@@ -141,20 +140,25 @@ final class Submitting {
                 scene.isObject() ? scene.toString() : "");
     }
 
-    private List<CasePicture> pictures(JsonNode addresses)
+    private List<TriedPicture> pictures(JsonNode english, JsonNode russian)
             throws IOException, InterruptedException {
-        if (!addresses.isObject()) return List.of();
-        var text = Message.rows(addresses.path("text").asText());
-        var part = PicturePart.ofData(addresses.path("part").toString());
-        var pictures = new ArrayList<CasePicture>();
-        for (String kind : CaseDrawing.KEYS)
-            pictures.add(new CasePicture(kind, picture(addresses, kind), text, part));
-        return List.copyOf(pictures);
+        var pictures = new ArrayList<TriedPicture>();
+        for (JsonNode one : english.path("pictures")) {
+            String kind = one.path("kind").asText();
+            if (!CasePicture.isKind(kind))
+                throw new IOException("the server's kind of a picture is '" + kind + "'");
+            JsonNode other = russian.path("pictures").path(pictures.size());
+            pictures.add(
+                    new TriedPicture(
+                            kind,
+                            png(one.path("url").asText()),
+                            new Said(one.path("text").asText(), other.path("text").asText()),
+                            PicturePart.ofData(one.path("part").toString())));
+        }
+        return pictures;
     }
 
-    private byte[] picture(JsonNode addresses, String which)
-            throws IOException, InterruptedException {
-        String path = addresses.path(which).asText();
+    private byte[] png(String path) throws IOException, InterruptedException {
         if (!path.startsWith("/api/v1/"))
             throw new IOException("the server's address of a picture is '" + path + "'");
         return server.get(path, token);

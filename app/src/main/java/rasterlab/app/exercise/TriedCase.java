@@ -3,7 +3,6 @@ package rasterlab.app.exercise;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
@@ -22,8 +21,12 @@ record TriedCase(
         int points,
         int of,
         Said said,
-        List<CasePicture> pictures,
+        List<TriedPicture> pictures,
         String scene) {
+    TriedCase {
+        pictures = List.copyOf(pictures);
+    }
+
     static TriedCase of(CaseReport report) {
         return new TriedCase(
                 report.name(),
@@ -31,7 +34,7 @@ record TriedCase(
                 report.points(),
                 report.of(),
                 Said.of(report::message),
-                report.pictures(),
+                report.pictures().stream().map(TriedPicture::of).toList(),
                 report.scene());
     }
 

@@ -11,8 +11,10 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
+import rasterlab.exercises.score.PixelRows;
 import rasterlab.exercises.score.PublishedVerdict;
 
 /** A real server, a course, a student and four submissions. */
@@ -32,9 +34,6 @@ final class GradingSection implements TourPart {
      * @param verdict what the server has to say to it
      */
     private record Solution(String name, String verdict) {}
-
-    /** What the server has of a case that can be drawn. */
-    private static final List<String> PICTURES = List.of("expected", "actual", "difference");
 
     private final Optional<Path> home;
 
@@ -138,30 +137,43 @@ final class GradingSection implements TourPart {
         showFirstPicture(page, path -> client.get(path, student), graded);
     }
 
-    /** The first case that has pictures: as text, and what was expected beside what was drawn. */
+    /** The first case that has pictures: the difference as text, and all of them. */
     static void showFirstPicture(TourPage page, PngSource pngs, Graded graded)
             throws IOException, InterruptedException {
         for (JsonNode judged : graded.result.path("cases")) {
             JsonNode pictures = judged.path("pictures");
-            if (!pictures.hasNonNull("difference")) continue;
-            String name = judged.path("name").asText();
+            if (pictures.isEmpty()) continue;
             page.paragraph(page.texts().text("grading.picture", title(judged)));
-            var part = PicturePart.ofData(pictures.path("part").toString());
-            part.filter(known -> !known.isWhole())
-                    .map(known -> known.said().in(page.texts().locale().getLanguage()))
-                    .ifPresent(page::paragraph);
-            String text = pictures.path("text").asText();
-            page.preformatted(part.map(known -> String.join("\n", known.rows(text))).orElse(text));
             List<TourPage.Figure> figures = new ArrayList<>();
-            for (String kind : PICTURES)
+            for (JsonNode one : pictures) {
+                String kind = one.path("kind").asText();
+                if (kind.equals(CasePicture.DIFFERENCE)) showText(page, one);
+                String name = judged.path("name").asText() + "-" + kind;
                 figures.add(
                         page.picture(
-                                "graded-" + graded.solution + "-" + name + "-" + kind,
-                                pngs.get(pictures.path(kind).asText()),
-                                page.texts().text("grading." + kind)));
+                                "graded-" + graded.solution + "-" + name,
+                                pngs.get(one.path("url").asText()),
+                                named(kind, page.texts())));
+            }
             page.smallGallery(figures);
             return;
         }
+    }
+
+    private static void showText(TourPage page, JsonNode difference) {
+        var part = PicturePart.ofData(difference.path("part").toString());
+        part.filter(known -> !known.isWhole())
+                .map(known -> known.said().in(page.texts().locale().getLanguage()))
+                .ifPresent(page::paragraph);
+        String text = difference.path("text").asText();
+        List<String> rows = PixelRows.of(text, part);
+        page.preformatted(rows.isEmpty() ? text : String.join("\n", rows));
+    }
+
+    /** A kind of picture that is not known under its own name. */
+    private static String named(String kind, Texts texts) {
+        String key = "grading.picture." + kind;
+        return texts.has(key) ? texts.text(key) : kind;
     }
 
     /** What the server has at an address. */

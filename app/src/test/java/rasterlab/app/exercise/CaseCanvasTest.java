@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,18 +26,21 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelWindow;
-import rasterlab.exercises.score.CasePicture;
-import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.PicturePart;
 
-class CasePictureTest {
+class CaseCanvasTest {
     private static final String LARGE = ("#".repeat(80) + "\n").repeat(40).strip();
+
+    @AfterEach
+    void usualTheme() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+    }
 
     @Test
     @DisplayName("pictures of two sizes, as another server may send them, end in an unclear error")
     void picturesOfTwoSizesAreToldWithTheirSizes() throws Exception {
         var failures = new ArrayList<Throwable>();
-        List<CasePicture> pictures =
+        List<TriedPicture> pictures =
                 pictures("#", Optional.empty(), png(9, 9), png(9, 5), png(9, 9));
         EventQueue.invokeAndWait(
                 () ->
@@ -96,7 +100,7 @@ class CasePictureTest {
                 () -> {
                     CaseCanvas shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
                     shown.setSize(400, 130);
-                    Rectangle seen = shown.arranged(CaseDrawing.KEYS).orElseThrow().part();
+                    Rectangle seen = shown.arranged(CaseCanvas.USUAL).orElseThrow().part();
                     assertTrue(seen.contains(x - 10, y), seen::toString);
                 });
     }
@@ -118,7 +122,7 @@ class CasePictureTest {
                         assertTrue(metrics.stringWidth(line) <= 300, () -> "cut: " + line);
                     String all = String.join(" ", lines).replaceAll("[-−]?\\d{10}", "#");
                     assertTrue(all.matches(".* #..# (of|из) #..#, .* #..# (of|из) #..#"), all);
-                    PlacedCase placed = picture.arranged(CaseDrawing.KEYS).orElseThrow();
+                    PlacedCase placed = picture.arranged(CaseCanvas.USUAL).orElseThrow();
                     int lowest =
                             placed.pictures().places().stream()
                                     .mapToInt(place -> place.y + place.height)
@@ -130,10 +134,10 @@ class CasePictureTest {
     }
 
     private static List<String> words(CaseCanvas shown) {
-        return shown.arranged(CaseDrawing.KEYS).orElseThrow().words();
+        return shown.arranged(CaseCanvas.USUAL).orElseThrow().words();
     }
 
-    private static CaseCanvas shown(Language language, List<CasePicture> pictures) {
+    private static CaseCanvas shown(Language language, List<TriedPicture> pictures) {
         ShownResult.install(LabTheme.LIGHT, 14);
         var shown = new CaseCanvas(Texts.of("exercise", language), failure -> {});
         shown.setFont(UIManager.getFont("Label.font"));
@@ -141,18 +145,21 @@ class CasePictureTest {
         return shown;
     }
 
-    private static List<CasePicture> pictures(String text, PicturePart part, byte[] png) {
+    private static List<TriedPicture> pictures(String text, PicturePart part, byte[] png) {
         return pictures(text, Optional.of(part), png, png, png);
     }
 
     /** One of each kind. */
-    private static List<CasePicture> pictures(
+    private static List<TriedPicture> pictures(
             String text, Optional<PicturePart> part, byte[]... pngs) {
         return IntStream.range(0, pngs.length)
                 .mapToObj(
                         i ->
-                                new CasePicture(
-                                        CaseDrawing.KEYS.get(i), pngs[i], Message.rows(text), part))
+                                new TriedPicture(
+                                        CaseCanvas.USUAL.get(i),
+                                        pngs[i],
+                                        new Said(text, text),
+                                        part))
                 .toList();
     }
 

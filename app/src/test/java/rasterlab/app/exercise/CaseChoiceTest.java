@@ -28,9 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
-import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Message;
 
 /** Which case of a result is chosen and in sight. */
 class CaseChoiceTest {
@@ -152,8 +150,7 @@ class CaseChoiceTest {
     @DisplayName("another hidden case than the one that was chosen is chosen again")
     void hiddenCasesAreChosenApart() throws Exception {
         Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
-        TriedCase hidden =
-                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
+        TriedCase hidden = new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
         var outcome =
                 new Outcome(
                         "",
@@ -183,8 +180,7 @@ class CaseChoiceTest {
     @Test
     @DisplayName("hidden cases share one name while they are graded")
     void hiddenCasesAreToldApartWhileTheyAreGraded() throws Exception {
-        TriedCase hidden =
-                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
+        TriedCase hidden = new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, List.of(), "");
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
@@ -324,10 +320,10 @@ class CaseChoiceTest {
 
     private static TriedCase drawn(TriedCase one, int pixels) {
         byte[] png = png(pixels);
-        Message rows = Message.rows("-".repeat(pixels));
-        List<CasePicture> pictures =
-                CaseDrawing.KEYS.stream()
-                        .map(kind -> new CasePicture(kind, png, rows, Optional.empty()))
+        var rows = new Said("-".repeat(pixels), "-".repeat(pixels));
+        List<TriedPicture> pictures =
+                CaseCanvas.USUAL.stream()
+                        .map(kind -> new TriedPicture(kind, png, rows, Optional.empty()))
                         .toList();
         return new TriedCase(one.name(), one.verdict(), 0, one.of(), Said.NOTHING, pictures, "");
     }

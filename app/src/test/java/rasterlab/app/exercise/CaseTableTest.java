@@ -25,8 +25,7 @@ class CaseTableTest {
     private final Texts texts = Texts.of("exercise", Language.RUSSIAN);
 
     private static TriedCase one(String verdict) {
-        return new TriedCase(
-                "last-pixel-is-dropped", verdict, 0, 4, Said.NOTHING, List.of(), "");
+        return new TriedCase("last-pixel-is-dropped", verdict, 0, 4, Said.NOTHING, List.of(), "");
     }
 
     @Test

@@ -102,7 +102,7 @@ class ResultPlacesTest {
         var picture = (CaseCanvas) named(pane, "case.picture");
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
         assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
-        PlacedCase placed = picture.arranged(CaseDrawing.KEYS).orElseThrow();
+        PlacedCase placed = picture.arranged(CaseCanvas.USUAL).orElseThrow();
         float names = placed.pictures().type().getSize2D();
         float cases = named(pane, "cases").getFont().getSize2D();
         assertTrue(cases >= 0.7 * type, "cases of " + cases + " beside type of " + type);

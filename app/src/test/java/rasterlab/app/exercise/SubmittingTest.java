@@ -29,12 +29,12 @@ import rasterlab.app.language.Texts;
 @Timeout(60)
 class SubmittingTest {
     private static final String SUBMIT = "POST /api/v1/exercises/line-bresenham/submissions";
-    private static final String RESULT = "GET /api/v1/submissions/s1";
+    static final String RESULT = "GET /api/v1/submissions/s1";
     private static final String EVENTS = RESULT + "/events";
     private static final String CASE =
             "{\"name\":\"ties\",\"visibility\":\"open\",\"verdict\":\"wrong\",\"points\":0,\"of\":4,"
-                    + "\"message\":\"pixel (1, 2) is missing\",\"pictures\":null,\"scene\":null}";
-    private static final String DONE =
+                    + "\"message\":\"pixel (1, 2) is missing\",\"pictures\":[],\"scene\":null}";
+    static final String DONE =
             "{\"id\":\"s1\",\"attempt\":3,\"state\":\"done\",\"position\":0,\"verdict\":\"wrong\","
                     + "\"points\":{\"accuracy\":8,\"stability\":1,\"speed\":0,\"total\":9,\"of\":100},"
                     + "\"cases\":["
@@ -45,7 +45,7 @@ class SubmittingTest {
 
     @TempDir Path folder;
 
-    private static FakeServer server() throws IOException {
+    static FakeServer server() throws IOException {
         return new FakeServer()
                 .on("POST /api/v1/join", 201, "{\"student\":\"x\",\"token\":\"secret\"}")
                 .on(SUBMIT, 202, "{\"id\":\"s1\",\"state\":\"queued\",\"position\":2}")

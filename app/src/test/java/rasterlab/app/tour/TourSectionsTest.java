@@ -81,11 +81,14 @@ class TourSectionsTest {
                 graded(
                         """
                         {"cases": [
-                          {"name": "a", "title": "без картин", "pictures": null},
-                          {"name": "b", "title": "крутой", "pictures": {"text": "#+-",
-                           "expected": "/e", "actual": "/a", "difference": "/d"}},
-                          {"name": "c", "title": "пологий", "pictures": {"text": "+++",
-                           "expected": "/x", "actual": "/x", "difference": "/x"}}]}
+                          {"name": "a", "title": "без картин", "pictures": []},
+                          {"name": "b", "title": "крутой", "pictures": [
+                            {"kind": "expected", "url": "/e", "text": "#.#", "part": null},
+                            {"kind": "actual", "url": "/a", "text": "##.", "part": null},
+                            {"kind": "difference", "url": "/d", "text": "#+-", "part": null},
+                            {"kind": "input", "url": "/i", "text": "точка", "part": null}]},
+                          {"name": "c", "title": "пологий", "pictures": [
+                            {"kind": "difference", "url": "/x", "text": "+++", "part": null}]}]}
                         """);
         Files.createDirectory(folder.resolve(TourPage.PICTURES));
         var page = new TourPage(folder, Language.RUSSIAN, new PrintStream(System.out));
@@ -93,7 +96,12 @@ class TourSectionsTest {
                 page, path -> path.getBytes(StandardCharsets.UTF_8), graded);
         String html = page.html();
         int after = html.indexOf("Тест «крутой»");
-        for (String kind : List.of("expected ожидалось", "actual получено", "difference разница")) {
+        for (String kind :
+                List.of(
+                        "expected ожидалось",
+                        "actual получено",
+                        "difference разница",
+                        "input input")) {
             String name = kind.split(" ")[0];
             String file = "graded-wrong-b-" + name + ".png";
             int at = html.indexOf("<figcaption>" + kind.split(" ")[1] + "<");

@@ -10,9 +10,9 @@ import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
-import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.PicturePart
+import rasterlab.exercises.score.PixelRows
 import rasterlab.exercises.score.PublishedVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.course.Identity
@@ -20,6 +20,7 @@ import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Recorded
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
+import java.util.Optional
 import kotlin.jvm.optionals.getOrNull
 
 /**
@@ -70,23 +71,26 @@ data class CaseView(
     val points: Int,
     val of: Int,
     val message: String,
-    val pictures: PicturesView?,
+    val pictures: List<PictureView>,
     val scene: JsonElement?,
 )
 
 /**
- * Addresses of the pictures, and the difference as rows of characters.
- *
- * @param part which pixels these are; null where an older server drew them
+ * @param kind of the picture; whoever does not know it shows the picture under this name
+ * @param url where the PNG is
+ * @param text tells people who do not see it what is there, in their language; of a grid of pixels its rows
+ * @param part which pixels of a grid these are; null where it is no grid, and where an older server drew it
  */
 @Serializable
-data class PicturesView(
-    val expected: String,
-    val actual: String,
-    val difference: String,
+data class PictureView(
+    val kind: String,
+    val url: String,
     val text: String,
     @Serializable(with = PartAsJson::class) val part: PicturePart?,
-)
+) {
+    /** The rows of characters alone; none where it is no grid of pixels. */
+    fun rows(): List<String> = PixelRows.of(text, Optional.ofNullable(part))
+}
 
 /** As the part itself writes it. */
 private object PartAsJson : KSerializer<PicturePart> {
@@ -157,14 +161,8 @@ fun CaseReport.view(
 ): CaseView {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
     val pictures =
-        CasePicture.of(pictures(), CasePicture.DIFFERENCE).getOrNull()?.let {
-            PicturesView(
-                "$folder/expected.png",
-                "$folder/actual.png",
-                "$folder/difference.png",
-                it.text().`in`(language),
-                it.part().getOrNull(),
-            )
+        pictures().map {
+            PictureView(it.kind(), "$folder/${it.kind()}.png", it.text().`in`(language), it.part().getOrNull())
         }
     val verdict = PublishedVerdict.of(verdict())
     val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)

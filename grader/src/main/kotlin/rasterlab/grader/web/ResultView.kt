@@ -21,12 +21,13 @@ import kotlinx.html.span
 import kotlinx.html.strong
 import kotlinx.html.summary
 import kotlinx.html.ul
+import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.PublishedVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.report.CaseView
 import rasterlab.grader.report.DiagnosticView
-import rasterlab.grader.report.PicturesView
+import rasterlab.grader.report.PictureView
 import rasterlab.grader.report.PointsView
 import rasterlab.grader.report.SubmissionView
 
@@ -47,7 +48,7 @@ fun DIV.result(
     // Until all are judged, a verdict may still change: a mistake that all share is paid for once.
     if (view.verdict != null && view.cases.isNotEmpty()) {
         h2 { +texts.say("result.cases") }
-        if (view.cases.any { it.pictures != null }) p("legend") { +texts.say("result.legend") }
+        if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
         view.cases.forEach { case(texts, it) }
     }
     view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
@@ -128,31 +129,37 @@ private fun FlowContent.case(
         span("earned") { +texts.say("result.case.points", case.points, case.of) }
     }
     if (case.message.isNotEmpty()) p { +case.message }
-    case.pictures?.let { pictures(texts, case.title, it) }
+    if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
 }
+
+private fun isOfPixels(difference: PictureView) =
+    difference.kind == CasePicture.DIFFERENCE && difference.rows().isNotEmpty()
 
 private fun FlowContent.pictures(
     texts: Texts,
     case: String,
-    pictures: PicturesView,
+    pictures: List<PictureView>,
 ) {
-    pictures.part?.takeIf { !it.isWhole }?.let { part ->
+    pictures.firstNotNullOfOrNull { it.part }?.takeIf { !it.isWhole }?.let { part ->
         p("legend") { +texts.say("result.part", part.said().`in`(texts.language)) }
     }
     div("pictures") {
-        listOf(
-            "expected" to pictures.expected,
-            "actual" to pictures.actual,
-            "difference" to pictures.difference,
-        ).forEach { (kind, address) ->
+        pictures.forEach { picture ->
+            val name = texts.picture(picture.kind)
             figure {
-                a(address) { img(src = address, alt = "$case: ${texts.say("result.$kind")}") }
-                figcaption { +texts.say("result.$kind") }
+                a(picture.url) { img(src = picture.url, alt = "$case: $name\n${picture.text}") }
+                figcaption { +name }
             }
         }
     }
-    details {
-        summary { +texts.say("result.astext") }
-        pre("picture-text") { +(pictures.part?.rows(pictures.text)?.joinToString("\n") ?: pictures.text) }
+    pictures.find { it.kind == CasePicture.DIFFERENCE }?.let { difference ->
+        details {
+            summary { +texts.say("result.astext") }
+            if (isOfPixels(difference)) {
+                pre("picture-text") { +difference.rows().joinToString("\n") }
+            } else {
+                p { +difference.text }
+            }
+        }
     }
 }

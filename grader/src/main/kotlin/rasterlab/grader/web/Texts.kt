@@ -24,6 +24,9 @@ class Texts private constructor(
 
     fun verdict(code: String): String = GradingVerdict.word(code, language)
 
+    /** The name of a kind of picture; the kind itself where there is none. */
+    fun picture(kind: String): String = if (wording.has("picture.$kind")) say("picture.$kind") else kind
+
     /** What happened and what to do about it. */
     fun problem(code: String): String = say(if (wording.has("problem.$code")) "problem.$code" else "problem.other")
 

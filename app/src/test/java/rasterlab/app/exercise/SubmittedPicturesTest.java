@@ -1,0 +1,78 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Pictures of what was handed in, as a server gives them. */
+@Tag("slow")
+@Timeout(60)
+class SubmittedPicturesTest {
+    @TempDir Path folder;
+
+    private Trial joined(FakeServer server) throws InterruptedException {
+        var trial = new Trial(folder);
+        trial.model.join(server.address(), "CODE", "Ann");
+        trial.awaitEnd();
+        return trial;
+    }
+
+    @Test
+    @DisplayName("a picture of another kind is left out, or its text is in one language")
+    void everyPictureIsTakenOverWithItsTexts() throws Exception {
+        try (var server = SubmittingTest.server();
+                var trial = joined(server)) {
+            String url = "/api/v1/submissions/s1/cases/ties/";
+            for (String kind : List.of("difference", "input"))
+                server.on("GET " + url + kind + ".png", 200, kind);
+            server.on(SubmittingTest.RESULT, exchange -> drawn(exchange, "input", url));
+            trial.model.submit();
+            List<TriedPicture> pictures =
+                    trial.awaitEnd().outcome().orElseThrow().cases().get(0).pictures();
+            assertEquals(
+                    List.of("difference #-", "input a dot|точка"),
+                    pictures.stream().map(SubmittedPicturesTest::described).toList());
+            for (TriedPicture one : pictures)
+                assertEquals(one.kind(), new String(one.png(), StandardCharsets.UTF_8));
+        }
+    }
+
+    private static String described(TriedPicture one) {
+        Said text = one.text();
+        boolean same = text.english().equals(text.russian());
+        return one.kind() + " " + text.english() + (same ? "" : "|" + text.russian());
+    }
+
+    private static void drawn(HttpExchange exchange, String kind, String url) throws IOException {
+        boolean english = exchange.getRequestURI().getQuery().equals("lang=en");
+        String list =
+                """
+                [{"kind": "difference", "url": "%sdifference.png", "text": "#-", "part": null},
+                 {"kind": "%s", "url": "%sinput.png", "text": "%s", "part": null}]"""
+                        .formatted(url, kind, url, english ? "a dot" : "точка");
+        String told = SubmittingTest.DONE.replace("\"pictures\":[]", "\"pictures\":" + list);
+        FakeServer.send(exchange, 200, "application/json", told);
+    }
+
+    @Test
+    @DisplayName("a kind that no server of ours gives is shown in the window as it is")
+    void aKindThatIsNoNameIsRefused() throws Exception {
+        try (var server = SubmittingTest.server();
+                var trial = joined(server)) {
+            server.on(SubmittingTest.RESULT, exchange -> drawn(exchange, "<html>x", "/api/v1/"));
+            server.on("GET /api/v1/difference.png", 200, "x");
+            trial.model.submit();
+            assertEquals(Optional.empty(), trial.awaitEnd().outcome());
+        }
+    }
+}
