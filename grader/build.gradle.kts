@@ -40,3 +40,8 @@ kotlin {
         allWarningsAsErrors.set(true)
     }
 }
+
+tasks.test {
+    // Each class runs code of its own for seconds, in which the second compiler would only cost time.
+    jvmArgs("-XX:TieredStopAtLevel=1")
+}

@@ -161,7 +161,7 @@ class BuildEqualityTest {
                         "pom.xml",
                         " -XX:+UseSerialGC</argLine>",
                         "</argLine>",
-                        "grader: option of tests -XX:+UseSerialGC: not given"),
+                        "exercises: option of tests -XX:+UseSerialGC: not given"),
                 argumentSet(
                         "a file of options is missing in Maven",
                         "engine/pom.xml",
