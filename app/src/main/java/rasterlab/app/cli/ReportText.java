@@ -50,7 +50,10 @@ final class ReportText {
                             texts.text("hidden-line"),
                             hidden,
                             exercise.points().total()));
-        if (report.nanosPerItem() > 0) say("cost", texts.text("cost-nanos", report.nanosPerItem()));
+        if (report.nanosPerItem() > 0)
+            say(
+                    exercise.topic().equals("line") ? "cost" : "cost-each",
+                    texts.text("cost-nanos", report.nanosPerItem()));
         say("isolation", report.isolation(language()));
         report.diagnostics().forEach(this::printDiagnostic);
         printCases(exercise, report.cases());

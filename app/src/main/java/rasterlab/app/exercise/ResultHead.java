@@ -137,7 +137,9 @@ final class ResultHead extends JPanel {
                         ? texts.text("result.here", said.isolation().in(texts.language()))
                         : texts.text("result.attempt", said.attempt());
         String nanos = String.format(texts.locale(), "%.2f", said.nanosPerItem());
-        String cost = said.nanosPerItem() > 0 ? ", " + texts.text("result.cost", nanos) : "";
+        boolean pixels = state.exercise().topic().equals("line");
+        String key = pixels ? "result.cost" : "result.cost.each";
+        String cost = said.nanosPerItem() > 0 ? ", " + texts.text(key, nanos) : "";
         String earlier = said.earlier() ? ", " + texts.text("result.earlier") : "";
         return place + cost + earlier + (state.upToDate() ? "" : ", " + texts.text("result.old"));
     }

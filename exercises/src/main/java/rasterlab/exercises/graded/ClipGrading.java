@@ -1,5 +1,6 @@
 package rasterlab.exercises.graded;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.SegmentClipper;
@@ -26,14 +27,10 @@ public final class ClipGrading extends ByTopic<SegmentClipper, SegmentsInWindow,
     protected List<CasePicture> pictures(
             SegmentsInWindow input, ClippedEnds exact, ClippedEnds actual) {
         ClipWindow window = input.window();
-        return PlanePictures.of(
-                List.of(
-                        PlaneFigure.window(
-                                window.xmin(), window.ymin(), window.xmax(), window.ymax())),
-                left(exact),
-                left(actual),
-                RIGHT * window.unit(),
-                YAxis.UP);
+        var given = new ArrayList<PlaneFigure>();
+        given.add(PlaneFigure.window(window.xmin(), window.ymin(), window.xmax(), window.ymax()));
+        for (double[] s : input.segments()) given.add(PlaneFigure.segment(s[0], s[1], s[2], s[3]));
+        return PlanePictures.of(given, left(exact), left(actual), RIGHT * window.unit(), YAxis.UP);
     }
 
     private static List<PlaneFigure> left(ClippedEnds ends) {

@@ -78,13 +78,7 @@ final class InputCall<C, I, O> implements Call {
         Leaves mine = Leaves.of(topic().format(), input, actual);
         Message said =
                 right.firstUnlike(mine)
-                        .map(
-                                place ->
-                                        Message.of(
-                                                "answer.at",
-                                                place,
-                                                mine.at(place),
-                                                right.at(place)))
+                        .map(place -> right.said(place, mine))
                         .orElse(Message.of("answer.differs"));
         Deviation deviation = topic().compare(input, exact, actual);
         String key = "answer.worst." + topic().errorUnit().replace(' ', '-');

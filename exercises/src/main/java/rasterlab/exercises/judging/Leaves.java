@@ -15,11 +15,18 @@ import java.util.Optional;
 import java.util.Set;
 import rasterlab.engine.study.Format;
 import rasterlab.exercises.json.JsonSink;
+import rasterlab.exercises.score.Message;
 
 /** The numbers and truth values of an answer, each by its place, such as {@code inside[3]}. */
 final class Leaves {
     private static final JsonMapper MAPPER = new JsonMapper();
     private static final String NONE = "–";
+
+    /** Significant digits that are enough to see most differences. */
+    private static final int FEW = 6;
+
+    /** A double has no more. */
+    private static final int ALL = 17;
 
     private final Map<String, String> values = new LinkedHashMap<>();
 
@@ -55,7 +62,7 @@ final class Leaves {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return text.toString();
+        return text.toString().replaceAll("(\\d)\\.0(?=[,\\]}])", "$1");
     }
 
     private void add(String place, JsonNode node) {
@@ -109,13 +116,47 @@ final class Leaves {
         return values.hashCode();
     }
 
-    /** The value at a place; a dash where there is none. */
-    String at(String place) {
+    /** What another has at a place, and what is right there. */
+    Message said(String place, Leaves mine) {
+        String right = at(place);
+        String given = mine.at(place);
+        if (right.equals(NONE)) return Message.of("answer.at.extra", place, shortened(given));
+        if (given.equals(NONE)) return Message.of("answer.at.missing", place, shortened(right));
+        for (int digits = FEW; digits < ALL; digits += 3) {
+            String one = rounded(given, digits);
+            String other = rounded(right, digits);
+            if (!one.equals(other)) return Message.of("answer.at", place, one, other);
+        }
+        return Message.of("answer.at", place, given, right);
+    }
+
+    private static String shortened(String value) {
+        return rounded(value, FEW);
+    }
+
+    /** A number in so many significant digits; anything else as it is. */
+    private static String rounded(String value, int digits) {
+        try {
+            return number(Double.parseDouble(value), digits);
+        } catch (NumberFormatException notANumber) {
+            return value;
+        }
+    }
+
+    private String at(String place) {
         return values.getOrDefault(place, NONE);
     }
 
     /** At most three significant digits. */
     static String number(double value) {
-        return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toString();
+        return number(value, 3);
+    }
+
+    private static String number(double value, int digits) {
+        if (value == 0 || !Double.isFinite(value)) return value == 0 ? "0" : "" + value;
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
+        boolean plain = Math.abs(value) >= 1e-4 && Math.abs(value) < 1e9;
+        BigDecimal shortest = rounded.stripTrailingZeros();
+        return plain ? shortest.toPlainString() : shortest.toString();
     }
 }

@@ -29,7 +29,7 @@ record Joints(List<String> keys) {
     private static String within(String before, String next) {
         boolean afterPlace = before.startsWith("where.");
         if (next.startsWith("where.")) return afterPlace ? "join.where.more" : "join.where";
-        if (next.equals("line.example")) return "join.example";
+        if (next.endsWith(".example")) return "join.example";
         if (before.startsWith("cause.")) return "join.mistake";
         return afterPlace ? "join.other" : "join.both";
     }

@@ -43,7 +43,7 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|answer\\.(?:at|worst.*)|drawing\\..*");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|answer\\.(?:at.*|worst.*)|drawing\\..*");
 
     /** The text whose place may hold the key of another, on a mistake that is known. */
     private static final String OF_A_MISTAKE = "known-mistake";
