@@ -3,7 +3,6 @@ package rasterlab.app.cli.run;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import rasterlab.app.language.Complaints;
-import rasterlab.engine.format.ValueSink;
 
 /** Writes values as JSON, with the engine's sentences as a program is told them. */
 public final class JsonSink extends rasterlab.exercises.json.JsonSink {
