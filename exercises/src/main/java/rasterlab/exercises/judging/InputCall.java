@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading.Call;
@@ -103,17 +105,30 @@ final class InputCall<C, I, O> implements Call {
     /** What the method answered is not shown in the lab yet, only the input and a right answer. */
     @Override
     public String scene(Optional<Answer> wrong) {
-        String method =
-                topic().methods().stream()
-                        .filter(one -> !one.faulty())
-                        .findFirst()
-                        .orElseThrow()
-                        .name();
         return new MethodCase(
                         topic().name(),
-                        Optional.of(method),
+                        rightMethod(),
                         Leaves.json(topic().format(), input),
                         Optional.empty())
                 .write();
+    }
+
+    /** The first method that is right on this input; empty where all fail. */
+    private Optional<String> rightMethod() {
+        O exact = grading.exact(input);
+        return topic().methods().stream()
+                .filter(one -> !one.faulty())
+                .filter(one -> isRight(one.implementation(), exact))
+                .map(Method::name)
+                .findFirst();
+    }
+
+    private boolean isRight(C method, O exact) {
+        try {
+            O output = topic().record(method, input, topic().mostItems());
+            return topic().correct(topic().compare(input, exact, output));
+        } catch (LimitReached | IllegalArgumentException refused) {
+            return false;
+        }
     }
 }

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -21,6 +23,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
@@ -104,6 +107,21 @@ class TopicExercisesTest {
         for (CasePicture picture : shown.pictures())
             for (String language : List.of("en", "ru"))
                 assertFalse(picture.text().in(language).isBlank());
+    }
+
+    @DisplayName("the lab is opened with a method that is wrong there")
+    @ParameterizedTest
+    @MethodSource("exercises")
+    void theLabOpensWithAMethodThatIsRight(String id) throws Exception {
+        Topic<?, ?, ?> topic = topic(id);
+        for (Case one : Catalogue.builtIn().named(id).cases())
+            for (TopicGrading.Call call :
+                    TopicGradings.named(id).calls(one, new Tolerance(false), SEED)) {
+                JsonNode scene = new JsonMapper().readTree(call.scene());
+                String name = scene.get("method").asText();
+                Object method = topic.method(name).implementation();
+                assertTrue(call.check(answer(call, method)).right(), one.name() + ": " + name);
+            }
     }
 
     /** What came of all cases. */
