@@ -15,7 +15,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.By;
+import org.openqa.selenium.interactions.Actions;
+import rasterlab.exercises.catalogue.Catalogue;
 
 @Tag("slow")
 class StudentPageTest {
@@ -74,6 +78,28 @@ class StudentPageTest {
             browser.screenshot("student-exercise-russian");
             assertTrue(browser.text(".statement").matches("(?s).*\\p{IsCyrillic}{4}.*"));
             assertFitsIntoItsWidth(browser);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"point-in-triangle", "clip-segment", "shade-face"})
+    void aWrongAnswerToAnyTopicIsShownInPictures(String id) throws Exception {
+        try (var browser = Browser.open(profile, "ru")) {
+            join(browser);
+            browser.driver().get(server.address().resolve("/exercises/" + id).toString());
+            assertTrue(browser.text(".statement").matches("(?s).*\\p{IsCyrillic}{4}.*"));
+            assertFitsIntoItsWidth(browser);
+            browser.screenshot("student-exercise-" + id);
+            browser.element("textarea[name=source]")
+                    .sendKeys(Catalogue.builtIn().named(id).starter());
+            browser.element("form[action='/exercises/" + id + "'] button").click();
+            browser.waiting().until(driver -> allPicturesAreThere(browser));
+            assertFitsIntoItsWidth(browser);
+            new Actions(browser.driver())
+                    .scrollToElement(browser.element("#live .pictures:last-of-type img"))
+                    .perform();
+            browser.screenshot("student-result-" + id);
+            assertNothingWentWrong(browser);
         }
     }
 
