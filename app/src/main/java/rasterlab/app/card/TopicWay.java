@@ -16,10 +16,12 @@ import rasterlab.engine.raster.Plotted;
  * @param show shows a hazard
  * @param notes what is said of inputs that the lab cannot show as they are; empty for a lab that
  *     can
- * @param cases shows inputs that are given as JSON; empty for a lab that reads none
+ * @param cases shows inputs together with what the user's program did; empty for a lab that cannot
+ * @param anyInput whether the lab shows any input, not only hazards by their names
  * @param <M> the lab's model
  */
-public record TopicWay<M>(Show<M> show, Optional<Notes<M>> notes, Optional<Cases<M>> cases) {
+public record TopicWay<M>(
+        Show<M> show, Optional<Notes<M>> notes, Optional<Cases<M>> cases, boolean anyInput) {
     /** Shows an input by a method of the topic, "" for the lab's own. */
     public interface Show<M> {
         void show(M lab, TopicInput input, String method);
@@ -55,12 +57,17 @@ public record TopicWay<M>(Show<M> show, Optional<Notes<M>> notes, Optional<Cases
 
     /** The way of a lab that shows every input of the topic as it is. */
     public static <M> TopicWay<M> whole(Show<M> show) {
-        return new TopicWay<>(show, Optional.empty(), Optional.empty());
+        return new TopicWay<>(show, Optional.empty(), Optional.empty(), true);
+    }
+
+    /** The way of a lab that finds a hazard by its name and shows no other input. */
+    public static <M> TopicWay<M> hazards(Show<M> show) {
+        return new TopicWay<>(show, Optional.empty(), Optional.empty(), false);
     }
 
     /** The way of a lab that says beside its picture in what that is unlike an input. */
     public static <M> TopicWay<M> noted(Show<M> show, Notes<M> notes) {
-        return new TopicWay<>(show, Optional.of(notes), Optional.empty());
+        return new TopicWay<>(show, Optional.of(notes), Optional.empty(), true);
     }
 
     /**
@@ -84,6 +91,6 @@ public record TopicWay<M>(Show<M> show, Optional<Notes<M>> notes, Optional<Cases
 
     /** The same way, which also shows cases of exercises. */
     public TopicWay<M> reading(Cases<M> cases) {
-        return new TopicWay<>(show, notes, Optional.of(cases));
+        return new TopicWay<>(show, notes, Optional.of(cases), anyInput);
     }
 }

@@ -104,7 +104,7 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
 
     /** Points of space, beside what the method makes of them. */
     private static TopicWay<CoordinatesLabModel> points(String topic) {
-        return TopicWay.whole(
+        return TopicWay.hazards(
                 (lab, input, method) -> {
                     lab.show(CoordinatesMode.TRANSFORMATIONS);
                     lab.transformations().show(topic, input.hazard(), method);

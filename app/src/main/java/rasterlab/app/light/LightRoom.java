@@ -82,7 +82,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 topic,
                 this,
                 new Place("row", ""),
-                TopicWay.whole(
+                TopicWay.hazards(
                         (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
     }
 

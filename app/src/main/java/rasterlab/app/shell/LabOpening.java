@@ -1,5 +1,6 @@
 package rasterlab.app.shell;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -16,12 +17,15 @@ import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
+import rasterlab.engine.format.Misfit;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.raster.Plotted;
+import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.json.StrictJson;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
 final class LabOpening implements OpenInLab {
@@ -126,7 +130,10 @@ final class LabOpening implements OpenInLab {
 
     @Override
     public Optional<Unshown> obstacleToInputs(String topic) {
-        return card(topic).flatMap(card -> card.way().cases()).isPresent()
+        return card(topic)
+                        .map(TopicCard::way)
+                        .filter(way -> way.cases().isPresent() || way.anyInput())
+                        .isPresent()
                 ? Optional.empty()
                 : Optional.of(Unshown.NO_READER);
     }
@@ -138,16 +145,29 @@ final class LabOpening implements OpenInLab {
 
     private <M> void showInput(
             TopicCard<M> card, String json, String method, Optional<Plotted> drawn) {
-        TopicWay.Cases<M> cases =
-                card.way()
-                        .cases()
-                        .orElseThrow(
-                                () ->
-                                        new IllegalArgumentException(
-                                                "no tab reads inputs of topic " + card.topic()));
+        TopicWay<M> way = card.way();
+        if (way.cases().isEmpty() && !way.anyInput())
+            throw new IllegalArgumentException("no tab reads inputs of topic " + card.topic());
         asked++;
-        cases.show().show(models.of(card.lab()), cases.read().apply(json), method, drawn);
+        M lab = models.of(card.lab());
+        if (way.cases().isPresent()) {
+            TopicWay.Cases<M> cases = way.cases().get();
+            cases.show().show(lab, cases.read().apply(json), method, drawn);
+        } else {
+            Object input = read(named(card.topic()).format(), json);
+            way.show().show(lab, new TopicInput(card.topic(), "", input), method);
+        }
         showTab.accept(card.lab().name());
+    }
+
+    /** Makes an input from JSON as the command line does. */
+    private static Object read(Format<?, ?, ?> format, String json) {
+        byte[] text = json.getBytes(StandardCharsets.UTF_8);
+        try {
+            return format.read(StrictJson.read(text, text.length, format.input(), format.open()));
+        } catch (Misfit misfit) {
+            throw new IllegalArgumentException(misfit.getMessage(), misfit);
+        }
     }
 
     private TopicInput input(String topic, String hazard) {

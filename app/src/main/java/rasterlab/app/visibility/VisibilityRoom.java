@@ -82,7 +82,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                         "depth-buffer",
                         this,
                         new Place("row", ""),
-                        TopicWay.whole(
+                        TopicWay.hazards(
                                 (lab, input, method) ->
                                         lab.rows().show("depth-buffer", input.hazard(), method))));
     }

@@ -119,10 +119,25 @@ class CaseOpeningTest {
     }
 
     @Test
-    void casesOfATopicWithoutExercisesAreRefused() {
-        assertEquals(Optional.of(Unshown.NO_READER), opening.obstacleToInputs("matrix"));
+    void anInputOfALabThatKnowsHazardsByNameAloneIsRefused() {
+        assertEquals(Optional.of(Unshown.NO_READER), opening.obstacleToInputs("depth-buffer"));
         assertThrows(
                 IllegalArgumentException.class,
-                () -> shown().showInput("matrix", "{}", "formula", Optional.empty()));
+                () -> shown().showInput("depth-buffer", "{}", "z16", Optional.empty()));
+    }
+
+    @Test
+    void anInputOfAnyOtherLabIsReadAsTheCommandLineReadsIt() {
+        var refused =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () ->
+                                shown().showInput(
+                                                "clip-segment",
+                                                "{\"window\":[0,0,1],\"segments\":[]}",
+                                                "liang-barsky",
+                                                Optional.empty()));
+        assertTrue(refused.getMessage().contains("/window"), refused.getMessage());
+        assertEquals(List.of(), tabs);
     }
 }
