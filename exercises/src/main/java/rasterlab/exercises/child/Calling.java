@@ -1,48 +1,32 @@
 package rasterlab.exercises.child;
 
-import static java.lang.invoke.MethodType.methodType;
-
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
-import java.lang.invoke.MethodHandles.Lookup;
-import java.lang.reflect.Method;
 
-/** Calls the method of a contract that the student's class implements. */
+/**
+ * Calls the method of a contract that the student's class implements. The parent writes the class
+ * for it, so that the call is as direct as one in a source: a method that takes ten nanoseconds
+ * would hardly be told from one that takes twenty by way of reflection.
+ */
 abstract class Calling {
     /**
-     * A copy of {@link ConstantCalling} of which the contract's method is a constant.
+     * An instance of a class in this package with a constructor without parameters.
      *
-     * @param method public, of a public interface
+     * @throws IOException if the bytes are no such class
      */
-    static Calling of(Method method) {
+    static Calling of(byte[] bytes) throws IOException {
         try {
-            MethodHandle handle =
-                    MethodHandles.publicLookup()
-                            .unreflect(method)
-                            .asSpreader(Object[].class, method.getParameterCount())
-                            .asType(methodType(Object.class, Object.class, Object[].class));
-            Lookup copy =
-                    MethodHandles.lookup().defineHiddenClassWithClassData(bytes(), handle, true);
-            return (Calling) copy.lookupClass().getDeclaredConstructor().newInstance();
-        } catch (ReflectiveOperationException e) {
-            throw new AssertionError("a contract's method can be called: " + method, e);
-        }
-    }
-
-    private static byte[] bytes() {
-        Class<?> type = ConstantCalling.class;
-        try (InputStream in = type.getResourceAsStream(type.getSimpleName() + ".class")) {
-            return in.readAllBytes();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+            Class<?> type = MethodHandles.lookup().defineHiddenClass(bytes, true).lookupClass();
+            return (Calling) type.getDeclaredConstructor().newInstance();
+        } catch (ReflectiveOperationException | LinkageError e) {
+            throw new IOException("no class to call the method by", e);
         }
     }
 
     abstract Object call(Object student, Object[] given) throws Throwable;
 
     /** The loop that is timed. */
-    abstract void callEach(Object student, Object[][] given, Object[] returned) throws Throwable;
+    final void callEach(Object student, Object[][] given, Object[] returned) throws Throwable {
+        for (int i = 0; i < given.length; i++) returned[i] = call(student, given[i]);
+    }
 }

@@ -67,7 +67,7 @@ public final class ContractCall {
         return contract;
     }
 
-    Method method() {
+    public Method method() {
         return method;
     }
 

@@ -39,7 +39,7 @@ final class StudentCalls {
 
     private void load(long nonce, DataInputStream request) throws IOException {
         contract = contract(request.readUTF());
-        calling = Calling.of(contract.method());
+        calling = Calling.of(Frames.read(request, Wire.MOST_CLASS_BYTES));
         String name = request.readUTF();
         Map<String, byte[]> classes = new HashMap<>();
         for (int left = request.readInt(); left > 0; left--)

@@ -14,8 +14,8 @@ public final class Wire {
     public static final int COMPILE = 1;
 
     /**
-     * Name of the contract and of the class to make an instance of, number of classes, then name
-     * and bytes of each.
+     * Name of the contract, the class that calls its method as a frame, name of the class to make
+     * an instance of, number of classes, then name and bytes of each.
      */
     public static final int LOAD = 2;
 

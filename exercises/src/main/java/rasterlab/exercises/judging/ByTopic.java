@@ -97,6 +97,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
                                                         Phrase.of("field.missing"))));
         TopicInputs<C, I> inputs = new TopicInputs<>(topic);
         Phrase place = Phrase.quoted("timed");
+        inputs.drawn(place, data, random, 1);
         return () ->
                 new InputBatch<>(
                         this, inputs.drawn(place, data, random), exercise.tolerance(), random);

@@ -70,12 +70,17 @@ final class TopicInputs<C, I> {
      * @param json {@code count}, and {@code given} as a template
      */
     List<I> drawn(Phrase place, String json, Random random) {
+        return drawn(place, json, random, MOST_INPUTS);
+    }
+
+    /** At most so many of them, which tell whether the others can be drawn. */
+    List<I> drawn(Phrase place, String json, Random random, int most) {
         JsonFields fields = JsonFields.parse(place, json, "count", "given");
         Phrase given = Phrase.of("field", place, "given");
         Template template = new Template(given, fields.json("given"));
+        int count = Math.min(most, fields.integer("count", 1, MOST_INPUTS));
         List<I> inputs = new ArrayList<>();
-        for (int left = fields.integer("count", 1, MOST_INPUTS); left > 0; left--)
-            inputs.add(input(given, template.draw(random)));
+        for (int left = count; left > 0; left--) inputs.add(input(given, template.draw(random)));
         return inputs;
     }
 

@@ -53,6 +53,7 @@ final class StudentRun {
                         Wire.LOAD,
                         out -> {
                             out.writeUTF(contract.contract().getName());
+                            Frames.write(out, CallingClass.of(contract.method()));
                             out.writeUTF(entry);
                             out.writeInt(classes.size());
                             for (Map.Entry<String, byte[]> one : classes.entrySet()) {
