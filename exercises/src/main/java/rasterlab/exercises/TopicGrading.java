@@ -63,7 +63,7 @@ public interface TopicGrading {
     Timings timings(Exercise exercise, Random random, Collection<Set<String>> wrongOn);
 
     /**
-     * Beyond which a call is stopped.
+     * Limits beyond which a call is stopped.
      *
      * @param items that a sink takes
      * @param bytes of the answer
@@ -163,7 +163,7 @@ public interface TopicGrading {
     }
 
     /**
-     * What is told of timed answers.
+     * The child's account of timed answers.
      *
      * @param count number of items
      * @param sum of them

@@ -138,7 +138,7 @@ public final class ContractCall {
     }
 
     /**
-     * What a method did.
+     * The outcome of a call.
      *
      * @param value that it returned; null where it returns nothing, and where it returned null
      * @param items that it sent to sinks, and 1 for a value

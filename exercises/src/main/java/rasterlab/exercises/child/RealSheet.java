@@ -52,7 +52,7 @@ final class RealSheet extends Sheet implements CurvePoints, SegmentSink, SpaceSe
         cells[i + 5] = z1;
     }
 
-    /** Where the next item goes, which is of the one kind that this sheet is for. */
+    /** The place of the next item, which is of the one kind that this sheet is for. */
     private int next(int numbers) {
         if (numbers != width) throw new ClassCastException("another kind of items is asked for");
         int i = size;

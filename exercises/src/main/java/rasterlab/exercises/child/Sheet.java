@@ -4,9 +4,9 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 
 /**
- * What a student's method sends its items to keeps every one in order, up to a limit. It is the
- * same, and a fresh one, for every call, so that nothing tells a method whether it is timed: what
- * is timed is summed up afterwards.
+ * Keeps every item that a student's method sends, in order, up to a limit. Each call gets a fresh
+ * one of the same class, so that nothing tells a method whether it is timed: timed items are summed
+ * up afterwards.
  */
 abstract class Sheet {
     /** Ends a method that goes on beyond the limit. */

@@ -33,7 +33,7 @@ public final class Sheets {
 
     private Sheets() {}
 
-    /** What there are sheets for, and so what the child has to have beside an exercise's own. */
+    /** The contracts' sinks and pictures, which the child has beside an exercise's own types. */
     public static List<Class<?>> kinds() {
         return KINDS;
     }

@@ -25,7 +25,7 @@ abstract class WholeSheets extends Sheet {
         cells = new int[width * Math.min(limit, room)];
     }
 
-    /** Where the next item goes. */
+    /** The place of the next item. */
     final int next() {
         int i = size;
         if (i == cells.length) makeRoom();

@@ -14,7 +14,7 @@ import rasterlab.exercises.drawing.YAxis;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.score.CasePicture;
 
-/** How the topic {@code clip-segment} is graded: drawn is what is left of each segment. */
+/** Grades the topic {@code clip-segment}; draws what is left of each segment. */
 public final class ClipGrading extends ByTopic<SegmentClipper, SegmentsInWindow, ClippedEnds> {
     /** The most that a right end may be off, in window sizes. */
     private static final double RIGHT = 1e-12;

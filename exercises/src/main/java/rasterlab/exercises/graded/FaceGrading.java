@@ -10,7 +10,7 @@ import rasterlab.exercises.drawing.TablePictures;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.score.CasePicture;
 
-/** How the topic {@code shade-face} is graded: shown are the three shares of each point. */
+/** Grades the topic {@code shade-face}; shows the three shares of each point in a table. */
 public final class FaceGrading extends ByTopic<FaceShader, FacePoints, double[]> {
     /** A hundredth of a level of 255: less is not marked. */
     private static final double SEEN = 0.01 / 255;

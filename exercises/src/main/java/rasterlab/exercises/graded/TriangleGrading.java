@@ -13,7 +13,7 @@ import rasterlab.exercises.drawing.YAxis;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.score.CasePicture;
 
-/** How the topic {@code point-in-triangle} is graded: drawn are the points judged inside. */
+/** Grades the topic {@code point-in-triangle}; draws the points that are judged inside. */
 public final class TriangleGrading extends ByTopic<PointInTriangle, ShapeAndPoints, Membership> {
     public TriangleGrading() {
         super(new PointInTriangleTopic(), PointInTriangle.class, new PlainTriangle());

@@ -17,8 +17,8 @@ import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Phrase;
 
 /**
- * How any topic is graded: by its own exact answer, its own comparison, and its own faulty methods
- * and mutants. A topic adds what a student's speed is held against and how its answers are drawn.
+ * Grades any topic by its own exact answer, its own comparison, and its own faulty methods and
+ * mutants. A topic adds what a student's speed is held against and how its answers are drawn.
  *
  * @param <C> the contract
  * @param <I> one input

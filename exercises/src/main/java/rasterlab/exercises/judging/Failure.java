@@ -7,7 +7,7 @@ import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
-/** What is to be said of answers without an output, whatever the topic. */
+/** Finds what to say of answers without an output, whatever the topic. */
 public final class Failure {
     private static final String REFUSAL = IllegalArgumentException.class.getName();
     private static final String OUT_OF_MEMORY = OutOfMemoryError.class.getName();

@@ -102,7 +102,7 @@ final class InputCall<C, I, O> implements Call {
         return json.length() > LONGEST_EXAMPLE ? Message.NONE : Message.of("answer.example", json);
     }
 
-    /** What the method answered is not shown in the lab yet, only the input and a right answer. */
+    /** The lab shows the input and a right answer, not yet what the student's method answered. */
     @Override
     public String scene(Optional<Answer> wrong) {
         return new MethodCase(

@@ -116,7 +116,7 @@ final class Leaves {
         return values.hashCode();
     }
 
-    /** What another has at a place, and what is right there. */
+    /** Says what another answer has at a place, and what is right there. */
     Message said(String place, Leaves mine) {
         String right = at(place);
         String given = mine.at(place);

@@ -38,7 +38,7 @@ final class Asked implements InvocationHandler {
         Reply send(Object[] arguments) throws ChildLost, InterruptedException, Threw;
     }
 
-    /** What the method threw. */
+    /** Carries what the method threw. */
     static final class Threw extends Exception {
         private static final long serialVersionUID = 1L;
         private final transient Answer answer;

@@ -125,7 +125,7 @@ final class StudentRun {
     }
 
     /**
-     * What came of timed calls.
+     * The outcome of timed calls.
      *
      * @param nanos measured by this process
      * @param own what the child tells: without the way there and back

@@ -24,7 +24,7 @@ public record Answer(
         String message,
         int line,
         String printed) {
-    /** How the call ended. */
+    /** The ways in which a call ends. */
     public enum Ending {
         RETURNED,
         /** Stopped, because it went on beyond the limit of items. */
@@ -35,7 +35,7 @@ public record Answer(
         NULL,
         /** It wrote into what it was only given to read. */
         OVERWROTE,
-        /** What it returned is no answer to this input, such as too few numbers. */
+        /** It returned no answer to this input, such as too few numbers. */
         UNUSABLE,
         THREW
     }
