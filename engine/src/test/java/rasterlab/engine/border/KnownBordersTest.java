@@ -16,6 +16,8 @@ import rasterlab.contract.AxisRotation;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.LinePlane;
 import rasterlab.contract.LitFace;
+import rasterlab.contract.LitPoint;
+import rasterlab.contract.Reflection;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.clip.segment.ClipWindow;
@@ -23,6 +25,8 @@ import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.geometry.meeting.LinePlaneTopic;
 import rasterlab.engine.light.face.FacePoints;
 import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.shade.LitPoints;
+import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
@@ -178,6 +182,41 @@ class KnownBordersTest {
         assertArrayEquals(nothing, topic.exact(points, 1));
         for (var method : promising(topic.methods()))
             assertArrayEquals(nothing, topic.record(method.implementation(), points, 1));
+    }
+
+    static Stream<Arguments> highlights() {
+        double most = Double.MAX_VALUE;
+        return Stream.of(
+                argumentSet("below the smallest normal", -most, 1.0, Double.MIN_NORMAL, 1.0),
+                argumentSet("below the smallest double", -1e300, 1e-100, 0.001, 0.398107170553497),
+                argumentSet(
+                        "next to the smallest double", -1e300, 7e-24, 0.01, 0.0005867471386754139),
+                argumentSet("at right angles", -1.0, 0.0, Double.MIN_NORMAL, 0.0),
+                argumentSet("a hair beyond", -1e300, -1.0, Double.MIN_NORMAL, 0.0));
+    }
+
+    /** r is z, and v is (0, y, z) with y far below 0, so r·v is z / |y|. */
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("highlights")
+    void aHighlightAHairThisSideOfTheMirrorIsSeen(
+            double y, double z, double shininess, double red) {
+        double[] nothing = new double[3];
+        double[] all = {1, 0, 0};
+        var point =
+                new LitPoint(
+                        numbers("0 1 1"),
+                        numbers("0 1 0"),
+                        new double[] {0, y, z},
+                        0,
+                        new SurfaceMaterial(nothing, nothing, all, nothing, shininess),
+                        LightSource.white(),
+                        nothing);
+        var topic = new ShadeTopic();
+        var points = new LitPoints(List.of(point));
+        double[] right = {red, 0, 0};
+        assertArrayEquals(right, topic.exact(points, 1).rgb().get(Reflection.PHONG), 1e-12);
+        double[] seen = topic.method("phong").implementation().intensity(point);
+        assertArrayEquals(right, seen, 1e-12);
     }
 
     /** Some subnormal steps off, which is a quarter of what there is to see. */

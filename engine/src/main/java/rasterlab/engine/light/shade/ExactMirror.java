@@ -13,13 +13,13 @@ final class ExactMirror {
 
     private ExactMirror() {}
 
-    /** The sign of r·v, for directions of any length. */
-    static int signum(LitPoint point) {
-        return scaled(point).signum();
-    }
-
-    /** The cosine r·v; 0 where it is negative. */
-    static double cosine(LitPoint point) {
+    /**
+     * The cosine r·v to a power; 0 where it is negative. Its power of ten goes apart, as it can be
+     * far below the smallest double.
+     *
+     * @param exponent above 0, below 1
+     */
+    static double power(LitPoint point, double exponent) {
         BigDecimal scaled = scaled(point);
         if (scaled.signum() <= 0) return 0;
         double[] n = point.normal();
@@ -28,7 +28,10 @@ final class ExactMirror {
                         .multiply(dot(point.toEye(), point.toEye()))
                         .sqrt(DIGITS)
                         .multiply(dot(n, n));
-        return scaled.divide(lengths, DIGITS).doubleValue();
+        BigDecimal cosine = scaled.divide(lengths, DIGITS);
+        int ten = cosine.precision() - cosine.scale();
+        double digits = cosine.scaleByPowerOfTen(-ten).doubleValue();
+        return Math.pow(digits, exponent) * Math.pow(10, ten * exponent);
     }
 
     /** 2·(n·l)·(n·v) − (l·v)·(n·n), which is r·v times |n|²·|l|·|v|. */

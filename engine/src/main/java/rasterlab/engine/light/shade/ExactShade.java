@@ -14,10 +14,7 @@ public final class ExactShade {
     private static final BigDecimal ONE = BigDecimal.ONE;
     private static final BigDecimal ZERO = BigDecimal.ZERO;
 
-    /** |l + v| below which the contract's c is 0: the two are opposite within rounding. */
-    private static final BigDecimal OPPOSITE = new BigDecimal(0x1p-40);
-
-    /** Cosines below have powers that are no doubles, or multiply nothing. */
+    /** Cosines below have powers of 1 or more that are no doubles. */
     private static final BigDecimal TINY = new BigDecimal("1e-400");
 
     private ExactShade() {}
@@ -53,11 +50,7 @@ public final class ExactShade {
         BigDecimal mirrored = ZERO;
         if (mirrors && lit) {
             if (isZero(point.toEye())) return nothing;
-            BigDecimal cosine =
-                    reflection == Reflection.PHONG && ExactMirror.signum(point) == 0
-                            ? ZERO
-                            : cosine(reflection, n, l, unit(point.toEye()));
-            mirrored = power(cosine, point.material().shininess());
+            mirrored = power(ExactCosine.of(point, reflection), point.material().shininess());
         }
         return sum(point, strength, nl.max(ZERO), mirrored);
     }
@@ -100,27 +93,11 @@ public final class ExactShade {
         return power(cosine, cone.exponent());
     }
 
-    /** The angle between the mirrored l and v, or between n and the middle of l and v. */
-    private static BigDecimal cosine(
-            Reflection reflection, BigDecimal[] n, BigDecimal[] l, BigDecimal[] v) {
-        var other = new BigDecimal[3];
-        BigDecimal twice = dot(n, l).multiply(BigDecimal.valueOf(2));
-        for (int i = 0; i < 3; i++)
-            other[i] =
-                    reflection == Reflection.PHONG
-                            ? n[i].multiply(twice).subtract(l[i])
-                            : l[i].add(v[i]);
-        if (reflection == Reflection.PHONG) return dot(other, v).max(ZERO);
-        BigDecimal length = dot(other, other).sqrt(DIGITS);
-        if (length.compareTo(OPPOSITE) < 0) return ZERO;
-        return dot(other, n).divide(length, DIGITS).max(ZERO);
-    }
-
     /** The whole part by multiplying, the bits behind the point by square roots. */
     private static BigDecimal power(BigDecimal base, double exponent) {
         if (exponent == 0) return ONE;
-        if (base.compareTo(TINY) < 0) return ZERO;
         int whole = (int) exponent;
+        if (base.signum() <= 0 || whole > 0 && base.compareTo(TINY) < 0) return ZERO;
         BigDecimal power = base.round(DIGITS).pow(whole, DIGITS);
         BigDecimal root = base;
         for (double rest = exponent - whole; rest > 0 && rest > 1e-30; ) {

@@ -91,8 +91,9 @@ public final class FormulaShader implements PointShader, TermShader {
                 Mirror.cosine(reflection, n[0], n[1], n[2], l[0], l[1], l[2], v[0], v[1], v[2]);
         double shininess = point.material().shininess();
         boolean steep = shininess > 0 && shininess < 1 && cosine < STEEP;
-        if (steep && reflection == Reflection.PHONG) cosine = ExactMirror.cosine(point);
-        return Powers.of(cosine, shininess);
+        return steep && reflection == Reflection.PHONG
+                ? ExactMirror.power(point, shininess)
+                : Powers.of(cosine, shininess);
     }
 
     private static double attenuation(LitPoint point) {

@@ -97,6 +97,17 @@ final class ShadeHazards {
                                 new double[] {12, 0, -5},
                                 material(0, 0, 0.5, 0.01))),
                 hazard(
+                        "mirrored-light-a-hair-this-side",
+                        "The eye is less than a right angle from the mirrored light by 10⁻³⁰⁰, of"
+                                + " which shininess 0.001 makes a half.",
+                        WRONG,
+                        EXACT,
+                        lit(
+                                new double[] {0, 1, 1},
+                                new double[] {0, 1, 0},
+                                new double[] {0, -1e300, 1},
+                                material(0, 0, 0.5, 0.001))),
+                hazard(
                         "eye-opposite-the-light",
                         "The eye looks at the light through the surface: h has no direction.",
                         DEGRADED,
