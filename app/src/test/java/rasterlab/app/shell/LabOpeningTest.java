@@ -99,8 +99,7 @@ class LabOpeningTest {
                     Map.entry("shade light-in-the-plane", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade interpolated-normal", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade eye-across-the-mirror", EnumSet.of(NORMAL_LENGTH)),
-                    Map.entry(
-                            "shade mirrored-light-a-hair-this-side", EnumSet.of(NORMAL_LENGTH)),
+                    Map.entry("shade mirrored-light-a-hair-this-side", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade huge-normal", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade tiny-normal", EnumSet.of(NORMAL_LENGTH)),
                     Map.entry("shade zero-area-face", EnumSet.of(NORMAL_LENGTH)),
