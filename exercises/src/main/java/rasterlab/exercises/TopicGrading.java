@@ -103,6 +103,15 @@ public interface TopicGrading {
          */
         Set<String> traits();
 
+        /**
+         * Whether a known mistake would leave a right answer to this input right.
+         *
+         * @param mistake its code
+         */
+        default boolean isRightWith(String mistake) {
+            return true;
+        }
+
         /** The input in words, as an example of where a cause is seen. */
         Message example();
 

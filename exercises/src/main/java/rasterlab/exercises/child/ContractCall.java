@@ -142,8 +142,9 @@ public final class ContractCall {
      *
      * @param value that it returned; null where it returns nothing, and where it returned null
      * @param items that it sent to sinks, and 1 for a value
+     * @param spoilt whether it wrote into what it was given what cannot stand there
      */
-    public record Done(Object value, int items) {}
+    public record Done(Object value, int items, boolean spoilt) {}
 
     /**
      * Does to the arguments what the method did to those in the child: sends the items to its
@@ -156,11 +157,20 @@ public final class ContractCall {
         for (int i = 0; i < arguments.length; i++)
             if (Sheets.isKept(given.get(i))) items += Sheets.replay(given.get(i), in, arguments[i]);
         Object value = returnsValue() ? Values.read(method.getReturnType(), in) : null;
-        if (in.readBoolean())
+        boolean spoilt = in.readBoolean() && !copied(in, arguments);
+        return new Done(value, value == null ? items : items + 1, spoilt);
+    }
+
+    /** False where a record that was changed refuses its numbers. */
+    private boolean copied(DataInputStream in, Object[] arguments) {
+        try {
             for (int i = 0; i < arguments.length; i++)
                 if (!Sheets.isKept(given.get(i)))
                     Values.copy(Values.read(given.get(i), in), arguments[i]);
-        return new Done(value, value == null ? items : items + 1);
+            return true;
+        } catch (IOException refused) {
+            return false;
+        }
     }
 
     public boolean returnsValue() {

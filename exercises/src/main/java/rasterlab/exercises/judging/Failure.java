@@ -26,7 +26,14 @@ public final class Failure {
             case NULL -> wrong("null", Message.of("answer.null"));
             case OVERWROTE -> wrong("overwrites", Message.of("answer.overwrites"));
             case RETURNED, UNUSABLE ->
-                    wrong("unusable", Message.of("answer.unusable", answer.message()));
+                    Finding.of(
+                            GradingVerdict.WRONG,
+                            Message.of("answer.unusable", answer.message()),
+                            List.of(
+                                    List.of(
+                                            new Cause(
+                                                    "unusable",
+                                                    Message.of("answer.unusable.any")))));
         };
     }
 

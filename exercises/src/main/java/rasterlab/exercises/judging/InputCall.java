@@ -69,7 +69,8 @@ final class InputCall<C, I, O> implements Call {
         List<List<Cause>> causes = new KnownMistakes<>(topic(), input).of(actual);
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
         Message said = said(exact, actual);
-        if (!causes.isEmpty()) said = said.and(causes.get(0).get(0).said());
+        // where several mistakes give this answer, none of them is told
+        if (causes.size() == 1) said = said.and(causes.get(0).get(0).said());
         return new Finding(
                 GradingVerdict.WRONG, said, grading.pictures(input, exact, actual), causes);
     }
@@ -88,6 +89,11 @@ final class InputCall<C, I, O> implements Call {
         return measured && Message.isKnown(key)
                 ? said.and(Message.of(key, Leaves.number(deviation.worst())))
                 : said;
+    }
+
+    @Override
+    public boolean isRightWith(String mistake) {
+        return new KnownMistakes<>(topic(), input).isRightWith(mistake, grading.exact(input));
     }
 
     /** None: a mistake of such a topic is not looked for by the kind of input. */

@@ -3,6 +3,7 @@ package rasterlab.exercises.judging;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
@@ -36,6 +37,23 @@ final class KnownMistakes<C, I, O> {
             if (one.faulty() && gives(one.implementation(), actual))
                 found.add(List.of(new Cause(one.name(), Message.of("known-answer", one.name()))));
         return found;
+    }
+
+    /**
+     * Whether the mistake of that name does not show on this input.
+     *
+     * @param exact the right answer
+     */
+    boolean isRightWith(String name, O exact) {
+        Stream<C> mutants =
+                topic.mutants().stream()
+                        .filter(one -> one.name().equals(name))
+                        .map(Mutant::implementation);
+        Stream<C> methods =
+                topic.methods().stream()
+                        .filter(one -> one.name().equals(name))
+                        .map(Method::implementation);
+        return Stream.concat(mutants, methods).allMatch(method -> gives(method, exact));
     }
 
     private boolean gives(C method, O actual) {

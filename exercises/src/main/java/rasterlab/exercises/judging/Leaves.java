@@ -22,6 +22,9 @@ final class Leaves {
     private static final JsonMapper MAPPER = new JsonMapper();
     private static final String NONE = "–";
 
+    /** A smaller part of the largest difference is passed over, as rounding is. */
+    private static final double SEEN = 0.01;
+
     /** Significant digits that are enough to see most differences. */
     private static final int FEW = 6;
 
@@ -57,7 +60,7 @@ final class Leaves {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = MAPPER.createGenerator(text)) {
             json.writeStartObject();
-            fields.to(new JsonSink(json));
+            fields.to(new AllNumbers(json));
             json.writeEndObject();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -83,26 +86,43 @@ final class Leaves {
         }
     }
 
-    /** The first place whose values differ by more than rounding, or else at all. */
+    /** JSON in which what is no number stands by its name. */
+    private static final class AllNumbers extends JsonSink {
+        private final JsonGenerator json;
+
+        AllNumbers(JsonGenerator json) {
+            super(json);
+            this.json = json;
+        }
+
+        @Override
+        public void number(double value) throws IOException {
+            if (Double.isFinite(value)) super.number(value);
+            else json.writeString(Double.toString(value));
+        }
+    }
+
+    /** The first place that differs by what is seen beside the largest difference. */
     Optional<String> firstUnlike(Leaves other) {
         Set<String> places = new LinkedHashSet<>(values.keySet());
         places.addAll(other.values.keySet());
-        Optional<String> clear =
-                places.stream().filter(place -> !isNear(at(place), other.at(place))).findFirst();
-        return clear.or(
-                () ->
-                        places.stream()
-                                .filter(place -> !at(place).equals(other.at(place)))
-                                .findFirst());
+        double largest = places.stream().mapToDouble(place -> apart(place, other)).max().orElse(0);
+        return places.stream()
+                .filter(place -> !at(place).equals(other.at(place)))
+                .filter(place -> apart(place, other) >= SEEN * largest)
+                .findFirst();
     }
 
-    private static boolean isNear(String one, String other) {
+    /** How far two numbers are apart; 1 for what are no numbers. */
+    private double apart(String place, Leaves other) {
+        String one = at(place);
+        String another = other.at(place);
+        if (one.equals(another)) return 0;
         try {
-            double a = Double.parseDouble(one);
-            double b = Double.parseDouble(other);
-            return Math.abs(a - b) <= 1e-9 * Math.max(Math.abs(a), Math.abs(b));
-        } catch (NumberFormatException notANumber) {
-            return one.equals(other);
+            double apart = Math.abs(Double.parseDouble(one) - Double.parseDouble(another));
+            return Double.isFinite(apart) ? apart : 1;
+        } catch (NumberFormatException noNumber) {
+            return 1;
         }
     }
 

@@ -42,8 +42,10 @@ final class SharedCause {
     Message said() {
         if (wrong.size() < 2) return Message.NONE;
         List<Cause> known = known();
-        for (Cause one : known)
-            if (explainAll(List.of(one))) return said("cause.shared", List.of(one));
+        List<Cause> alone = known.stream().filter(one -> explainAll(List.of(one))).toList();
+        if (!alone.isEmpty() && !areGuesses(alone))
+            return said("cause.shared", List.of(alone.get(0)));
+        if (!alone.isEmpty()) return Message.NONE;
         for (int i = 0; i < known.size(); i++)
             for (int j = i + 1; j < known.size(); j++) {
                 List<Cause> two = List.of(known.get(i), known.get(j));
@@ -55,12 +57,23 @@ final class SharedCause {
         return Message.NONE;
     }
 
+    /** Whether they are several known mistakes, of which it cannot be told which was made. */
+    private static boolean areGuesses(List<Cause> causes) {
+        return causes.size() > 1
+                && causes.get(0).said().sentences().get(0).key().startsWith("known-");
+    }
+
     /** The causes of all explanations, those of the first wrong call first. */
     private List<Cause> known() {
         Set<Cause> known = new LinkedHashSet<>();
         for (TriedCall call : wrong)
             for (List<Cause> one : call.finding().explanations()) known.addAll(one);
-        return List.copyOf(known);
+        return known.stream().filter(this::leavesRightOnesRight).toList();
+    }
+
+    /** Else it is another mistake, which only looks like that one where the answer is wrong. */
+    private boolean leavesRightOnesRight(Cause cause) {
+        return right.stream().allMatch(call -> call.call().isRightWith(cause.code()));
     }
 
     private boolean explainAll(List<Cause> causes) {

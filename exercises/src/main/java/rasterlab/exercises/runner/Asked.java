@@ -117,6 +117,7 @@ final class Asked implements InvocationHandler {
             throw new Unanswered(ChildLost.protocol(noAnswer));
         }
         items += done.items();
+        if (done.spoilt()) throw ended(Ending.OVERWROTE);
         if (contract.returnsValue() && done.value() == null) throw ended(Ending.NULL);
         if (reply.status() == Wire.CUT) throw ended(Ending.CUT);
         return done.value();
