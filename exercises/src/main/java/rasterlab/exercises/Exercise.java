@@ -130,7 +130,7 @@ public record Exercise(
      *     what the topic calls correct
      */
     public record Tolerance(boolean eitherPixelOnTies, OptionalDouble worst) {
-        /** What the topic calls correct, of pixels on ties either where that is said. */
+        /** The topic's own bound; either pixel of a tie where that is said. */
         public Tolerance(boolean eitherPixelOnTies) {
             this(eitherPixelOnTies, OptionalDouble.empty());
         }

@@ -44,7 +44,7 @@ final class CaseCanvas extends SelfDrawn {
     private transient List<TriedPicture> pictures = List.of();
     private transient CaseDrawing drawing = CaseDrawing.NONE;
 
-    /** What the user chose, which a case may not have. */
+    /** The user's choice, which a case may not have. */
     private String wish = TOGETHER;
 
     private boolean second;
@@ -70,7 +70,7 @@ final class CaseCanvas extends SelfDrawn {
         repaint();
     }
 
-    /** Of grids the difference alone, which tells all of them. */
+    /** The text for people who do not see; of grids the difference tells all of them. */
     private String inWords() {
         return pictures.stream()
                 .filter(one -> one.rows().isEmpty() || one.isDifference())
@@ -100,7 +100,7 @@ final class CaseCanvas extends SelfDrawn {
         }
     }
 
-    /** What can be chosen for the pictures that are shown. */
+    /** The views that the shown pictures allow. */
     List<String> views() {
         List<String> kinds = kinds();
         var views = new ArrayList<String>(List.of(TOGETHER));

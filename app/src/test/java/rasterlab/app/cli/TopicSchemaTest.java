@@ -65,7 +65,7 @@ class TopicSchemaTest {
         return ran.exitCode() == 0 ? Optional.of(ran.out()) : Optional.empty();
     }
 
-    /** What a reader refuses by the form alone the schema refuses, and nothing that is read. */
+    /** The schema refuses all that a reader refuses by the form alone, and nothing that is read. */
     @ParameterizedTest
     @MethodSource("topics")
     void refusesWhatTheReaderRefuses(Topic<?, ?, ?> topic) throws IOException {

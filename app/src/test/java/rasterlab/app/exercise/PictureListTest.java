@@ -172,7 +172,7 @@ class PictureListTest {
                 });
     }
 
-    /** Of two pixels, each of 8 dots. */
+    /** Shows two pixels, each of 8 dots. */
     private static List<TriedPicture> grids(String difference, String others) {
         return List.of(
                 grid("expected", others), grid("actual", others), grid("difference", difference));

@@ -80,7 +80,7 @@ class TourTest {
         assertFalse(html.contains(">steep-upward<"), "a hazard has no words");
     }
 
-    /** As if judged, which takes long: HazardsCommandTest and RussianVerdictsTest do so. */
+    /** Takes the recorded verdicts for judged ones; RussianVerdictsTest judges, which takes long. */
     private static HazardMatrix recorded(Topic<?, ?, ?> topic) {
         List<String> methods = topic.methods().stream().map(Method::name).toList();
         List<String> hazards = topic.hazards().stream().map(Hazard::name).toList();

@@ -36,7 +36,7 @@ public final class Wire {
     /** Payload depends on the operation. */
     public static final int DONE = 0;
 
-    /** As DONE, but the method went on beyond the most items and was stopped. */
+    /** The payload of DONE, of a method that went on beyond the most items and was stopped. */
     public static final int CUT = 1;
 
     /** Class name of an exception; a {@link #MESSAGE} with the same nonce follows. */

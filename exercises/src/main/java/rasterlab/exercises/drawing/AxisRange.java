@@ -7,7 +7,7 @@ import java.util.stream.DoubleStream;
  * their difference may be beyond the doubles.
  */
 record AxisRange(double low, double high) {
-    /** Beyond this width of a double's last place a range of 2 around it would show nothing. */
+    /** The width of a double's last place beyond which a range of 2 around it shows nothing. */
     private static final double COARSE = 1e-3;
 
     AxisRange {

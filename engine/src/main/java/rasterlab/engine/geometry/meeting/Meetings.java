@@ -39,7 +39,7 @@ public final class Meetings {
     }
 
     /**
-     * What one μ names.
+     * The point that one μ names.
      *
      * @param point null where μ is no number
      */
