@@ -80,7 +80,7 @@ class TourTest {
         assertFalse(html.contains(">steep-upward<"), "a hazard has no words");
     }
 
-    /** Takes the recorded verdicts for judged ones; RussianVerdictsTest judges, which takes long. */
+    /** Takes the recorded verdicts, since judging takes long; RussianVerdictsTest does that. */
     private static HazardMatrix recorded(Topic<?, ?, ?> topic) {
         List<String> methods = topic.methods().stream().map(Method::name).toList();
         List<String> hazards = topic.hazards().stream().map(Hazard::name).toList();
