@@ -23,7 +23,7 @@ public final class ImagePictures {
     static final int MOST = 512;
 
     /** Even a noisy image of so many pixels each way is small as a file. */
-    private static final int FEWEST = 16;
+    private static final int FEWEST = 8;
 
     /** Sides of the squares below what is transparent, in pixels of the picture. */
     private static final int SQUARE = 8;
