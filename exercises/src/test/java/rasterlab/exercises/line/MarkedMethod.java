@@ -15,6 +15,7 @@ import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.marking.TriedCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.topic.TopicGradings;
 
 /** What the cases of an exercise are worth to a method that runs here, without a child. */
 record MarkedMethod(Exercise exercise, Marking marking) {
@@ -27,7 +28,7 @@ record MarkedMethod(Exercise exercise, Marking marking) {
     }
 
     private static TriedCase tried(Exercise exercise, Case one, LineRasterizer method, long seed) {
-        List<Call> calls = new LineGrading().calls(one, exercise.tolerance(), seed);
+        List<Call> calls = TopicGradings.named("line").calls(one, exercise.tolerance(), seed);
         List<TriedCall> tried = new ArrayList<>();
         for (Call call : calls) tried.add(TriedCall.answered(call, answer(method, call)));
         return TriedCase.tried(one, tried);

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -14,13 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Timing;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.child.ItemSum;
 import rasterlab.exercises.score.SpeedPoints;
 
 /** One mistake is named as what it is, costs about one mistake, and leaves the speed its points. */
@@ -56,25 +52,7 @@ class OneMistakeTest {
     }
 
     private static boolean isTimed(MarkedMethod marked, LineRasterizer method) {
-        Set<String> charged = marked.marking().charged();
-        LineTimings timings = new LineTimings(new Random(3), marked.marking().uncharged());
-        for (int round = 0; round < 2; round++) {
-            Timing timing = timings.next();
-            boolean paid =
-                    timing.mistakes(told(timing, method)).filter(charged::containsAll).isPresent();
-            if (!paid) return false;
-        }
-        return true;
-    }
-
-    /** What a child would tell. */
-    private static TopicGrading.Told told(Timing timing, LineRasterizer method) {
-        ItemSum sum = new ItemSum();
-        for (int i = 0; i < timing.inputs(); i++) {
-            PixelRecording drawn = (PixelRecording) timing.recorded(i, method);
-            for (int k = 0; k < drawn.size(); k++) sum.plot(drawn.x(k), drawn.y(k));
-        }
-        return new TopicGrading.Told(sum.count(), sum.sum(), Optional.empty());
+        return TimedHere.isPaid(EXERCISE, marked.marking(), method);
     }
 
     @Test
@@ -102,10 +80,10 @@ class OneMistakeTest {
                         new PlainBresenham().draw(x0, y0, x1, y1, out);
                 };
         Timing left = new LineTimings(new Random(5), four).next();
-        assertEquals(left.count(), told(left, onlyGentle).count());
+        assertEquals(left.count(), TimedHere.told(left, onlyGentle).count());
         List<Set<String>> more =
                 Stream.concat(four.stream(), Stream.of(Set.of("gentle", "left", "up"))).toList();
         Timing all = new LineTimings(new Random(5), more).next();
-        assertTrue(told(all, onlyGentle).count() < all.count());
+        assertTrue(TimedHere.told(all, onlyGentle).count() < all.count());
     }
 }
