@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 
 /** Points for speed, in bands, because a measured time is never the same twice. */
@@ -29,6 +30,11 @@ public final class SpeedPoints {
     private static final double STAYS = 1.3;
 
     private static final String UNSETTLED = "speed.unsettled";
+
+    /** The same where it is known to be slow. */
+    private static final String UNSETTLED_SLOW = "speed.unsettled-slow";
+
+    private static final Set<String> KEYS_UNSETTLED = Set.of(UNSETTLED, UNSETTLED_SLOW);
 
     private SpeedPoints() {}
 
@@ -108,18 +114,23 @@ public final class SpeedPoints {
     }
 
     /**
-     * Where the machine let nothing be measured, which costs nothing.
+     * The line of the report where the machine let nothing be measured exactly. It costs points
+     * only where the method is slow for certain.
      *
      * @param band the best that is possible by what is known
      */
     public static CaseReport unsettled(int of, int band) {
-        return report(GradingVerdict.NOT_MEASURED, points(band, of), of, Message.of(UNSETTLED));
+        int points = points(band, of);
+        Message said =
+                points == of ? Message.of(UNSETTLED) : Message.of(UNSETTLED_SLOW, points, of);
+        return report(GradingVerdict.NOT_MEASURED, points, of, said);
     }
 
     /** Whether that is the line of a speed which the machine did not let be measured. */
     static boolean isUnsettled(CaseReport one) {
         return one.name().equals(CaseReport.SPEED)
-                && one.said().sentences().stream().anyMatch(said -> said.key().equals(UNSETTLED));
+                && one.said().sentences().stream()
+                        .anyMatch(said -> KEYS_UNSETTLED.contains(said.key()));
     }
 
     private static int points(int band, int of) {

@@ -93,7 +93,11 @@ class ReportTest {
         assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
         assertEquals(10, speed.points());
         assertTrue(speed.message().contains("this costs nothing"), speed.message());
-        assertEquals(7, SpeedPoints.unsettled(10, 1).points(), "slow for certain");
+        CaseReport slow = SpeedPoints.unsettled(10, 1);
+        assertEquals(7, slow.points(), "slow for certain");
+        assertTrue(slow.message("en").contains("7 of 10 points are the most"), slow.message("en"));
+        assertTrue(slow.message("ru").contains("баллов: 7 из 10"), slow.message("ru"));
+        assertFalse(slow.message("en").contains("costs nothing"), slow.message("en"));
     }
 
     @ParameterizedTest(name = "a speed that earns nothing is called right: {0} of {1}")
