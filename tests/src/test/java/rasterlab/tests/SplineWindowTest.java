@@ -15,8 +15,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.CurveLabModel;
 import rasterlab.app.spline.FunctionLabModel;
@@ -109,7 +109,7 @@ class SplineWindowTest extends WindowHarness {
     void hazardsChipShowsWhereTheNaiveMethodFails() {
         window.comboBox("method").selectItem("adaptive-naive");
         window.button("chip.s-curve").click();
-        int orange = MethodColours.of("adaptive-naive").getRGB();
+        int orange = LabRooms.card("curve").colours().of("adaptive-naive").getRGB();
         await("the naive chord is drawn", () -> GuiActionRunner.execute(() -> curve().last()) == 1);
         window.button("player.toEnd").click();
         await("in its colour", () -> colours("stage").contains(orange));

@@ -20,6 +20,7 @@ import rasterlab.app.clip.ClipMode;
 import rasterlab.app.clip.Place;
 import rasterlab.app.clip.SpacePoint;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 
 /** The clipping lab's window under a real display, by mouse and keyboard. */
 class WindowClipTest extends WindowHarness {
@@ -91,7 +92,7 @@ class WindowClipTest extends WindowHarness {
 
     @Test
     void stepsByKeysAndShowsTheResultInTheMethodsColour() {
-        int left = MethodColours.of("cohen-sutherland").getRGB();
+        int left = LabRooms.card("clip-segment").colours().of("cohen-sutherland").getRGB();
         await("the result is drawn", () -> colours("stage").contains(left));
         focus("end.A1");
         press(KeyEvent.VK_HOME);

@@ -32,6 +32,7 @@ import rasterlab.app.coordinates.view.ViewChoice;
 import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.coordinates.view.ViewNumber;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 
 /** The window of the labs of coordinates under a real display, by mouse and keyboard. */
 class WindowCoordinatesTest extends WindowHarness {
@@ -247,11 +248,13 @@ class WindowCoordinatesTest extends WindowHarness {
     @Test
     void everyControlOfRotationDoesSomething() {
         choose(CoordinatesMode.ROTATION);
-        int own = MethodColours.of("table").getRGB();
+        int own = LabRooms.card("rotate").colours().of("table").getRGB();
         window.comboBox("method").selectItem("table");
         await("the way is drawn", () -> colours("stage").contains(own));
         int line =
-                MethodColours.edgeOn(StageColours.LIGHT.ground(), MethodColours.of("table"))
+                MethodColours.edgeOn(
+                                StageColours.LIGHT.ground(),
+                                LabRooms.card("rotate").colours().of("table"))
                         .getRGB();
         await("the drift is drawn", () -> colours("stage.chart").contains(line));
         window.spinner("degrees.field").enterTextAndCommit("12.5");

@@ -20,6 +20,7 @@ import rasterlab.app.line.FigureState;
 import rasterlab.app.line.LineMode;
 import rasterlab.app.line.PenFigure;
 import rasterlab.app.line.SlopeFigure;
+import rasterlab.app.rooms.LabRooms;
 
 /** Circles, ellipses, pens and the chart of brightness under a real display. */
 class WindowFigureTest extends WindowHarness {
@@ -102,7 +103,7 @@ class WindowFigureTest extends WindowHarness {
         choose(LineMode.CIRCLE);
         window.comboBox("comparison").selectItem("parametric");
         await("a second picture", () -> named("stage.other").getHeight() > 100);
-        int second = MethodColours.of("parametric").getRGB();
+        int second = LabRooms.card("circle").colours().of("parametric").getRGB();
         await("its pixels", () -> colours("stage.other").contains(second));
     }
 

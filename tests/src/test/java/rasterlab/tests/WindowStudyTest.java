@@ -17,8 +17,8 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.study.StudyLabState;
 import rasterlab.app.study.StudyView;
 import rasterlab.engine.study.Measurement;
@@ -46,7 +46,7 @@ class WindowStudyTest extends WindowHarness {
 
     private int phongColour() {
         List<String> methods = state().topic().methods().stream().map(Method::name).toList();
-        return MethodColours.among(methods).get("phong").getRGB();
+        return LabRooms.card("shade").colours().among(methods).get("phong").getRGB();
     }
 
     @Test

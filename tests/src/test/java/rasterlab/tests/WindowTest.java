@@ -23,9 +23,9 @@ import javax.swing.JTabbedPane;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.LabLook;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTabs;
@@ -40,7 +40,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void showsLitPixelsOnTheStage() {
-        int lit = MethodColours.of("bresenham").getRGB();
+        int lit = LabRooms.card("line").colours().of("bresenham").getRGB();
         await("lit pixels are shown", () -> colours("stage").contains(lit));
         assertTrue(colours("stage").size() > 3, "blank stage");
     }

@@ -221,8 +221,11 @@ final class HazardStrip extends JPanel {
     }
 
     /** The method's colour; null where it shares one with others, which would tell nothing. */
-    private static Icon swatch(String method) {
-        return MethodColours.has(method) ? new MethodSwatch(method) : null;
+    private Icon swatch(String method) {
+        return lab.map(LabInput::colours)
+                .filter(colours -> colours.has(method))
+                .map(colours -> new MethodSwatch(method, colours))
+                .orElse(null);
     }
 
     private static JButton button(String name, String text, Runnable action) {

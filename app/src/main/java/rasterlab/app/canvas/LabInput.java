@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -10,6 +11,7 @@ import java.util.function.UnaryOperator;
  * @param input the present one, with {@code equals}
  * @param method name of the chosen method; "" where none is judged
  * @param choose chooses another method
+ * @param colours of the methods
  * @param called what the lab calls a method of that name
  * @param unjudged a sentence that says why no method is judged by some hazards; "" where all judge
  */
@@ -17,10 +19,15 @@ public record LabInput(
         Supplier<?> input,
         Supplier<String> method,
         Consumer<String> choose,
+        TopicColours colours,
         UnaryOperator<String> called,
         String unjudged) {
-    public LabInput(Supplier<?> input, Supplier<String> method, Consumer<String> choose) {
-        this(input, method, choose, name -> name, "");
+    public LabInput(
+            Supplier<?> input,
+            Supplier<String> method,
+            Consumer<String> choose,
+            TopicColours colours) {
+        this(input, method, choose, colours, name -> name, "");
     }
 
     /**
@@ -29,6 +36,7 @@ public record LabInput(
      * @param why one sentence
      */
     public static LabInput unjudged(Supplier<?> input, String why) {
-        return new LabInput(input, () -> "", method -> {}, name -> name, why);
+        return new LabInput(
+                input, () -> "", method -> {}, new TopicColours(Map.of()), name -> name, why);
     }
 }

@@ -16,13 +16,19 @@ public final class MethodChooser extends JComboBox<String> {
     /**
      * @param name the component's name
      * @param none what stands for "no method", first in the list; empty when one must be chosen
+     * @param colours of the methods
      * @param chosen told the method's name, or "" for none, when the user chooses
      */
-    public MethodChooser(String name, String none, List<String> methods, Consumer<String> chosen) {
+    public MethodChooser(
+            String name,
+            String none,
+            List<String> methods,
+            TopicColours colours,
+            Consumer<String> chosen) {
         setName(name);
         if (!none.isEmpty()) addItem("");
         methods.forEach(this::addItem);
-        setRenderer(new Renderer(none));
+        setRenderer(new Renderer(none, colours));
         setMaximumRowCount(20);
         addActionListener(
                 e -> {
@@ -41,9 +47,11 @@ public final class MethodChooser extends JComboBox<String> {
         private static final long serialVersionUID = 1L;
 
         private final String none;
+        private final transient TopicColours colours;
 
-        Renderer(String none) {
+        Renderer(String none, TopicColours colours) {
             this.none = none;
+            this.colours = colours;
         }
 
         @Override
@@ -52,7 +60,7 @@ public final class MethodChooser extends JComboBox<String> {
             super.getListCellRendererComponent(list, value, index, selected, focused);
             String method = value == null ? "" : value.toString();
             if (method.isEmpty()) setText(none);
-            else setIcon(new MethodSwatch(method));
+            else setIcon(new MethodSwatch(method, colours));
             return this;
         }
     }

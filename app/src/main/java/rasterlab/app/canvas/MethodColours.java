@@ -1,18 +1,17 @@
 package rasterlab.app.canvas;
 
 import java.awt.Color;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import rasterlab.engine.raster.PixelMark;
 
 /**
- * One colour for each method, the same in every lab and chart.
+ * The palette of the methods' colours, and what stands out from what.
  *
- * <p>The first eleven of the palette are told apart with every common colour blindness; where more
- * are needed, marks and dashes help. {@link #VERMILLION} belongs to wrong pixels, no method has it.
- * Source: M. Okabe, K. Ito, Color Universal Design, 2008.
+ * <p>A topic's card tells which method has which, in its lab and in every chart. The first eleven
+ * of the palette are told apart with every common colour blindness; where more are needed, marks
+ * and dashes help. {@link #VERMILLION} belongs to wrong pixels, no method has it. Source: M. Okabe,
+ * K. Ito, Color Universal Design, 2008.
  */
 public final class MethodColours {
     public static final Color ORANGE = new Color(0xE69F00);
@@ -65,7 +64,7 @@ public final class MethodColours {
                     SLATE, new Color(0x3D8CFF));
 
     /** What methods without a colour of their own are given, those first that differ most. */
-    private static final List<Color> PALETTE =
+    static final List<Color> PALETTE =
             List.of(
                     BLUE,
                     ORANGE,
@@ -85,121 +84,7 @@ public final class MethodColours {
                     SLATE,
                     SAND);
 
-    private static final Map<String, Color> OWN =
-            Map.ofEntries(
-                    Map.entry("naive", ORANGE),
-                    Map.entry("naive-textbook", SKY_BLUE),
-                    Map.entry("dda", GREEN),
-                    Map.entry("dda-float", GREY),
-                    Map.entry("bresenham-first-textbook", INDIGO),
-                    Map.entry("bresenham-pascal-textbook", OLIVE),
-                    Map.entry("bresenham-textbook", PURPLE),
-                    Map.entry("bresenham", BLUE),
-                    Map.entry("midpoint", YELLOW),
-                    Map.entry("clip-first-textbook", DARK_GREEN),
-                    Map.entry("wu", WINE),
-                    Map.entry("blending-textbook", SAND),
-                    Map.entry("matrix", PURPLE),
-                    Map.entry("horner", YELLOW),
-                    Map.entry("de-casteljau", GREEN),
-                    Map.entry("forward-differences", OLIVE),
-                    Map.entry("forward-differences-float", GREY),
-                    Map.entry("uniform", WINE),
-                    Map.entry("adaptive-naive", ORANGE),
-                    Map.entry("adaptive", BLUE),
-                    Map.entry("cubic", BLUE),
-                    Map.entry("monotone", ORANGE),
-                    Map.entry("four-lines", GREEN),
-                    Map.entry("cohen-sutherland-textbook", PURPLE),
-                    Map.entry("cohen-sutherland-nested-textbook", SKY_BLUE),
-                    Map.entry("cohen-sutherland-float-textbook", OLIVE),
-                    Map.entry("cohen-sutherland", BLUE),
-                    Map.entry("liang-barsky", ORANGE),
-                    Map.entry("liang-barsky-branchless", WINE),
-                    Map.entry("cyrus-beck", DARK_GREEN),
-                    Map.entry("sutherland-hodgman", ORANGE),
-                    Map.entry("weiler-atherton", BLUE),
-                    Map.entry("cohen-sutherland-6", BLUE),
-                    Map.entry("divide-first-textbook", PURPLE),
-                    Map.entry("homogeneous", GREEN),
-                    Map.entry("float", GREY),
-                    Map.entry("double", BLUE),
-                    Map.entry("double-double", GREEN),
-                    Map.entry("formula", BLUE),
-                    Map.entry("formula-textbook", PURPLE),
-                    Map.entry("direct", BLUE),
-                    Map.entry("table", ORANGE),
-                    Map.entry("buneman", GREEN),
-                    Map.entry("buneman-textbook", PURPLE),
-                    Map.entry("orthonormal", SKY_BLUE),
-                    Map.entry("quaternion", WINE),
-                    Map.entry("total-angle", OLIVE),
-                    Map.entry("parametric", GREEN),
-                    Map.entry("half-plane", BLUE),
-                    Map.entry("rotation", PURPLE),
-                    Map.entry("simplex", ORANGE),
-                    Map.entry("sign-int", SKY_BLUE),
-                    Map.entry("sign-float", OLIVE),
-                    Map.entry("sign-double", GREEN),
-                    Map.entry("robust", DARK_GREEN),
-                    Map.entry("ray-naive", ORANGE),
-                    Map.entry("ray", BLUE),
-                    Map.entry("winding", PURPLE),
-                    Map.entry("fan", SKY_BLUE),
-                    Map.entry("shortest-diagonal-printed-textbook", GREY),
-                    Map.entry("shortest-diagonal-textbook", PURPLE),
-                    Map.entry("shortest-diagonal", ORANGE),
-                    Map.entry("ear-clipping", BLUE),
-                    Map.entry("edge-function", BLUE),
-                    Map.entry("recursive-textbook", PURPLE),
-                    Map.entry("stack", ORANGE),
-                    Map.entry("span", BLUE),
-                    Map.entry("painter-textbook", PURPLE),
-                    Map.entry("painter", ORANGE),
-                    Map.entry("none", GREY),
-                    Map.entry("back-face", INDIGO),
-                    Map.entry("newell", WINE),
-                    Map.entry("bsp", OLIVE),
-                    Map.entry("scanline", DARK_GREEN),
-                    Map.entry("warnock", SKY_BLUE),
-                    Map.entry("convex", YELLOW),
-                    Map.entry("z16", ROSE),
-                    Map.entry("z24", TEAL),
-                    Map.entry("z32", BROWN),
-                    Map.entry("zfloat", BLUE),
-                    Map.entry("reversed-z", MAGENTA),
-                    Map.entry("pipeline", SLATE),
-                    Map.entry("auto", SAND),
-                    Map.entry("raycast", GREEN));
-
     private MethodColours() {}
-
-    /** The method's own colour; {@link #INDIGO} where it has none. */
-    public static Color of(String method) {
-        return OWN.getOrDefault(method, INDIGO);
-    }
-
-    /** Whether the method has a colour of its own. */
-    static boolean has(String method) {
-        return OWN.containsKey(method);
-    }
-
-    /**
-     * Colours to tell the methods of one picture apart: their own, and in the methods' order what
-     * is left of the palette, which begins again when it is used up.
-     */
-    public static Map<String, Color> among(List<String> methods) {
-        var left = new ArrayList<Color>(PALETTE);
-        methods.forEach(method -> left.remove(OWN.get(method)));
-        if (left.isEmpty()) left.addAll(PALETTE);
-        var colours = new LinkedHashMap<String, Color>();
-        int next = 0;
-        for (String method : methods) {
-            Color own = OWN.get(method);
-            colours.put(method, own != null ? own : left.get(next++ % left.size()));
-        }
-        return colours;
-    }
 
     /**
      * The colour's darker or lighter kin that stands out from a ground with a contrast of at least

@@ -9,12 +9,12 @@ import java.awt.RenderingHints;
 import javax.swing.Icon;
 
 /** A square of the method's colour, with an edge that is seen on any background. */
-public record MethodSwatch(String method) implements Icon {
+public record MethodSwatch(String method, TopicColours colours) implements Icon {
     @Override
     public void paintIcon(Component c, Graphics g, int x, int y) {
         var copy = (Graphics2D) g.create();
         copy.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        Color colour = MethodColours.of(method);
+        Color colour = colours.of(method);
         copy.setColor(colour);
         copy.fillRoundRect(x, y, getIconWidth(), getIconHeight(), 4, 4);
         copy.setColor(MethodColours.edgeOn(c.getBackground(), colour));

@@ -8,7 +8,7 @@ import java.util.Map;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.TopicColours;
 
 /**
  * How a method looks in a chart; no two of {@value #MOST} methods of one chart have both mark and
@@ -41,9 +41,10 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
     /**
      * @param methods all of the topic in teaching order, those without a place on the chart too, so
      *     that a method looks the same whatever the others did
+     * @param own the methods' colours
      */
-    public static Map<String, MethodLook> of(List<String> methods) {
-        Map<String, Color> colours = MethodColours.among(methods);
+    public static Map<String, MethodLook> of(List<String> methods, TopicColours own) {
+        Map<String, Color> colours = own.among(methods);
         var looks = new LinkedHashMap<String, MethodLook>();
         for (String method : methods) {
             int number = looks.size();

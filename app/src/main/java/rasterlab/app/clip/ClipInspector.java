@@ -123,10 +123,17 @@ final class ClipInspector {
     private void addMethods() {
         for (ClipMode each : ClipMode.values()) {
             List<String> names = model.methods(each);
-            method.put(each, new MethodChooser("method", "", names, model::chooseMethod));
+            method.put(
+                    each,
+                    new MethodChooser("method", "", names, ClipColours.OWN, model::chooseMethod));
             comparison.put(
                     each,
-                    new MethodChooser("comparison", texts.text("none"), names, model::compareWith));
+                    new MethodChooser(
+                            "comparison",
+                            texts.text("none"),
+                            names,
+                            ClipColours.OWN,
+                            model::compareWith));
             column.row("method", method.get(each));
             column.row("comparison", comparison.get(each));
         }

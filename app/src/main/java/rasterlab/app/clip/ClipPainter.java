@@ -63,8 +63,8 @@ final class ClipPainter {
         this.g = g;
         this.map = map;
         this.colours = colours;
-        first = MethodColours.of(method);
-        second = MethodColours.of(other);
+        first = ClipColours.OWN.of(method);
+        second = ClipColours.OWN.of(other);
         this.labels = labels;
         inView = new InView(map, g.getClipBounds());
         words = new WordPlaces(g.getClipBounds(), labels);

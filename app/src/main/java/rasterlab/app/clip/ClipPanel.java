@@ -70,7 +70,8 @@ public final class ClipPanel extends LabPanel {
                                                         .withMethod("")
                                                         .withComparison(""),
                                         () -> model.state().choice().scene().method(),
-                                        model::chooseMethod));
+                                        model::chooseMethod,
+                                        ClipColours.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -50,6 +50,7 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
                 mode.topic(),
                 this,
                 new TopicCard.Place("clip", mode.code() + "."),
+                ClipColours.OWN,
                 TopicWay.inTurn(
                         ClipLabModel::history,
                         (lab, input) -> lab.showInput(mode, input),

@@ -12,6 +12,7 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.language.Language;
 import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.transform.matrix.MatrixCall;
@@ -53,22 +54,42 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     @Override
     public List<TopicCard<CoordinatesLabModel>> cards() {
         return List.of(
-                new TopicCard<>("rotate", this, new Place("coordinates.turn", ""), rotations()),
-                new TopicCard<>("matrix", this, new Place("coordinates.list", ""), matrices()),
                 new TopicCard<>(
-                        "line-plane", this, new Place("coordinates.meeting", ""), meetings()),
+                        "rotate",
+                        this,
+                        new Place("coordinates.turn", ""),
+                        FigureColours.OWN,
+                        rotations()),
+                new TopicCard<>(
+                        "matrix",
+                        this,
+                        new Place("coordinates.list", ""),
+                        FigureColours.OWN,
+                        matrices()),
+                new TopicCard<>(
+                        "line-plane",
+                        this,
+                        new Place("coordinates.meeting", ""),
+                        FigureColours.OWN,
+                        meetings()),
                 new TopicCard<>(
                         "transform",
                         this,
                         new Place("coordinates.view", ""),
                         new Place("coordinates.list", "transform."),
+                        FigureColours.OWN,
                         points("transform")),
                 new TopicCard<>(
-                        "view", this, new Place("coordinates.list", "view."), points("view")),
+                        "view",
+                        this,
+                        new Place("coordinates.list", "view."),
+                        FigureColours.OWN,
+                        points("view")),
                 new TopicCard<>(
                         "rotate-axis",
                         this,
                         new Place("coordinates.list", "rotate-axis."),
+                        FigureColours.OWN,
                         points("rotate-axis")));
     }
 

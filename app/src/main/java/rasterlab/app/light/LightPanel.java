@@ -104,6 +104,7 @@ public final class LightPanel extends LabPanel {
                                         this::lit,
                                         this::normals,
                                         this::chooseNormals,
+                                        LightColours.OWN,
                                         name -> texts.text("normals." + name),
                                         texts.text("unjudged")));
         addCard(layout, ModeRow.LIGHT);
@@ -117,7 +118,8 @@ public final class LightPanel extends LabPanel {
                                 new LabInput(
                                         () -> model.state().colour().rgb(),
                                         () -> model.state().colour().method(),
-                                        name -> model.colour(colour -> colour.withMethod(name))));
+                                        name -> model.colour(colour -> colour.withMethod(name)),
+                                        LightColours.OWN));
         addCard(layout, ModeRow.COLOURS);
     }
 

@@ -13,6 +13,7 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.language.Language;
+import rasterlab.app.row.RowColours;
 
 /** The lab of light, colour and texture. */
 public final class LightRoom implements LabRoom<LightLabModel> {
@@ -66,6 +67,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 topic,
                 this,
                 new Place("light", part),
+                LightColours.OWN,
                 TopicWay.noted(
                         (lab, input, method) -> {
                             lab.rows().close();
@@ -82,6 +84,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 topic,
                 this,
                 new Place("row", ""),
+                RowColours.OWN,
                 TopicWay.hazards(
                         (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
     }

@@ -35,7 +35,7 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        Color colour = MethodColours.of(drawing.method());
+        Color colour = LineColours.OWN.of(drawing.method());
         Color edge =
                 MethodColours.mix(
                         MethodColours.edgeOn(colours.ground(), colour), colours.ink(), 0.4);

@@ -106,7 +106,7 @@ public final class BrightnessChart {
                 .setYAxisMin(0.0)
                 .setYAxisMax(HIGHEST);
         chart.getStyler().setLegendPosition(LegendPosition.OutsideS);
-        Map<String, MethodLook> looks = MethodLook.of(known());
+        Map<String, MethodLook> looks = MethodLook.of(known(), LineColours.OWN);
         int number = 0;
         for (List<String> alike : alike())
             add(chart, alike, looks.get(alike.get(0)).unmarked(number++));

@@ -86,7 +86,7 @@ record BrightnessPicture(
 
     /** The method's own colour where it can be seen: darkened, sky blue would be taken for blue. */
     private Color ink(StageColours colours, int method) {
-        Color own = MethodColours.of(methods.get(method));
+        Color own = LineColours.OWN.of(methods.get(method));
         boolean seen = MethodColours.contrast(own, colours.ground()) >= SEEN;
         return seen ? own : MethodColours.edgeOn(colours.ground(), own);
     }

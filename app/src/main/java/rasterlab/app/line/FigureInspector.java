@@ -113,10 +113,17 @@ final class FigureInspector {
     private void addMethods() {
         for (LineMode each : List.of(LineMode.CIRCLE, LineMode.ELLIPSE, LineMode.BRIGHTNESS)) {
             List<String> names = model.methods(each);
-            method.put(each, new MethodChooser("method", "", names, model::chooseMethod));
+            method.put(
+                    each,
+                    new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod));
             comparison.put(
                     each,
-                    new MethodChooser("comparison", texts.text("none"), names, model::compareWith));
+                    new MethodChooser(
+                            "comparison",
+                            texts.text("none"),
+                            names,
+                            LineColours.OWN,
+                            model::compareWith));
             column.row("method", method.get(each));
             column.row("comparison", comparison.get(each));
         }

@@ -57,7 +57,8 @@ final class FigurePanel extends LabPanel {
                                 new LabInput(
                                         () -> model.state().scene().figure(),
                                         () -> model.state().scene().method(),
-                                        model::chooseMethod));
+                                        model::chooseMethod,
+                                        LineColours.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

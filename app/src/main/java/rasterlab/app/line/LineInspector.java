@@ -45,8 +45,14 @@ final class LineInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
 
         column.row("mode", ModeChooser.of(LineMode.SEGMENT, model, texts));
-        method = new MethodChooser("method", "", names, model::chooseMethod);
-        comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
+        method = new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod);
+        comparison =
+                new MethodChooser(
+                        "comparison",
+                        texts.text("none"),
+                        names,
+                        LineColours.OWN,
+                        model::compareWith);
         column.row("method", method);
         column.row("comparison", comparison);
     }

@@ -76,7 +76,7 @@ final class LinePainter {
 
     /** Coverage is opacity, of a colour that stands out from the ground where it is whole. */
     private void paintCoverage(LineDrawing drawing, int step, double inset) {
-        Color whole = MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method()));
+        Color whole = MethodColours.edgeOn(colours.ground(), LineColours.OWN.of(drawing.method()));
         for (Coverage.Shade shade : drawing.coverage().orElseThrow().drawn().shades()) {
             if (shade.step() > step) return;
             requireUse();
@@ -90,7 +90,7 @@ final class LinePainter {
             paintCoverage(drawing, step, grid.cell() >= 6 ? 1 : 0);
             return;
         }
-        Color fill = MethodColours.of(drawing.method());
+        Color fill = LineColours.OWN.of(drawing.method());
         Color edge = MethodColours.edgeOn(colours.ground(), fill);
         double gap = grid.cell() >= 6 ? 1 : 0;
         for (int i = 1; i <= step; i++) {
@@ -116,7 +116,7 @@ final class LinePainter {
             paintCoverage(other, step, grid.cell() * 0.28);
             return;
         }
-        Color fill = MethodColours.of(other.method());
+        Color fill = LineColours.OWN.of(other.method());
         Color edge = MethodColours.inkOn(fill);
         double inset = grid.cell() * 0.28;
         for (int i = 1; i <= step; i++) {

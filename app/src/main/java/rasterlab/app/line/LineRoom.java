@@ -50,7 +50,8 @@ public final class LineRoom implements LabRoom<LineLabModel> {
     @Override
     public List<TopicCard<LineLabModel>> cards() {
         return List.of(
-                new TopicCard<>("line", this, new TopicCard.Place("line", ""), segments()),
+                new TopicCard<>(
+                        "line", this, new TopicCard.Place("line", ""), LineColours.OWN, segments()),
                 figure(
                         "circle",
                         LineMode.CIRCLE,
@@ -82,6 +83,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                 topic,
                 this,
                 new TopicCard.Place("line", topic + "."),
+                LineColours.OWN,
                 TopicWay.inTurn(
                         lab -> lab.figures().history(),
                         (lab, input) -> {

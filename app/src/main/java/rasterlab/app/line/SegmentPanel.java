@@ -66,7 +66,8 @@ final class SegmentPanel extends LabPanel {
                                 new LabInput(
                                         () -> model.state().choice().segment(),
                                         () -> model.state().choice().method(),
-                                        model::chooseMethod));
+                                        model::chooseMethod,
+                                        LineColours.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -57,7 +57,7 @@ record CutPicture(
         var strokes = new Strokes(g, map, colours);
         List<Cut> made = answer.cuts().subList(0, Math.min(step, answer.steps()));
         strokes.area(figure.corners(), colours.axis(), 40);
-        Color colour = MethodColours.of(method);
+        Color colour = PolygonColours.OWN.of(method);
         boolean stepping = step > 0 && step <= answer.steps();
         for (int i = 0; i < made.size(); i++) {
             boolean now = stepping && i == made.size() - 1;
@@ -68,7 +68,7 @@ record CutPicture(
             strokes.dashed(
                     figure.corners().get(cut.a()),
                     figure.corners().get(cut.c()),
-                    edge(colours, MethodColours.of(otherMethod)));
+                    edge(colours, PolygonColours.OWN.of(otherMethod)));
         strokes.outline(figure.corners(), colours.ink(), 2);
         if (stepping) paintStep(strokes, made.get(made.size() - 1), colours);
         for (Cut cut : made) if (cut.fault() != Fault.NONE) mark(g, map, cut);

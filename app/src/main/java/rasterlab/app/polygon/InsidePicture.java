@@ -55,13 +55,13 @@ record InsidePicture(
         var strokes = new Strokes(g, map, colours);
         ClassificationField judged = field(g, map, cancelled);
         var field = new FieldPainter(g, map, colours, judged);
-        Color first = MethodColours.of(method);
+        Color first = PolygonColours.OWN.of(method);
         field.paintInside(first);
         strokes.outline(figure.corners(), colours.ink(), 1.6f);
         boolean exact = other.isEmpty();
         field.paintDifferences(
                 exact ? MethodColours.VERMILLION : first,
-                exact ? MethodColours.VERMILLION : MethodColours.of(other));
+                exact ? MethodColours.VERMILLION : PolygonColours.OWN.of(other));
         paintPoints(g, map, colours);
         if (step > 0 && step <= answer.steps()) paintStep(strokes, colours);
         count(g, judged, colours);

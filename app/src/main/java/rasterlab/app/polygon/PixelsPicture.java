@@ -112,7 +112,7 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
         var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < height; y++)
             for (int x = 0; x < width; x++) image.setRGB(x, y, before(x, y, colours).getRGB());
-        Color colour = MethodColours.of(method);
+        Color colour = PolygonColours.OWN.of(method);
         BrushKind kind = fill ? ((FillFigure) figure).brush() : BrushKind.SOLID;
         Brush brush =
                 kind.brush(colour.getRGB())
@@ -151,7 +151,7 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
 
     /** Around each run, so that every colour is seen on the ground. */
     private void edges(Graphics2D g, PlaneMap map, StageColours colours) {
-        g.setColor(MethodColours.edgeOn(colours.ground(), MethodColours.of(method)));
+        g.setColor(MethodColours.edgeOn(colours.ground(), PolygonColours.OWN.of(method)));
         g.setStroke(new BasicStroke(1));
         for (int run = 0; run < Math.min(step, answer.steps()); run++) g.draw(frame(map, run));
     }
@@ -215,7 +215,7 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
         if (!g.getClipBounds().intersects(left, top, size, size)) return;
         if (!exact || size < GRID) {
             String owner = mark == PixelMark.EXTRA ? method : wrong.second();
-            g.setColor(exact ? MethodColours.VERMILLION : MethodColours.of(owner));
+            g.setColor(exact ? MethodColours.VERMILLION : PolygonColours.OWN.of(owner));
             g.fill(new Rectangle2D.Double(left, top, size, size));
         }
         double shown = Math.min(size, LARGEST_MARK);

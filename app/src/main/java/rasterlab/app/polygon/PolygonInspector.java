@@ -118,10 +118,18 @@ final class PolygonInspector {
     private void addMethods() {
         for (PolygonMode each : PolygonMode.values()) {
             List<String> names = model.methods(each);
-            method.put(each, new MethodChooser("method", "", names, model::chooseMethod));
+            method.put(
+                    each,
+                    new MethodChooser(
+                            "method", "", names, PolygonColours.OWN, model::chooseMethod));
             comparison.put(
                     each,
-                    new MethodChooser("comparison", texts.text("none"), names, model::compareWith));
+                    new MethodChooser(
+                            "comparison",
+                            texts.text("none"),
+                            names,
+                            PolygonColours.OWN,
+                            model::compareWith));
             column.row("method", method.get(each));
             column.row("comparison", comparison.get(each));
         }

@@ -67,7 +67,8 @@ public final class PolygonPanel extends LabPanel {
                                 new LabInput(
                                         () -> model.state().choice().scene().figure(),
                                         () -> model.state().choice().scene().method(),
-                                        model::chooseMethod));
+                                        model::chooseMethod,
+                                        PolygonColours.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -50,6 +50,7 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
                 mode.topic(),
                 this,
                 new TopicCard.Place("polygon", mode.code() + "."),
+                PolygonColours.OWN,
                 TopicWay.inTurn(
                         PolygonLabModel::history,
                         (lab, input) -> lab.showInput(mode, input),

@@ -37,7 +37,7 @@ final class WaitingChart extends SelfDrawn {
      */
     void show(Runs shown, String method, int present) {
         runs = shown;
-        colour = MethodColours.of(method);
+        colour = PolygonColours.OWN.of(method);
         step = Math.min(present, shown.size());
         getAccessibleContext()
                 .setAccessibleName(texts.text("waiting.most", runs.mostWaiting(), runs.size()));

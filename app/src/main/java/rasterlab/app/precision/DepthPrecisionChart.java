@@ -19,6 +19,7 @@ import rasterlab.app.chart.ChartSize;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.row.RowColours;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 import rasterlab.engine.visibility.depth.DepthPrecision.Sample;
 
@@ -95,7 +96,7 @@ public final class DepthPrecisionChart {
         paper.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
         chart.addAnnotation(new PrecisionNotes(texts, paper, LOWEST, HIGHEST));
-        Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS);
+        Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS, RowColours.OWN);
         List<Sample> lines = DepthPrecision.samples(LINE_PER_DECADE);
         List<Sample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
         looks.forEach((format, look) -> line(chart, look.on(paper), of(format, lines)));

@@ -76,7 +76,7 @@ final class RowInspector {
 
     private MethodChooser methods(String topic) {
         List<String> names = model.methods(topic).stream().map(Method::name).toList();
-        var chooser = new MethodChooser("method", "", names, model::chooseMethod);
+        var chooser = new MethodChooser("method", "", names, RowColours.OWN, model::chooseMethod);
         column.row("method", chooser);
         return chooser;
     }

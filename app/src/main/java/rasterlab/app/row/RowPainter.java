@@ -209,7 +209,7 @@ final class RowPainter {
         int y = say(errorWords(), top);
         g.setColor(colours.margin());
         g.fillRect(MARGIN, y, (int) wide, high);
-        g.setColor(MethodColours.edgeOn(colours.margin(), MethodColours.of(choice.method())));
+        g.setColor(MethodColours.edgeOn(colours.margin(), RowColours.OWN.of(choice.method())));
         var area = new Path2D.Double();
         area.moveTo(MARGIN, y + high);
         for (int i = 0; i < scene.pixels(); i++) {

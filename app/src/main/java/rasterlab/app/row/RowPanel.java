@@ -90,7 +90,8 @@ public final class RowPanel extends LabCard {
         return new LabInput(
                 () -> List.of(model.choice().topic(), model.choice().hazard()),
                 () -> model.choice().method(),
-                model::chooseMethod);
+                model::chooseMethod,
+                RowColours.OWN);
     }
 
     @Override

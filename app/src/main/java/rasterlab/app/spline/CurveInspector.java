@@ -74,9 +74,15 @@ final class CurveInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
         form = form();
         joining = joining();
-        method = new MethodChooser("method", "", names, model::chooseMethod);
+        method = new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod);
         column.row("method", method);
-        comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
+        comparison =
+                new MethodChooser(
+                        "comparison",
+                        texts.text("none"),
+                        names,
+                        SplineColours.OWN,
+                        model::compareWith);
         column.row("comparison", comparison);
     }
 

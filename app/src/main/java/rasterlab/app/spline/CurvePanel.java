@@ -85,7 +85,8 @@ final class CurvePanel extends LabPanel {
                                 new LabInput(
                                         this::input,
                                         () -> model.state().choice().method(),
-                                        model::chooseMethod));
+                                        model::chooseMethod,
+                                        SplineColours.OWN));
         add(layout);
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -137,7 +137,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     private void paintPolyline(
             Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
         List<CurveDrawing.Corner> corners = drawing.points();
-        Color colour = MethodColours.of(drawing.method());
+        Color colour = SplineColours.OWN.of(drawing.method());
         g.setStroke(THICK);
         g.setColor(MethodColours.mix(colour, colours.ground(), 0.55));
         g.draw(path(corners, map));
@@ -152,7 +152,8 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
 
     private void paintOther(
             Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
-        Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method()));
+        Color colour =
+                MethodColours.edgeOn(colours.ground(), SplineColours.OWN.of(drawing.method()));
         g.setStroke(stroke(2.5f));
         g.setColor(colour);
         g.draw(path(drawing.points(), map));

@@ -50,9 +50,15 @@ final class FunctionInspector {
         var parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.FUNCTION, onMode);
         List<String> names = model.methods().stream().map(Method::name).toList();
-        method = new MethodChooser("method", "", names, model::chooseMethod);
+        method = new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod);
         column.row("method", method);
-        comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
+        comparison =
+                new MethodChooser(
+                        "comparison",
+                        texts.text("none"),
+                        names,
+                        SplineColours.OWN,
+                        model::compareWith);
         column.row("comparison", comparison);
         ends =
                 parts.names(

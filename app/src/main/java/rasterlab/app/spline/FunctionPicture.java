@@ -105,7 +105,7 @@ record FunctionPicture(
             float width) {
         Path2D path = path(map, drawing);
         if (path.getCurrentPoint() == null) return;
-        g.setColor(MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method())));
+        g.setColor(MethodColours.edgeOn(colours.ground(), SplineColours.OWN.of(drawing.method())));
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(path);
     }

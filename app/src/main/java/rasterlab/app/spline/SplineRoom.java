@@ -67,7 +67,8 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
     }
 
     private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {
-        return new TopicCard<>(topic, this, new TopicCard.Place("spline", ""), way);
+        return new TopicCard<>(
+                topic, this, new TopicCard.Place("spline", ""), SplineColours.OWN, way);
     }
 
     @Override

@@ -19,6 +19,7 @@ import org.knowm.xchart.style.XYStyler;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
@@ -120,7 +121,8 @@ public final class StudyChart {
     private static Map<String, MethodLook> looks(Study study, ChartLook paper) {
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();
-        var looks = new LinkedHashMap<>(MethodLook.of(methods));
+        var looks =
+                new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
         looks.keySet().retainAll(points(study).stream().map(Measurement::method).toList());
         looks.replaceAll((method, look) -> look.on(paper));
         return looks;

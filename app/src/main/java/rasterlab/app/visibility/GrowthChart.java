@@ -42,7 +42,7 @@ public final class GrowthChart {
     private static final float DASH = 9;
 
     private final List<String> methods = Growth.methodNames();
-    private final Map<String, MethodLook> looks = MethodLook.of(methods);
+    private final Map<String, MethodLook> looks = MethodLook.of(methods, VisibilityColours.OWN);
 
     /** What was counted; empty until it is asked for, as that takes some seconds. */
     private List<Growth> growths;

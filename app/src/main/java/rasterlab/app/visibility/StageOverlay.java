@@ -47,7 +47,7 @@ final class StageOverlay {
     /** The method's name, on a plate of its colour. */
     void name(String method, int x) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
-        Color colour = MethodColours.of(method);
+        Color colour = VisibilityColours.OWN.of(method);
         int y = g.getFontMetrics().getAscent() + 8;
         Plates.plate(g, method, x + 12, y, colour, MethodColours.inkOn(colour));
     }

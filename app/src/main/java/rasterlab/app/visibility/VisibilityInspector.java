@@ -185,7 +185,11 @@ final class VisibilityInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
         var chooser =
                 new MethodChooser(
-                        key, none, names, name -> model.choose(choice -> change.of(choice, name)));
+                        key,
+                        none,
+                        names,
+                        VisibilityColours.OWN,
+                        name -> model.choose(choice -> change.of(choice, name)));
         column.row(key, chooser);
         return chooser;
     }
@@ -300,14 +304,16 @@ final class VisibilityInspector {
         void show(VisibilityReadings readings, VisibilityChoice choice) {
             boolean two = !choice.comparison().isEmpty();
             wrongPixels.setText(readings.wrongPixels());
-            wrongPixels.setIcon(two ? new MethodSwatch(choice.visibility()) : null);
+            wrongPixels.setIcon(
+                    two ? new MethodSwatch(choice.visibility(), VisibilityColours.OWN) : null);
             missing.setText(readings.missing());
             extra.setText(readings.extra());
             miscoloured.setText(readings.miscoloured());
             share.setText(readings.share());
             largest.setText(readings.largest());
             other.setText(readings.other());
-            other.setIcon(two ? new MethodSwatch(choice.comparison()) : null);
+            other.setIcon(
+                    two ? new MethodSwatch(choice.comparison(), VisibilityColours.OWN) : null);
             for (JLabel each : List.of(missing, extra, miscoloured, share, largest))
                 column.showRow(each, choice.difference());
             column.showRow(other, two);

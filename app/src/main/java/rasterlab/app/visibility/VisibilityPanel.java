@@ -87,7 +87,8 @@ public final class VisibilityPanel extends LabPanel {
                                 new LabInput(
                                         this::input,
                                         () -> model.state().choice().visibility(),
-                                        method -> model.choose(old -> old.withVisibility(method))));
+                                        method -> model.choose(old -> old.withVisibility(method)),
+                                        VisibilityColours.OWN));
         shown.add(scenes, VisibilityMode.SCENE);
         add(shown);
         Actions.bindUndo(scenes, model.history());

@@ -15,6 +15,7 @@ import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.language.Language;
+import rasterlab.app.row.RowColours;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.visibility.faces.Body;
 import rasterlab.engine.visibility.hidden.SurfaceView;
@@ -82,6 +83,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                         "depth-buffer",
                         this,
                         new Place("row", ""),
+                        RowColours.OWN,
                         TopicWay.hazards(
                                 (lab, input, method) ->
                                         lab.rows().show("depth-buffer", input.hazard(), method))));
@@ -97,6 +99,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 topic,
                 this,
                 new Place("visibility", part),
+                VisibilityColours.OWN,
                 TopicWay.noted(
                         (lab, input, method) -> {
                             lab.rows().close();

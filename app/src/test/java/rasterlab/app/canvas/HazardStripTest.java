@@ -24,6 +24,8 @@ import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.study.Verdict;
 
 class HazardStripTest {
+    private static final TopicColours NONE = new TopicColours(Map.of());
+
     private final JPanel chips = new JPanel();
     private String input = "first";
     private String method = "right";
@@ -33,7 +35,7 @@ class HazardStripTest {
     void tell() {
         LabTheme.LIGHT.install();
         if (strip == null) strip = new HazardStrip(Texts.of("canvas", Language.ENGLISH));
-        strip.of(new LabInput(() -> input, () -> method, chosen -> method = chosen));
+        strip.of(new LabInput(() -> input, () -> method, chosen -> method = chosen, NONE));
         var hazard =
                 new HazardCase(
                         "steep",
@@ -205,6 +207,7 @@ class HazardStripTest {
                         () -> input,
                         () -> method,
                         chosen -> method = chosen,
+                        NONE,
                         name -> name,
                         "Both are drawn beside each other. ".repeat(8)));
         strip.tell(HazardCase.unjudged("view", "View", "In a circle.", () -> {}), chips);
@@ -233,6 +236,7 @@ class HazardStripTest {
                         () -> input,
                         () -> method,
                         chosen -> method = chosen,
+                        NONE,
                         name -> "the " + name + " one",
                         ""));
         strip.refresh();

@@ -16,11 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
-import rasterlab.engine.clip.polygon.PolygonClipTopic;
-import rasterlab.engine.clip.segment.SegmentClipTopic;
-import rasterlab.engine.clip.volume.VolumeClipTopic;
-import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
@@ -36,59 +33,90 @@ class MethodColoursTest {
 
     private static final double ENOUGH = 40;
 
-    static List<String> lineMethods() {
-        return new LineTopic().methods().stream().map(Method::name).toList();
+    /** Methods of one picture, with their colours. */
+    record Together(List<String> methods, TopicColours colours) {
+        static Together of(Topic<?, ?, ?> topic) {
+            return new Together(
+                    topic.methods().stream().map(Method::name).toList(),
+                    LabRooms.card(topic.name()).colours());
+        }
+
+        /** All for hidden surfaces, those too that no topic has. */
+        static Together visibilities() {
+            return new Together(
+                    Renderer.visibilities(), LabRooms.card("hidden-surfaces").colours());
+        }
+
+        /** As many without colours of their own as the palette has. */
+        static Together palette() {
+            return new Together(
+                    IntStream.range(0, 17).mapToObj(i -> "method " + i).toList(),
+                    new TopicColours(Map.of()));
+        }
+
+        Map<String, MethodLook> looks() {
+            return MethodLook.of(methods, colours);
+        }
+
+        @Override
+        public String toString() {
+            return methods.toString();
+        }
     }
 
-    static Stream<List<String>> topics() {
+    /** Topics whose methods all have colours of their own. */
+    static Stream<Together> coloured() {
         return Stream.concat(
-                Stream.of(lineMethods(), Renderer.visibilities()),
-                Stream.of(new SegmentClipTopic(), new PolygonClipTopic(), new VolumeClipTopic())
-                        .map(topic -> topic.methods().stream().map(Method::name).toList()));
+                Stream.of(Together.visibilities()),
+                Topics.all().stream()
+                        .map(Together::of)
+                        .filter(all -> all.colours.own().keySet().containsAll(all.methods)));
     }
 
-    static Stream<String> methods() {
-        return topics().flatMap(List::stream);
+    static Stream<Color> ownColours() {
+        return LabRooms.cards().stream()
+                .flatMap(card -> card.colours().own().values().stream())
+                .distinct();
     }
 
     @Test
     void givesNoTwoMethodsOfATopicTheSameColour() {
-        for (List<String> topic : topics().filter(all -> all.size() <= MOST_COLOURS).toList())
+        for (Together all : coloured().filter(all -> all.methods.size() <= MOST_COLOURS).toList())
             assertEquals(
-                    topic.size(),
-                    new HashSet<>(topic.stream().map(MethodColours::of).toList()).size(),
-                    topic.toString());
+                    all.methods.size(),
+                    new HashSet<>(all.methods.stream().map(all.colours::of).toList()).size(),
+                    all.toString());
     }
 
     @Test
     void methodsDifferInGreyByMarkOrLine() {
-        for (List<String> topic : topics().toList())
+        for (Together all : coloured().toList())
             assertEquals(
-                    topic.size(),
-                    MethodLook.of(topic).values().stream()
+                    all.methods.size(),
+                    all.looks().values().stream()
                             .map(look -> List.of(look.marker(), look.stroke()))
                             .distinct()
                             .count(),
-                    topic.toString());
+                    all.toString());
     }
 
     @Test
     void methodsForHiddenSurfacesAllHaveColoursOfTheirOwn() {
         List<String> names = Renderer.visibilities();
-        assertEquals(names.size(), new HashSet<>(MethodColours.among(names).values()).size());
-        for (String name : names)
-            assertEquals(MethodColours.of(name), MethodColours.among(names).get(name), name);
+        TopicColours own = Together.visibilities().colours;
+        assertEquals(names.size(), new HashSet<>(own.among(names).values()).size());
+        for (String name : names) assertEquals(own.of(name), own.among(names).get(name), name);
     }
 
     @Test
     @DisplayName("two methods of a topic have one colour on a chart, if only on a dark ground")
     void linesOfOneTopicDifferOnEveryGround() {
         for (Topic<?, ?, ?> topic : Topics.all()) {
-            List<String> names = topic.methods().stream().map(Method::name).toList();
-            for (String one : names)
-                for (String two : names.subList(0, names.indexOf(one))) {
-                    double light = apart(names, one, two, StageColours.LIGHT);
-                    double dark = apart(names, one, two, StageColours.DARK);
+            Together all = Together.of(topic);
+            for (String one : all.methods)
+                for (String two : all.methods.subList(0, all.methods.indexOf(one))) {
+                    double light = apart(all, one, two, StageColours.LIGHT);
+                    double dark = apart(all, one, two, StageColours.DARK);
                     String pair = topic.name() + ": " + one + ", " + two;
                     assertTrue(light >= LEAST, pair + " are " + light + " apart on white");
                     assertTrue(dark >= Math.min(ENOUGH, light), pair + " are " + dark + " apart");
@@ -99,20 +127,21 @@ class MethodColoursTest {
     @Test
     @DisplayName("a colour for a dark ground is too dark, or is taken for another of the palette")
     void coloursOfThePaletteDifferOnTheDarkStage() {
-        List<String> names = IntStream.range(0, 17).mapToObj(i -> "method " + i).toList();
+        Together all = Together.palette();
+        List<String> names = all.methods;
         Color ground = StageColours.DARK.ground();
         for (String one : names) {
-            Color line = MethodLook.of(names).get(one).on(ChartLook.on(StageColours.DARK)).colour();
+            Color line = all.looks().get(one).on(ChartLook.on(StageColours.DARK)).colour();
             assertTrue(MethodColours.contrast(line, ground) >= 3, line.toString());
             for (String two : names.subList(0, names.indexOf(one))) {
-                double light = apart(names, one, two, StageColours.LIGHT);
-                double dark = apart(names, one, two, StageColours.DARK);
+                double light = apart(all, one, two, StageColours.LIGHT);
+                double dark = apart(all, one, two, StageColours.DARK);
                 assertTrue(
                         dark >= Math.min(ENOUGH, light),
                         () ->
-                                MethodColours.among(names).get(one)
+                                all.looks().get(one).colour()
                                         + ", "
-                                        + MethodColours.among(names).get(two)
+                                        + all.looks().get(two).colour()
                                         + " are "
                                         + dark
                                         + " apart");
@@ -123,20 +152,18 @@ class MethodColoursTest {
     /** Colours of one chart, in OKLab: nearer ones are taken for each other at a glance. */
     private static final double LEAST_OKLAB = 0.12;
 
-    static Stream<List<String>> charts() {
-        Stream<List<String>> palette =
-                Stream.of(IntStream.range(0, 17).mapToObj(i -> "method " + i).toList());
-        Stream<List<String>> all =
-                Topics.all().stream()
-                        .map(topic -> topic.methods().stream().map(Method::name).toList());
-        return Stream.of(palette, all, Stream.of(Renderer.visibilities(), DepthPrecision.FORMATS))
-                .flatMap(each -> each);
+    static Stream<Together> charts() {
+        var formats = new Together(DepthPrecision.FORMATS, LabRooms.card("depth-buffer").colours());
+        return Stream.concat(
+                Stream.of(Together.palette(), Together.visibilities(), formats),
+                Topics.all().stream().map(Together::of));
     }
 
     @ParameterizedTest(name = "two colours of one chart are near-alike: {0}")
     @MethodSource("charts")
-    void coloursOfOneChartAreFarApartInEveryTheme(List<String> names) {
-        Map<String, MethodLook> looks = MethodLook.of(names);
+    void coloursOfOneChartAreFarApartInEveryTheme(Together all) {
+        List<String> names = all.methods;
+        Map<String, MethodLook> looks = all.looks();
         for (StageColours stage :
                 List.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR))
             for (String one : names)
@@ -184,8 +211,8 @@ class MethodColoursTest {
         return s <= 0.04045 ? s / 12.92 : Math.pow((s + 0.055) / 1.055, 2.4);
     }
 
-    private static double apart(List<String> names, String one, String two, StageColours stage) {
-        Map<String, MethodLook> looks = MethodLook.of(names);
+    private static double apart(Together all, String one, String two, StageColours stage) {
+        Map<String, MethodLook> looks = all.looks();
         ChartLook paper = ChartLook.on(stage);
         return apart(looks.get(one).on(paper).colour(), looks.get(two).on(paper).colour());
     }
@@ -204,18 +231,18 @@ class MethodColoursTest {
     }
 
     @ParameterizedTest(name = "pixels of {0} drown in the stage")
-    @MethodSource("methods")
-    void edgesStandOutFromBothStages(String method) {
+    @MethodSource("ownColours")
+    void edgesStandOutFromBothStages(Color colour) {
         for (StageColours stage : List.of(StageColours.LIGHT, StageColours.DARK)) {
-            Color edge = MethodColours.edgeOn(stage.ground(), MethodColours.of(method));
-            assertTrue(MethodColours.contrast(edge, stage.ground()) >= 3, method + " " + edge);
+            Color edge = MethodColours.edgeOn(stage.ground(), colour);
+            assertTrue(MethodColours.contrast(edge, stage.ground()) >= 3, edge.toString());
         }
     }
 
     @ParameterizedTest(name = "{0} looks like a wrong pixel")
-    @MethodSource("methods")
-    void keepsTheColourOfWrongPixelsFree(String method) {
-        assertNotEquals(PixelMark.COLOUR, MethodColours.of(method));
+    @MethodSource("ownColours")
+    void keepsTheColourOfWrongPixelsFree(Color colour) {
+        assertNotEquals(PixelMark.COLOUR, colour);
     }
 
     @Test
@@ -237,10 +264,10 @@ class MethodColoursTest {
     void wordsInAMethodsColourAreRead() {
         for (StageColours stage :
                 List.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR))
-            for (String method : List.of("clip-first-textbook", "midpoint", "wu", "bresenham")) {
-                Color words = MethodColours.textOn(stage.ground(), MethodColours.of(method));
+            for (Color colour : ownColours().toList()) {
+                Color words = MethodColours.textOn(stage.ground(), colour);
                 double contrast = MethodColours.contrast(words, stage.ground());
-                assertTrue(contrast >= 4.5, method + " on " + stage.ground() + ": " + contrast);
+                assertTrue(contrast >= 4.5, colour + " on " + stage.ground() + ": " + contrast);
             }
     }
 }

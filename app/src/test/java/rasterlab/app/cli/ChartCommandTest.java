@@ -21,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.rooms.LabRooms;
 
 class ChartCommandTest {
     @TempDir Path folder;
@@ -152,8 +153,12 @@ class ChartCommandTest {
         BufferedImage picture = ImageIO.read(png.toFile());
         assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
         assertTrue(
-                has(picture, MethodColours.of("zfloat"), 0, 350)
-                        || has(picture, MethodColours.of("zfloat"), 500, 0),
+                has(picture, LabRooms.card("depth-buffer").colours().of("zfloat"), 0, 350)
+                        || has(
+                                picture,
+                                LabRooms.card("depth-buffer").colours().of("zfloat"),
+                                500,
+                                0),
                 "the colour of zfloat");
     }
 

@@ -46,7 +46,7 @@ import rasterlab.engine.raster.Plotted;
 
 @Timeout(30)
 class LineStageTest {
-    private static final int BLUE = MethodColours.of("bresenham").getRGB();
+    private static final int BLUE = LineColours.OWN.of("bresenham").getRGB();
 
     private static final Rectangle NO_BUTTONS = new Rectangle();
 

@@ -129,12 +129,12 @@ class PolygonPictureTest {
         PolygonScene scene = scene(PolygonMode.FILL, "corners-on-centres", "naive", "scanline");
         PolygonResults results = PolygonResults.of(topics, scene);
         PlanePicture difference = pictures.difference(results, results.outcome().steps() + 1);
-        assertTrue(colours(scene, difference).contains(MethodColours.of("naive").getRGB()));
+        assertTrue(colours(scene, difference).contains(PolygonColours.OWN.of("naive").getRGB()));
         scene = scene(PolygonMode.POLYGON, "covered-twice", "winding", "ray");
         results = PolygonResults.of(topics, scene);
         difference = pictures.difference(results, 0);
-        assertTrue(colours(scene, difference).contains(MethodColours.of("winding").getRGB()));
-        assertTrue(colours(scene, difference).contains(MethodColours.of("ray").getRGB()));
+        assertTrue(colours(scene, difference).contains(PolygonColours.OWN.of("winding").getRGB()));
+        assertTrue(colours(scene, difference).contains(PolygonColours.OWN.of("ray").getRGB()));
     }
 
     @Test
@@ -142,7 +142,8 @@ class PolygonPictureTest {
         PolygonScene solid = scene(PolygonMode.FILL, "", "scanline", "");
         PolygonScene hatched =
                 solid.with(((FillFigure) solid.figure()).withBrush(BrushKind.DIAGONAL_CROSS));
-        int between = MethodColours.mix(Color.WHITE, MethodColours.of("scanline"), 0.12).getRGB();
+        int between =
+                MethodColours.mix(Color.WHITE, PolygonColours.OWN.of("scanline"), 0.12).getRGB();
         assertFalse(result(solid).contains(between));
         assertTrue(result(hatched).contains(between));
     }

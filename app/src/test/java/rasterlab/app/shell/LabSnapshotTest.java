@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 
 @Tag("slow")
 class LabSnapshotTest {
@@ -39,7 +39,9 @@ class LabSnapshotTest {
         BufferedImage image = LabSnapshot.of("line", theme, language, models -> {}, 1280, 800);
         assertEquals(1280, image.getWidth());
         Set<Integer> colours = colours(image);
-        assertTrue(colours.contains(0xFF000000 | MethodColours.of("bresenham").getRGB()));
+        assertTrue(
+                colours.contains(
+                        0xFF000000 | LabRooms.card("line").colours().of("bresenham").getRGB()));
     }
 
     @ParameterizedTest(name = "the picture is not waited for: {0}, {1}")
@@ -58,7 +60,9 @@ class LabSnapshotTest {
             throws InterruptedException {
         BufferedImage image = LabSnapshot.of("clip", theme, language, models -> {}, 1280, 800);
         BufferedImage stage = image.getSubimage(60, 300, 600, 420);
-        int left = 0xFF000000 | MethodColours.of("cohen-sutherland").getRGB();
+        int left =
+                0xFF000000
+                        | LabRooms.card("clip-segment").colours().of("cohen-sutherland").getRGB();
         assertTrue(colours(stage).contains(left));
     }
 

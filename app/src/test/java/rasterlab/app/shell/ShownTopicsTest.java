@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.TopicColours;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.KeptJson;
@@ -104,8 +104,9 @@ class ShownTopicsTest {
         List<String> names = topic.methods().stream().map(Method::name).toList();
         var line = new StringJoiner(" ");
         line.add("method " + method.name());
-        line.add(hex(MethodColours.of(method.name())));
-        line.add(hex(MethodColours.among(names).get(method.name())));
+        TopicColours colours = LabRooms.card(topic.name()).colours();
+        line.add(hex(colours.of(method.name())));
+        line.add(hex(colours.among(names).get(method.name())));
         for (Language language : Language.values()) {
             TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), language);
             Method.About about = method.about();

@@ -16,10 +16,11 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.TopicColours;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
@@ -111,16 +112,21 @@ class StudyChartTest {
 
     @Test
     void noTwoMethodsOfATopicLookTheSame() {
-        Topics.all().forEach(topic -> assertDistinct(names(topic)));
-        assertDistinct(IntStream.range(0, 77).mapToObj(i -> "m" + i).toList());
+        Topics.all().forEach(topic -> assertDistinct(names(topic), colours(topic)));
+        assertDistinct(
+                IntStream.range(0, 77).mapToObj(i -> "m" + i).toList(), new TopicColours(Map.of()));
     }
 
     private static List<String> names(Topic<?, ?, ?> topic) {
         return topic.methods().stream().map(Method::name).toList();
     }
 
-    private static void assertDistinct(List<String> methods) {
-        Map<String, MethodLook> looks = MethodLook.of(methods);
+    private static TopicColours colours(Topic<?, ?, ?> topic) {
+        return LabRooms.card(topic.name()).colours();
+    }
+
+    private static void assertDistinct(List<String> methods, TopicColours colours) {
+        Map<String, MethodLook> looks = MethodLook.of(methods, colours);
         assertEquals(methods.size(), Set.copyOf(looks.values()).size(), methods.toString());
     }
 
@@ -129,7 +135,7 @@ class StudyChartTest {
         for (Topic<?, ?, ?> topic : Topics.all())
             assertEquals(
                     Math.min(11, names(topic).size()),
-                    Math.min(11, Set.copyOf(MethodColours.among(names(topic)).values()).size()),
+                    Math.min(11, Set.copyOf(colours(topic).among(names(topic)).values()).size()),
                     topic.name());
     }
 
@@ -189,7 +195,7 @@ class StudyChartTest {
                 StudyChart.image(
                         new Study("line", "pixel", "pixels", List.of(point("dda", 3), endless)),
                         Language.ENGLISH);
-        assertTrue(has(chart, MethodColours.of("dda").getRGB()), "colour of dda");
+        assertTrue(has(chart, LabRooms.card("line").colours().of("dda").getRGB()), "colour of dda");
         StudyChart.image(new Study("line", "pixel", "pixels", List.of(endless)), Language.ENGLISH);
     }
 

@@ -19,7 +19,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -93,7 +92,7 @@ class WrongRowsTest {
         assertTrue(value("other").isVisible(), "shown only with marks");
         for (String[] one : new String[][] {{"wrongPixels", "painter"}, {"other", "newell"}}) {
             JLabel value = value(one[0]);
-            int colour = MethodColours.of(one[1]).getRGB();
+            int colour = VisibilityColours.OWN.of(one[1]).getRGB();
             assertTrue(colours(value.getIcon(), value).contains(colour), one[1]);
         }
         model.choose(choice -> choice.withComparison(""));

@@ -82,7 +82,7 @@ final class FigurePainter {
             case WRONG, PRINTED -> MethodColours.VERMILLION;
             case LEFT_EYE -> RED;
             case RIGHT_EYE -> CYAN;
-            case METHOD -> MethodColours.of(ink.method());
+            case METHOD -> FigureColours.OWN.of(ink.method());
         };
     }
 

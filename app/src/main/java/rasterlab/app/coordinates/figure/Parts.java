@@ -33,7 +33,7 @@ public final class Parts {
     /** The row in which a method is chosen. */
     public MethodChooser method(List<? extends Method<?>> methods, Consumer<String> chosen) {
         List<String> names = methods.stream().map(Method::name).toList();
-        var chooser = new MethodChooser("method", "", names, chosen);
+        var chooser = new MethodChooser("method", "", names, FigureColours.OWN, chosen);
         column.row("method", chooser);
         return chooser;
     }

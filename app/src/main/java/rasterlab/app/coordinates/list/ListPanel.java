@@ -8,6 +8,7 @@ import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -72,7 +73,7 @@ public final class ListPanel extends LabCard {
 
     @Override
     protected LabInput input() {
-        return new LabInput(this::asked, this::method, this::choose);
+        return new LabInput(this::asked, this::method, this::choose, FigureColours.OWN);
     }
 
     private Object asked() {

@@ -13,6 +13,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
@@ -52,7 +53,7 @@ final class TrialRows {
 
     private void addMethods(String of, List<? extends Method<?>> all, Consumer<String> chosen) {
         List<String> names = all.stream().map(Method::name).toList();
-        var chooser = new MethodChooser("method", "", names, chosen);
+        var chooser = new MethodChooser("method", "", names, FigureColours.OWN, chosen);
         column.row("method", chooser);
         methods.put(of, chooser);
     }

@@ -4,6 +4,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -58,7 +59,8 @@ public final class MeetingPanel extends LabCard {
         return new LabInput(
                 () -> model.choice().withMethod(""),
                 () -> model.choice().method(),
-                model::chooseMethod);
+                model::chooseMethod,
+                FigureColours.OWN);
     }
 
     @Override

@@ -20,6 +20,7 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.language.Texts;
 
 /** Each method's error over the number of turns, both in powers of ten. */
@@ -249,7 +250,7 @@ final class DriftChart extends SelfDrawn {
     }
 
     private static Color colour(TurnScene.Drift drift, StageColours colours) {
-        return MethodColours.edgeOn(colours.ground(), MethodColours.of(drift.method()));
+        return MethodColours.edgeOn(colours.ground(), FigureColours.OWN.of(drift.method()));
     }
 
     private static double decade(double error) {

@@ -6,6 +6,7 @@ import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -60,7 +61,8 @@ public final class TurnPanel extends LabCard {
         return new LabInput(
                 () -> model.choice().withMethod(""),
                 () -> model.choice().method(),
-                model::chooseMethod);
+                model::chooseMethod,
+                FigureColours.OWN);
     }
 
     @Override

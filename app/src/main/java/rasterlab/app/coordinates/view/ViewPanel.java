@@ -9,6 +9,7 @@ import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -103,7 +104,8 @@ public final class ViewPanel extends LabCard {
         return new LabInput(
                 () -> model.choice().withMethod(any),
                 () -> model.choice().method(),
-                model::chooseMethod);
+                model::chooseMethod,
+                FigureColours.OWN);
     }
 
     @Override

@@ -19,6 +19,7 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.UsualLook;
@@ -38,7 +39,8 @@ class DriftChartTest {
     @EnumSource(Language.class)
     void curvesHaveAThirdOfTheSmallestChart(Language language) {
         BufferedImage image = painted(language, 380, 270);
-        Color curve = MethodColours.edgeOn(StageColours.now().ground(), MethodColours.of("float"));
+        Color curve =
+                MethodColours.edgeOn(StageColours.now().ground(), FigureColours.OWN.of("float"));
         int left = image.getWidth();
         int right = 0;
         for (int y = 0; y < image.getHeight(); y++)

@@ -1,0 +1,17 @@
+package rasterlab.app.light;
+
+import static rasterlab.app.canvas.MethodColours.BLUE;
+import static rasterlab.app.canvas.MethodColours.PURPLE;
+
+import java.util.Map;
+import rasterlab.app.canvas.TopicColours;
+
+/** The colours of the methods for light and colour. */
+final class LightColours {
+    static final TopicColours OWN =
+            new TopicColours(
+                    Map.ofEntries(
+                            Map.entry("formula-textbook", PURPLE), Map.entry("formula", BLUE)));
+
+    private LightColours() {}
+}

@@ -1,0 +1,37 @@
+package rasterlab.app.line;
+
+import static rasterlab.app.canvas.MethodColours.BLUE;
+import static rasterlab.app.canvas.MethodColours.DARK_GREEN;
+import static rasterlab.app.canvas.MethodColours.GREEN;
+import static rasterlab.app.canvas.MethodColours.GREY;
+import static rasterlab.app.canvas.MethodColours.INDIGO;
+import static rasterlab.app.canvas.MethodColours.OLIVE;
+import static rasterlab.app.canvas.MethodColours.ORANGE;
+import static rasterlab.app.canvas.MethodColours.PURPLE;
+import static rasterlab.app.canvas.MethodColours.SKY_BLUE;
+import static rasterlab.app.canvas.MethodColours.WINE;
+import static rasterlab.app.canvas.MethodColours.YELLOW;
+
+import java.util.Map;
+import rasterlab.app.canvas.TopicColours;
+
+/** The colours of the methods for segments, circles and ellipses. */
+final class LineColours {
+    static final TopicColours OWN =
+            new TopicColours(
+                    Map.ofEntries(
+                            Map.entry("naive-textbook", SKY_BLUE),
+                            Map.entry("naive", ORANGE),
+                            Map.entry("dda-float", GREY),
+                            Map.entry("dda", GREEN),
+                            Map.entry("bresenham-first-textbook", INDIGO),
+                            Map.entry("bresenham-pascal-textbook", OLIVE),
+                            Map.entry("bresenham-textbook", PURPLE),
+                            Map.entry("bresenham", BLUE),
+                            Map.entry("midpoint", YELLOW),
+                            Map.entry("clip-first-textbook", DARK_GREEN),
+                            Map.entry("wu", WINE),
+                            Map.entry("parametric", GREEN)));
+
+    private LineColours() {}
+}

@@ -1,0 +1,43 @@
+package rasterlab.app.polygon;
+
+import static rasterlab.app.canvas.MethodColours.BLUE;
+import static rasterlab.app.canvas.MethodColours.DARK_GREEN;
+import static rasterlab.app.canvas.MethodColours.GREEN;
+import static rasterlab.app.canvas.MethodColours.GREY;
+import static rasterlab.app.canvas.MethodColours.OLIVE;
+import static rasterlab.app.canvas.MethodColours.ORANGE;
+import static rasterlab.app.canvas.MethodColours.PURPLE;
+import static rasterlab.app.canvas.MethodColours.SKY_BLUE;
+
+import java.util.Map;
+import rasterlab.app.canvas.TopicColours;
+
+/** The colours of the methods for polygons. */
+final class PolygonColours {
+    static final TopicColours OWN =
+            new TopicColours(
+                    Map.ofEntries(
+                            Map.entry("recursive-textbook", PURPLE),
+                            Map.entry("stack", ORANGE),
+                            Map.entry("span", BLUE),
+                            Map.entry("naive", ORANGE),
+                            Map.entry("scanline", DARK_GREEN),
+                            Map.entry("edge-function", BLUE),
+                            Map.entry("half-plane", BLUE),
+                            Map.entry("rotation", PURPLE),
+                            Map.entry("simplex", ORANGE),
+                            Map.entry("sign-int", SKY_BLUE),
+                            Map.entry("sign-float", OLIVE),
+                            Map.entry("sign-double", GREEN),
+                            Map.entry("robust", DARK_GREEN),
+                            Map.entry("ray-naive", ORANGE),
+                            Map.entry("ray", BLUE),
+                            Map.entry("winding", PURPLE),
+                            Map.entry("fan", SKY_BLUE),
+                            Map.entry("shortest-diagonal-printed-textbook", GREY),
+                            Map.entry("shortest-diagonal-textbook", PURPLE),
+                            Map.entry("shortest-diagonal", ORANGE),
+                            Map.entry("ear-clipping", BLUE)));
+
+    private PolygonColours() {}
+}

@@ -1,0 +1,34 @@
+package rasterlab.app.spline;
+
+import static rasterlab.app.canvas.MethodColours.BLUE;
+import static rasterlab.app.canvas.MethodColours.GREEN;
+import static rasterlab.app.canvas.MethodColours.GREY;
+import static rasterlab.app.canvas.MethodColours.OLIVE;
+import static rasterlab.app.canvas.MethodColours.ORANGE;
+import static rasterlab.app.canvas.MethodColours.PURPLE;
+import static rasterlab.app.canvas.MethodColours.SAND;
+import static rasterlab.app.canvas.MethodColours.WINE;
+import static rasterlab.app.canvas.MethodColours.YELLOW;
+
+import java.util.Map;
+import rasterlab.app.canvas.TopicColours;
+
+/** The colours of the methods for curves and functions. */
+final class SplineColours {
+    static final TopicColours OWN =
+            new TopicColours(
+                    Map.ofEntries(
+                            Map.entry("blending-textbook", SAND),
+                            Map.entry("matrix", PURPLE),
+                            Map.entry("horner", YELLOW),
+                            Map.entry("de-casteljau", GREEN),
+                            Map.entry("forward-differences", OLIVE),
+                            Map.entry("forward-differences-float", GREY),
+                            Map.entry("uniform", WINE),
+                            Map.entry("adaptive-naive", ORANGE),
+                            Map.entry("adaptive", BLUE),
+                            Map.entry("cubic", BLUE),
+                            Map.entry("monotone", ORANGE)));
+
+    private SplineColours() {}
+}
