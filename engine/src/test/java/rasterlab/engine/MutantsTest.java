@@ -28,7 +28,7 @@ import rasterlab.engine.study.Verdict;
 /** One likely mistake in a right method is caught by the hazard that is there for it. */
 @Tag("slow")
 class MutantsTest {
-    private static final Duration AMPLE = Duration.ofSeconds(20);
+    private static final Duration AMPLE = Duration.ofMinutes(2);
     private static final Method.About ABOUT = new Method.About("", "", "", "", "");
 
     static Stream<Named<Topic<?, ?, ?>>> topics() {

@@ -3,6 +3,7 @@ package rasterlab.engine;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.ColorConverter;
@@ -133,7 +134,7 @@ class PromisesTest {
                         topic,
                         new Method<>("made-up", ABOUT, (C) method),
                         found,
-                        HazardTrial.WALL_LIMIT)
+                        Duration.ofMinutes(2))
                 .kind();
     }
 }

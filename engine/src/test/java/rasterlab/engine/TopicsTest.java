@@ -29,7 +29,7 @@ import rasterlab.engine.study.Workload;
 
 /** What holds for every topic, whatever it is about. */
 class TopicsTest {
-    private static final Duration AMPLE = Duration.ofSeconds(20);
+    private static final Duration AMPLE = Duration.ofMinutes(2);
 
     static Stream<Topic<?, ?, ?>> topics() {
         return Topics.all().stream();

@@ -2,6 +2,7 @@ package rasterlab.engine.circle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.time.Duration;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -90,7 +91,7 @@ class LargeArcTest {
                         topic,
                         new Method<>("made-up", topic.methods().get(0).about(), method),
                         new Hazard<>("made-up", "Made up by a test.", input, Map.of()),
-                        HazardTrial.WALL_LIMIT)
+                        Duration.ofMinutes(2))
                 .kind();
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.engine.fill;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.time.Duration;
 import java.util.Collections;
 import java.util.Map;
 import org.junit.jupiter.api.Tag;
@@ -44,7 +45,7 @@ class LargeFillTest {
                         TOPIC,
                         new Method<>("made-up", TOPIC.methods().get(0).about(), method),
                         new Hazard<>("made-up", "Made up by a test.", TASK, Map.of()),
-                        HazardTrial.WALL_LIMIT)
+                        Duration.ofMinutes(2))
                 .kind();
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.engine.line;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
+import java.time.Duration;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -56,6 +57,6 @@ class LongLineTest {
                 TOPIC,
                 new Method<>("made-up", TOPIC.methods().get(0).about(), method),
                 new Hazard<>("made-up", "Made up by a test.", segment, Map.of()),
-                HazardTrial.WALL_LIMIT);
+                Duration.ofMinutes(2));
     }
 }

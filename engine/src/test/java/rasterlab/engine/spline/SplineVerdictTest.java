@@ -83,6 +83,6 @@ class SplineVerdictTest {
         Hazard<SplineProblem> hazard =
                 TOPIC.hazards().stream().filter(h -> h.name().equals(name)).findFirst().get();
         var method = new Method<>("own", ABOUT, function);
-        return HazardTrial.judge(TOPIC, method, hazard, Duration.ofSeconds(20));
+        return HazardTrial.judge(TOPIC, method, hazard, Duration.ofMinutes(2));
     }
 }

@@ -22,7 +22,7 @@ import rasterlab.engine.study.Verdict.Kind;
 class HazardTrialTest {
     private static final Segment SEGMENT = new Segment(0, 0, 9, 4);
     private static final Segment LONG = new Segment(0, 0, 2_000_000_000, 4);
-    private static final Duration AMPLE = Duration.ofSeconds(30);
+    private static final Duration AMPLE = Duration.ofMinutes(2);
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("misbehaviour")

@@ -12,7 +12,7 @@ import rasterlab.engine.polygon.scan.PolygonTask;
 class MethodTrialTest {
     private static final Method.About ABOUT = new Method.About("", "", "", "", "");
     private static final StudySettings SHORT =
-            new StudySettings(Duration.ZERO, Duration.ofMillis(1), 1, Duration.ofSeconds(20));
+            new StudySettings(Duration.ZERO, Duration.ofMillis(1), 1, Duration.ofMinutes(2));
 
     /** It behaves as long as it is judged, once for each input. */
     @Test

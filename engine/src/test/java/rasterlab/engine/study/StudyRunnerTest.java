@@ -18,7 +18,7 @@ import rasterlab.engine.study.Verdict.Kind;
 
 class StudyRunnerTest {
     private static final StudySettings SHORT =
-            new StudySettings(Duration.ZERO, Duration.ofNanos(1), 3, Duration.ofSeconds(30));
+            new StudySettings(Duration.ZERO, Duration.ofNanos(1), 3, Duration.ofMinutes(2));
 
     @Test
     void aMethodThatFailsGetsItsRowAndTheStudyGoesOn() {

@@ -72,7 +72,7 @@ class ChildJarsTest {
             ChildJars.assemble(temporary).close();
             assertEquals(its, folders(), "a living judge lost its folder");
             other.destroyForcibly();
-            assertTrue(other.waitFor(30, TimeUnit.SECONDS), "not killed");
+            assertTrue(other.waitFor(2, TimeUnit.MINUTES), "not killed");
             assertEquals(its, folders());
             ChildJars.assemble(temporary).close();
             assertEquals(List.of(), folders());

@@ -106,7 +106,7 @@ class ChildTest {
                             () ->
                                     child.ask(
                                             new Request(Wire.PING, out -> {}),
-                                            Duration.ofSeconds(5),
+                                            Duration.ofMinutes(2),
                                             (status, in) -> status));
             assertEquals(ChildLost.Reason.SIGNAL, lost.reason(), lost::getMessage);
         }

@@ -43,7 +43,7 @@ class JudgeCloseTest {
                                             ENDLESS_LATER,
                                             CaseSelection.open(),
                                             one -> judging.countDown()));
-            assertTrue(judging.await(30, TimeUnit.SECONDS), "first case not judged");
+            assertTrue(judging.await(2, TimeUnit.MINUTES), "first case not judged");
             judge.close();
             assertEquals(Optional.empty(), markOf(grading));
             assertEquals(before, children(), "processes left");
@@ -56,7 +56,7 @@ class JudgeCloseTest {
     /** What would count for the student: nothing, where the end is called our fault. */
     private static Optional<GradingVerdict> markOf(Future<Report> grading) throws Exception {
         try {
-            var verdict = grading.get(30, TimeUnit.SECONDS).verdict();
+            var verdict = grading.get(2, TimeUnit.MINUTES).verdict();
             return Optional.of(verdict).filter(one -> one != GradingVerdict.INTERNAL);
         } catch (ExecutionException refused) {
             assertEquals("the judge is closed", refused.getCause().getMessage());

@@ -35,8 +35,8 @@ class OrphanTest {
             child = ProcessHandle.of(pid);
             CompletableFuture<ProcessHandle> ended = child.orElseThrow().onExit();
             parent.destroyForcibly();
-            assertTrue(parent.waitFor(30, TimeUnit.SECONDS), "the parent is not killed");
-            assertDoesNotThrow(() -> ended.get(60, TimeUnit.SECONDS), "the child lives on");
+            assertTrue(parent.waitFor(2, TimeUnit.MINUTES), "the parent is not killed");
+            assertDoesNotThrow(() -> ended.get(2, TimeUnit.MINUTES), "the child lives on");
         } finally {
             parent.descendants().forEach(ProcessHandle::destroyForcibly);
             parent.destroyForcibly();

@@ -31,7 +31,7 @@ final class Unscanned implements AutoCloseable {
     /** Loads the class "Mine" and draws one line with it. */
     Answer draw(Child runner, String source) throws ChildLost, InterruptedException {
         try (Child compiler = child(ChildKind.COMPILE)) {
-            Compilation compiled = Compilation.of(source, compiler, Duration.ofSeconds(10));
+            Compilation compiled = Compilation.of(source, compiler, Duration.ofMinutes(2));
             if (!compiled.errors().isEmpty())
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
             StudentRun run = new StudentRun(runner, CONTRACT, CALL_LIMIT, new Patience(() -> 0));

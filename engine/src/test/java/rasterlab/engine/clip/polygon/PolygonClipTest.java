@@ -226,7 +226,7 @@ class PolygonClipTest {
     private static double areaInTime(String method, double[] window, double[] subject) {
         List<double[]> pieces =
                 assertTimeoutPreemptively(
-                        Duration.ofMinutes(2), () -> PolygonCases.clip(method, window, subject));
+                        Duration.ofMinutes(5), () -> PolygonCases.clip(method, window, subject));
         return pieces.stream().mapToDouble(PolygonArea::of).sum();
     }
 

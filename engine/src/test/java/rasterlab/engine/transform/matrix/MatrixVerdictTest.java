@@ -27,7 +27,7 @@ class MatrixVerdictTest {
                         new Method.About("", "", "", "", ""),
                         (name, parameters) -> anew(answer));
         var hazard = new Hazard<>("one", "", MatrixCall.of("IDENTITY"), Map.of());
-        Verdict verdict = HazardTrial.judge(topic, method, hazard, Duration.ofSeconds(20));
+        Verdict verdict = HazardTrial.judge(topic, method, hazard, Duration.ofMinutes(2));
         assertEquals(Verdict.Kind.WRONG, verdict.kind());
         assertEquals(detail, verdict.detail());
     }

@@ -83,7 +83,7 @@ class ByteCodeCheckTest {
         ByteCodeCheck check = new ByteCodeCheck(AllowList.of(LineRasterizer.class));
         // a bound only so that the mistake ends at all
         return assertTimeoutPreemptively(
-                        Duration.ofMinutes(1),
+                        Duration.ofMinutes(5),
                         () -> check.check(classes, "rasterlab/contract/LineRasterizer", ""))
                 .refusals()
                 .stream()
