@@ -18,7 +18,7 @@ import java.nio.file.Path
 
 /** What a client sees on the wire; the timeout ends only a test whose server neither reads nor closes. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class DoorTest {
     @TempDir
     lateinit var folder: Path

@@ -20,7 +20,7 @@ import kotlin.time.Duration.Companion.milliseconds
 
 /** Senders that never finish and never stop; the timeout ends only a test whose server neither reads nor closes. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class SlowBodiesTest {
     @TempDir
     lateinit var folder: Path

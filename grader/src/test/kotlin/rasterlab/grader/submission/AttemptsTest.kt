@@ -172,7 +172,7 @@ class AttemptsTest {
         val attempts = attempts(live) { _, _, _, _ -> right.also { graded.countDown() } }
         GradingQueue(database, submissions, leases, attempts, live, SteadyClock(clock), workers = 1).use { queue ->
             queue.start()
-            assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 2 are not graded")
+            assertTrue(graded.await(120, SECONDS), "after 120 s ${graded.count} of 2 are not graded")
         }
         assertEquals(listOf(State.DONE, State.DONE), listOf(left, waiting).map { submissions.find(it)?.state })
     }

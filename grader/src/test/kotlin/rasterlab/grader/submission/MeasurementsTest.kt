@@ -138,7 +138,7 @@ class MeasurementsTest {
             ) { false }
         GradingQueue(database, Submissions(database), leases, attempts, live, SteadyClock(clock), workers = 1).use {
             it.start()
-            assertTrue(measured.await(30, SECONDS), "not measured after 30 s")
+            assertTrue(measured.await(120, SECONDS), "not measured after 120 s")
         }
     }
 

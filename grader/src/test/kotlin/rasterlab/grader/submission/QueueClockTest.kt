@@ -51,7 +51,7 @@ class QueueClockTest {
                 queue.start()
                 queue.sweep()
                 rung.countDown()
-                assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 3 are not graded")
+                assertTrue(graded.await(120, SECONDS), "after 120 s ${graded.count} of 3 are not graded")
             }
         }
     }

@@ -85,8 +85,8 @@ class WantOfStorageTest {
         val failed = CountDownLatch(1)
         queue(database, live, failed).use { queue ->
             queue.start()
-            assertTrue(begun.await(30, SECONDS), "grading has not begun")
-            trouble { assertTrue(failed.await(30, SECONDS), "no write of a result failed") }
+            assertTrue(begun.await(120, SECONDS), "grading has not begun")
+            trouble { assertTrue(failed.await(120, SECONDS), "no write of a result failed") }
             awaitAll(live) { ids.all { submissions.find(it)?.state == State.DONE } }
         }
         assertEquals(listOf(1, 1), ids.map { submissions.find(it)?.tries })
@@ -96,7 +96,7 @@ class WantOfStorageTest {
         live: Live,
         done: () -> Boolean,
     ) = runBlocking {
-        withTimeout(30.seconds) {
+        withTimeout(120.seconds) {
             while (true) {
                 val seen = live.stand(null)
                 if (done()) break
