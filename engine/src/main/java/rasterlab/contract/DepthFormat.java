@@ -9,35 +9,25 @@ package rasterlab.contract;
 @FunctionalInterface
 public interface DepthFormat {
     /**
-     * Makes ready what depends on the two planes only.
+     * Stores the depths along a scan line, on which pixel i has the nearness {@code base +
+     * i·perPixel}; beyond a plane a depth gets that plane's code.
      *
+     * @param range the planes; the code is smallest at the near one and largest at the far one
+     * @param base 1/z in pixel 0
+     * @param from first pixel
+     * @param to pixel after the last
+     * @param codes what a depth test compares as signed numbers; filled from its beginning, {@code
+     *     to − from} long or longer
+     * @param depths the depth z that each code stands for, infinite at a far plane that is; filled
+     *     as {@code codes} is
      * @throws IllegalArgumentException if the format cannot store depths up to that far plane
      */
-    Codes over(DepthRange range);
-
-    /** The codes of one range, from the smallest at the near plane to the largest at the far. */
-    interface Codes {
-        /**
-         * The code of a single depth.
-         *
-         * @param nearness 1/z; beyond a plane it gets that plane's code
-         * @return what a depth test compares as signed numbers
-         */
-        int code(double nearness);
-
-        /**
-         * The codes along a scan line, on which pixel i has the nearness {@code base + i·perPixel}.
-         *
-         * @param from first pixel
-         * @param to pixel after the last
-         * @param codes filled from its beginning, {@code to − from} long or longer
-         */
-        void row(double base, double perPixel, int from, int to, int[] codes);
-
-        /** What the buffer holds for a code: a whole number or a float. */
-        double stored(int code);
-
-        /** The depth z that a code stands for; infinite at a far plane that is. */
-        double depth(int code);
-    }
+    void store(
+            DepthRange range,
+            double base,
+            double perPixel,
+            int from,
+            int to,
+            int[] codes,
+            double[] depths);
 }

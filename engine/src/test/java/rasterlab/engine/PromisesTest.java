@@ -8,7 +8,6 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.PointTransformer;
 import rasterlab.contract.PolygonClipper;
 import rasterlab.contract.SeedFiller;
@@ -17,6 +16,7 @@ import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict.Kind;
+import rasterlab.engine.visibility.depth.DepthCoding;
 
 /**
  * What a contract promises beside the answer itself is compared, too. What a mutant is listed for
@@ -77,8 +77,8 @@ class PromisesTest {
     /** Of every hazard with more than one pixel one at least must show it. */
     @Test
     void aDepthRowThatStartsLaterIsLookedAt() {
-        DepthFormat right = right("depth-buffer", "reversed-z");
-        DepthFormat fromTheFirst = range -> new FromTheFirst(right.over(range));
+        DepthCoding right = right("depth-buffer", "reversed-z");
+        DepthCoding fromTheFirst = range -> new FromTheFirst(right.over(range));
         assertTrue(some("depth-buffer", kind -> kind == Kind.EXACT, right));
         assertTrue(
                 Topics.named("depth-buffer").hazards().stream()
@@ -90,7 +90,7 @@ class PromisesTest {
                 "no hazard shows it");
     }
 
-    private record FromTheFirst(DepthFormat.Codes right) implements DepthFormat.Codes {
+    private record FromTheFirst(DepthCoding.Codes right) implements DepthCoding.Codes {
         @Override
         public int code(double nearness) {
             return right.code(nearness);

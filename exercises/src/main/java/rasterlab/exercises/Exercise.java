@@ -1,10 +1,13 @@
 package rasterlab.exercises;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Set;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 
@@ -20,6 +23,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param revision changes whenever anything that grading depends on changes
  * @param tolerance what still counts as right
  * @param points the most points for accuracy, stability and speed
+ * @param caps limits of a call that this exercise states itself
  * @param timed how the inputs to measure speed on are drawn, as JSON; empty where the topic knows
  * @param groups what cases ask for, where several ask for the same
  */
@@ -33,6 +37,7 @@ public record Exercise(
         String revision,
         Tolerance tolerance,
         PointPlan points,
+        Caps caps,
         Optional<String> timed,
         List<Group> groups,
         List<Case> cases) {
@@ -69,6 +74,7 @@ public record Exercise(
                 revision,
                 tolerance,
                 points,
+                Caps.NONE,
                 Optional.empty(),
                 List.of(),
                 cases);
@@ -134,6 +140,30 @@ public record Exercise(
         public Tolerance(boolean eitherPixelOnTies) {
             this(eitherPixelOnTies, OptionalDouble.empty());
         }
+    }
+
+    /**
+     * Limits of one call that an exercise states; where it does not, the usual ones hold.
+     *
+     * @param items that a sink takes
+     * @param bytes of the answer
+     * @param processor time
+     */
+    public record Caps(OptionalInt items, OptionalInt bytes, Optional<Duration> processor) {
+        public static final Caps NONE =
+                new Caps(OptionalInt.empty(), OptionalInt.empty(), Optional.empty());
+
+        /** The most items that can be stated. */
+        public static final int MOST_ITEMS = Wire.MOST_ITEMS - 1;
+
+        /** The most bytes that can be stated. */
+        public static final int MOST_BYTES = Wire.MOST_ANSWER_BYTES;
+
+        /** The least processor time that a system tells apart well enough. */
+        public static final double LEAST_SECONDS = 0.05;
+
+        /** As much as all calls together may take. */
+        public static final double MOST_SECONDS = 8;
     }
 
     /** The most points of each kind, from 0 to 100. */

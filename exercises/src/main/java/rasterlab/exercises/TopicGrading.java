@@ -10,7 +10,6 @@ import java.util.Set;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
-import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.Message;
@@ -67,15 +66,24 @@ public interface TopicGrading {
      *
      * @param items that a sink takes
      * @param bytes of the answer
-     * @param processor time
+     * @param processor time of all that the call makes a method do; where it is not given, as much
+     *     as the judge allows
      */
-    record Caps(int items, int bytes, Duration processor) {
-        private static final Duration USUAL = Duration.ofSeconds(2);
-
-        /** So many items, and no more bytes and time than most topics need. */
+    record Caps(int items, int bytes, Optional<Duration> processor) {
+        /** So many items, and as much else as can be taken. */
         public static Caps ofItems(long items) {
             return new Caps(
-                    (int) Math.min(items, Wire.MOST_ITEMS - 1), Wire.MOST_ANSWER_BYTES, USUAL);
+                    (int) Math.min(items, Exercise.Caps.MOST_ITEMS),
+                    Exercise.Caps.MOST_BYTES,
+                    Optional.empty());
+        }
+
+        /** These limits with those that an exercise states; items become fewer at most. */
+        public Caps within(Exercise.Caps stated) {
+            return new Caps(
+                    Math.min(items, stated.items().orElse(items)),
+                    stated.bytes().orElse(bytes),
+                    stated.processor().or(() -> processor));
         }
     }
 
@@ -83,13 +91,17 @@ public interface TopicGrading {
     interface Call {
         Caps caps();
 
+        /** Number of items of the right answer, as far as it is looked at. */
+        long items();
+
         /**
          * Has a method answer and keeps what came of it, an output of the topic.
          *
          * @param method of the contract; it may run elsewhere
+         * @param most items
          * @throws LimitReached when it goes on beyond the most items; carries the output so far
          */
-        Object recorded(Object method);
+        Object recorded(Object method, int most);
 
         /** The whole finding, with pictures. */
         Finding judge(Answer answer);

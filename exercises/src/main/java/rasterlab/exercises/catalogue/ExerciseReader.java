@@ -1,5 +1,6 @@
 package rasterlab.exercises.catalogue;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -8,12 +9,14 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Shape;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Group;
 import rasterlab.exercises.Exercise.Kind;
@@ -37,6 +40,9 @@ final class ExerciseReader {
     private static final Field<Double> WORST =
             Field.required("worst", Shape.number(0, Double.MAX_VALUE));
 
+    private static final Field<Double> SECONDS =
+            Field.required("seconds", Shape.number(Caps.LEAST_SECONDS, Caps.MOST_SECONDS));
+
     private final ExerciseFolder folder;
 
     ExerciseReader(ExerciseFolder folder) {
@@ -56,6 +62,7 @@ final class ExerciseReader {
                         "title",
                         "tolerance",
                         "points",
+                        "caps",
                         "timed",
                         "groups",
                         "cases");
@@ -82,9 +89,13 @@ final class ExerciseReader {
                                 fields.object("tolerance", "eitherPixelOnTies", "worst", "unit"),
                                 topic),
                         points,
+                        fields.has("caps")
+                                ? caps(fields.object("caps", "items", "bytes", "seconds"))
+                                : Exercise.Caps.NONE,
                         fields.has("timed") ? Optional.of(fields.json("timed")) : Optional.empty(),
                         groups,
                         cases);
+        checkItems(read, topic);
         // asked once, so that a mistake shows before anybody submits
         topic.timings(read, new Random(0), List.of());
         return read;
@@ -97,6 +108,21 @@ final class ExerciseReader {
         if (topic.unit().isEmpty()) throw fields.wrong("worst", Phrase.of("field.no-tolerance"));
         fields.word("unit", List.of(topic.unit().get()));
         return new Tolerance(either, OptionalDouble.of(fields.get(WORST)));
+    }
+
+    private static Caps caps(JsonFields fields) {
+        return new Caps(
+                whole(fields, "items", Caps.MOST_ITEMS),
+                whole(fields, "bytes", Caps.MOST_BYTES),
+                fields.has("seconds")
+                        ? Optional.of(Duration.ofNanos(Math.round(fields.get(SECONDS) * 1e9)))
+                        : Optional.empty());
+    }
+
+    private static OptionalInt whole(JsonFields fields, String field, int most) {
+        return fields.has(field)
+                ? OptionalInt.of(fields.integer(field, 1, most))
+                : OptionalInt.empty();
     }
 
     static Map<String, String> titles(JsonFields fields) {
@@ -185,18 +211,32 @@ final class ExerciseReader {
     private void checkNames(List<Case> cases) {
         Set<String> names = new HashSet<>();
         for (Case one : cases)
-            if (!names.add(one.name())) throw wrongCases(Phrase.of("field.twice", one.name()));
+            if (!names.add(one.name())) throw wrong("cases", Phrase.of("field.twice", one.name()));
     }
 
     private void checkSum(List<Case> cases, Kind kind, int planned) {
         int sum = cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
         if (sum != planned)
-            throw wrongCases(Phrase.of("field.cases." + kindName(kind), sum, planned));
+            throw wrong("cases", Phrase.of("field.cases." + kindName(kind), sum, planned));
     }
 
-    private CatalogueException wrongCases(Phrase reason) {
-        Phrase place = Phrase.of("field", folder.place("exercise.json"), "cases");
-        return new CatalogueException(Phrase.of("folder.at", place, reason));
+    /** A right answer must not be stopped. */
+    private void checkItems(Exercise exercise, TopicGrading topic) {
+        if (exercise.caps().items().isEmpty()) return;
+        int most = exercise.caps().items().getAsInt();
+        for (Case one : exercise.cases())
+            for (TopicGrading.Call call : topic.calls(one, exercise.tolerance(), 0))
+                if (call.items() > most)
+                    throw wrong(
+                            "caps.items", Phrase.of("field.caps", one.name(), call.items(), most));
+    }
+
+    private CatalogueException wrong(String field, Phrase reason) {
+        return new CatalogueException(
+                Phrase.of(
+                        "folder.at",
+                        Phrase.of("field", folder.place("exercise.json"), field),
+                        reason));
     }
 
     private static String kindName(Kind kind) {

@@ -1,57 +1,45 @@
 package rasterlab.exercises.child;
 
-import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
-import java.lang.reflect.Modifier;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
 import rasterlab.contract.PixelGrid;
 
 /**
- * A call of a contract's single method on the wire: what the method is given, and what came of it.
+ * A call of one of a contract's methods on the wire: what the method is given, and what came of it.
  *
  * <p>Given are values ({@link Values}), a picture, and sinks, which are not sent: the child has its
  * own. What came of it is, in this order: the items of each sink and the writings of each picture,
  * the value that was returned, and the given values once more if the method changed any.
  */
 public final class ContractCall {
-    private final Class<?> contract;
+    private final int number;
     private final Method method;
     private final List<Class<?>> given;
 
-    private ContractCall(Class<?> contract, Method method) {
-        this.contract = contract;
+    private ContractCall(int number, Method method) {
+        this.number = number;
         this.method = method;
         this.given = List.of(method.getParameterTypes());
     }
 
     /**
-     * The calls of a contract.
+     * The calls of a method.
      *
-     * @throws IllegalArgumentException if it has not exactly one method without a body, or that one
-     *     takes or returns what cannot be sent
+     * @param number of the method in its contract, from 0
+     * @throws IllegalArgumentException if it takes or returns what cannot be sent
      */
-    public static ContractCall of(Class<?> contract) {
-        List<Method> open =
-                Stream.of(contract.getMethods())
-                        .filter(one -> Modifier.isAbstract(one.getModifiers()))
-                        .toList();
-        if (open.size() != 1)
-            throw new IllegalArgumentException(
-                    "%s must have one method to implement, got %d"
-                            .formatted(contract.getSimpleName(), open.size()));
-        Method method = open.get(0);
+    static ContractCall of(int number, Method method) {
         for (Class<?> type : method.getParameterTypes())
             if (!Values.carries(type) && !Sheets.isKept(type)) throw cannotBeSent(method, type);
         Class<?> returned = method.getReturnType();
         if (returned != void.class && !Values.carries(returned))
             throw cannotBeSent(method, returned);
-        return new ContractCall(contract, method);
+        return new ContractCall(number, method);
     }
 
     private static IllegalArgumentException cannotBeSent(Method method, Class<?> type) {
@@ -63,8 +51,8 @@ public final class ContractCall {
                                 type.getSimpleName()));
     }
 
-    public Class<?> contract() {
-        return contract;
+    public int number() {
+        return number;
     }
 
     public Method method() {
@@ -95,31 +83,47 @@ public final class ContractCall {
         return arguments;
     }
 
-    /** Writes what came of a call. */
-    void writeAnswer(byte[] before, Object[] arguments, Object returned, DataOutputStream out)
-            throws IOException {
+    /**
+     * The bytes of what came of a call.
+     *
+     * @param before the given values as they were
+     * @throws BoundedBytes.Beyond if there are more than {@code most}
+     */
+    byte[] answer(byte[] before, Object[] arguments, Object returned, int most) throws IOException {
+        var bytes = new BoundedBytes(most);
+        DataOutputStream out = new DataOutputStream(bytes);
         for (Object one : arguments) if (one instanceof Sheet sheet) sheet.writeTo(out);
         if (returnsValue()) Values.write(method.getReturnType(), returned, out);
         byte[] after = values(arguments);
         boolean changed = !Arrays.equals(before, after);
         out.writeBoolean(changed);
         if (changed) out.write(after);
+        return bytes.toByteArray();
     }
 
-    /** The given values alone, as they are written. */
+    /**
+     * The given values alone, as they are written.
+     *
+     * @throws BoundedBytes.Beyond if the method put something into them that is longer than what is
+     *     taken
+     */
     byte[] values(Object[] arguments) throws IOException {
-        var bytes = new ByteArrayOutputStream();
+        var bytes = new BoundedBytes(Wire.MOST_FRAME_BYTES);
         DataOutputStream out = new DataOutputStream(bytes);
         for (int i = 0; i < arguments.length; i++)
             if (!Sheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
         return bytes.toByteArray();
     }
 
-    /** Adds what came of a call to a sum. */
-    void addTo(ItemSum sum, Object[] arguments, Object returned) throws IOException {
+    /**
+     * Adds what came of a call to a sum.
+     *
+     * @throws BoundedBytes.Beyond if its value has more than {@code most} bytes
+     */
+    void addTo(ItemSum sum, Object[] arguments, Object returned, int most) throws IOException {
         for (Object one : arguments) if (one instanceof Sheet sheet) sheet.addTo(sum);
         if (!returnsValue() && hasSheets()) return;
-        var bytes = new ByteArrayOutputStream();
+        var bytes = new BoundedBytes(most);
         DataOutputStream out = new DataOutputStream(bytes);
         if (returnsValue()) Values.write(method.getReturnType(), returned, out);
         else out.write(values(arguments));

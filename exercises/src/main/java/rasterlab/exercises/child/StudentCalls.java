@@ -5,7 +5,9 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 
@@ -17,8 +19,8 @@ final class StudentCalls {
     private final OutputStream parent;
     private final CappedOutput printed;
     private Object student;
-    private ContractCall contract;
-    private Calling calling;
+    private ContractCalls contract;
+    private List<Calling> callings = List.of();
 
     StudentCalls(OutputStream parent, CappedOutput printed) {
         this.parent = parent;
@@ -39,7 +41,9 @@ final class StudentCalls {
 
     private void load(long nonce, DataInputStream request) throws IOException {
         contract = contract(request.readUTF());
-        calling = Calling.of(Frames.read(request, Wire.MOST_CLASS_BYTES));
+        callings = new ArrayList<>();
+        for (int left = contract.all().size(); left > 0; left--)
+            callings.add(Calling.of(Frames.read(request, Wire.MOST_CLASS_BYTES)));
         String name = request.readUTF();
         Map<String, byte[]> classes = new HashMap<>();
         for (int left = request.readInt(); left > 0; left--)
@@ -59,9 +63,9 @@ final class StudentCalls {
         send(nonce, new byte[] {Wire.DONE});
     }
 
-    private static ContractCall contract(String name) throws IOException {
+    private static ContractCalls contract(String name) throws IOException {
         try {
-            return ContractCall.of(Class.forName(name));
+            return ContractCalls.of(Class.forName(name));
         } catch (ClassNotFoundException e) {
             throw new IOException("no contract " + name, e);
         }
@@ -70,24 +74,29 @@ final class StudentCalls {
     private void call(long nonce, DataInputStream in) throws IOException {
         int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
         int mostBytes = Math.min(in.readInt(), Wire.MOST_ANSWER_BYTES);
-        Object[] given = contract.readArguments(in, most, Math.min(most, USUAL));
-        byte[] before = contract.values(given);
+        ContractCall method = contract.numbered(in.readInt());
+        Object[] given = method.readArguments(in, most, Math.min(most, USUAL));
+        byte[] before = method.values(given);
         Object returned = null;
         try {
-            returned = calling.call(student, given);
+            returned = callings.get(method.number()).call(student, given);
         } catch (Throwable e) {
             if (!isFull(given)) {
                 threw(nonce, e);
                 return;
             }
         }
-        ByteArrayOutputStream answer = new ByteArrayOutputStream();
-        contract.writeAnswer(before, given, returned, new DataOutputStream(answer));
-        boolean tooLong = answer.size() > mostBytes;
+        int status = isFull(given) ? Wire.CUT : Wire.DONE;
+        byte[] answer = new byte[0];
+        try {
+            answer = method.answer(before, given, returned, mostBytes);
+        } catch (BoundedBytes.Beyond tooLong) {
+            status = Wire.TOO_LONG;
+        }
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
-        out.writeByte(tooLong ? Wire.TOO_LONG : isFull(given) ? Wire.CUT : Wire.DONE);
-        Frames.write(out, tooLong ? new byte[0] : answer.toByteArray());
+        out.writeByte(status);
+        Frames.write(out, answer);
         out.writeUTF(printed.take());
         send(nonce, body.toByteArray());
     }
@@ -97,42 +106,28 @@ final class StudentCalls {
     }
 
     private void time(long nonce, DataInputStream in) throws IOException {
-        Object[][] given = new Object[in.readInt()][];
-        int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
-        int room = in.readInt();
-        int from = in.readInt();
-        int to = in.readInt();
-        byte[][] before = new byte[given.length][];
-        for (int i = 0; i < given.length; i++) {
-            given[i] = contract.readArguments(in, most, room);
-            if (i >= from && i < to) before[i] = contract.values(given[i]);
-        }
-        Object[] returned = new Object[given.length];
+        TimedCalls calls = new TimedCalls(contract, callings, in);
         printed.drop();
         long start = System.nanoTime();
         try {
-            calling.callEach(student, given, returned);
+            calls.run(student);
         } catch (Throwable e) {
-            if (Stream.of(given).noneMatch(StudentCalls::isFull)) {
-                printed.keep();
-                threw(nonce, e);
-                return;
-            }
+            printed.keep();
+            if (calls.wasStopped()) send(nonce, new byte[] {Wire.CUT});
+            else threw(nonce, e);
+            return;
         }
         long nanos = System.nanoTime() - start;
-        ItemSum sum = new ItemSum();
-        for (int i = 0; i < given.length; i++) contract.addTo(sum, given[i], returned[i]);
+        long dropped = printed.keep();
         ByteArrayOutputStream body = new ByteArrayOutputStream();
-        DataOutputStream out = new DataOutputStream(body);
-        out.writeByte(Wire.DONE);
-        out.writeLong(nanos);
-        out.writeLong(sum.count());
-        out.writeLong(sum.sum());
-        out.writeLong(printed.keep());
-        for (int i = from; i < to; i++) {
-            ByteArrayOutputStream answer = new ByteArrayOutputStream();
-            contract.writeAnswer(before[i], given[i], returned[i], new DataOutputStream(answer));
-            Frames.write(out, answer.toByteArray());
+        try {
+            DataOutputStream out = new DataOutputStream(body);
+            out.writeByte(Wire.DONE);
+            out.writeLong(nanos);
+            calls.writeTo(out, dropped);
+        } catch (BoundedBytes.Beyond tooLong) {
+            send(nonce, new byte[] {Wire.TOO_LONG});
+            return;
         }
         send(nonce, body.toByteArray());
     }

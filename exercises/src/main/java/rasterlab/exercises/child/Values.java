@@ -30,6 +30,7 @@ public final class Values {
 
     /**
      * @param type that the contract declares; {@link #carries} it
+     * @throws BoundedBytes.Beyond if it is longer than a frame, or than {@code out} takes
      */
     static void write(Class<?> type, Object value, DataOutputStream out) throws IOException {
         if (type.isPrimitive()) {
@@ -40,6 +41,7 @@ public final class Values {
         if (value == null) return;
         if (type.isArray()) {
             int length = Array.getLength(value);
+            requireRoom(length);
             out.writeInt(length);
             for (int i = 0; i < length; i++)
                 write(type.getComponentType(), Array.get(value, i), out);
@@ -49,10 +51,16 @@ public final class Values {
         } else if (type.isEnum()) {
             out.writeInt(((Enum<?>) value).ordinal());
         } else {
+            requireRoom(((String) value).length());
             byte[] text = ((String) value).getBytes(StandardCharsets.UTF_8);
             out.writeInt(text.length);
             out.write(text);
         }
+    }
+
+    /** Refuses what is too long before a copy of it is made. */
+    private static void requireRoom(int items) throws BoundedBytes.Beyond {
+        if (items > Wire.MOST_FRAME_BYTES) throw new BoundedBytes.Beyond();
     }
 
     private static void writeNumber(Object value, DataOutputStream out) throws IOException {

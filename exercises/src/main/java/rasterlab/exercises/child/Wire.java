@@ -14,29 +14,34 @@ public final class Wire {
     public static final int COMPILE = 1;
 
     /**
-     * Name of the contract, the class that calls its method as a frame, name of the class to make
-     * an instance of, number of classes, then name and bytes of each.
+     * Name of the contract, the classes that call its methods as a frame each, name of the class to
+     * make an instance of, number of classes, then name and bytes of each.
      */
     public static final int LOAD = 2;
 
     /**
-     * The most items of a sink (int), the most bytes of the answer (int) and what the method is
-     * given; answered by what came of it as a frame ({@link ContractCall}) and what was printed.
+     * The most items of a sink (int), the most bytes of the answer (int), the number of the method
+     * (int) and what it is given; answered by what came of it as a frame ({@link ContractCall}) and
+     * what was printed.
      */
     public static final int CALL = 3;
 
     /**
-     * Number of calls, the most items of a sink, the usual number, the first call to be told in
-     * full and the one after the last (five ints), then what the method is given in each; answered
-     * by the nanoseconds that they took, the number of items, their sum and the number of bytes
-     * that were printed (four longs), and what came of those calls as a frame each.
+     * Number of calls, the most items of a sink, the most bytes of an answer, the usual number of
+     * items, the first call to be told in full and the one after the last (six ints), then the
+     * number of the method (int) and what it is given in each; answered by the nanoseconds that
+     * they took, the number of items, their sum and the number of bytes that were printed (four
+     * longs), and what came of those calls as a frame each.
      */
     public static final int TIME = 4;
 
     /** Payload depends on the operation. */
     public static final int DONE = 0;
 
-    /** The payload of DONE, of a method that went on beyond the most items and was stopped. */
+    /**
+     * The payload of DONE, of a method that went on beyond the most items and was stopped; none
+     * where it was timed.
+     */
     public static final int CUT = 1;
 
     /** Class name of an exception; a {@link #MESSAGE} with the same nonce follows. */
@@ -64,7 +69,8 @@ public final class Wire {
     public static final int CLASSES_TOO_LONG = 8;
 
     /**
-     * The answer has more bytes than were asked for; an empty frame and what was printed follow.
+     * The answer has more bytes than are taken; an empty frame and what was printed follow, or
+     * nothing where it was timed.
      */
     public static final int TOO_LONG = 9;
 

@@ -40,13 +40,23 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public Caps caps() {
-        return Caps.ofItems(topic().mostBeforeEndless(topic().spend(grading.right(), input)));
+        return Caps.ofItems(topic().mostBeforeEndless(items()));
+    }
+
+    /** None where the right method refuses the input. */
+    @Override
+    public long items() {
+        try {
+            return topic().spend(grading.right(), input);
+        } catch (IllegalArgumentException refused) {
+            return 0;
+        }
     }
 
     @Override
     @SuppressWarnings("unchecked") // the caller has it from this grading's contract
-    public Object recorded(Object method) {
-        return topic().record((C) method, input, caps().items());
+    public Object recorded(Object method, int most) {
+        return topic().record((C) method, input, most);
     }
 
     @Override

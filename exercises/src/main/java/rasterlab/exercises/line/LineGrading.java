@@ -73,8 +73,13 @@ public final class LineGrading implements TopicGrading {
         }
 
         @Override
-        public Object recorded(Object method) {
-            return new LineTopic().record((LineRasterizer) method, segment, caps().items());
+        public long items() {
+            return demand.cutShort(segment) ? demand.firstPixels() : segment.steps() + 1;
+        }
+
+        @Override
+        public Object recorded(Object method, int most) {
+            return new LineTopic().record((LineRasterizer) method, segment, most);
         }
 
         @Override

@@ -11,6 +11,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Optional;
 import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Answer.Ending;
@@ -35,7 +36,8 @@ final class Asked implements InvocationHandler {
     /** Sends a call to the child. */
     @FunctionalInterface
     interface Sending {
-        Reply send(Object[] arguments) throws ChildLost, InterruptedException, Threw;
+        Reply send(ContractCall method, Object[] arguments)
+                throws ChildLost, InterruptedException, Threw;
     }
 
     /** Carries what the method threw. */
@@ -53,7 +55,7 @@ final class Asked implements InvocationHandler {
         }
     }
 
-    private final ContractCall contract;
+    private final ContractCalls contract;
     private final Sending sending;
     private final MessageDigest told = sha256();
     private final StringBuilder printed = new StringBuilder();
@@ -61,7 +63,7 @@ final class Asked implements InvocationHandler {
     private boolean asked;
     private Answer ended;
 
-    Asked(ContractCall contract, Sending sending) {
+    Asked(ContractCalls contract, Sending sending) {
         this.contract = contract;
         this.sending = sending;
     }
@@ -79,7 +81,7 @@ final class Asked implements InvocationHandler {
         return proxy(contract, this);
     }
 
-    static Object proxy(ContractCall contract, InvocationHandler handler) {
+    static Object proxy(ContractCalls contract, InvocationHandler handler) {
         Class<?> type = contract.contract();
         return Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, handler);
     }
@@ -94,9 +96,10 @@ final class Asked implements InvocationHandler {
         if (method.isDefault()) return InvocationHandler.invokeDefault(proxy, method, arguments);
         if (method.getDeclaringClass() == Object.class) return method.invoke(this, arguments);
         try {
-            Reply reply = sending.send(arguments);
+            ContractCall call = contract.of(method);
+            Reply reply = sending.send(call, arguments);
             asked = true;
-            return replayed(reply, arguments);
+            return replayed(call, reply, arguments);
         } catch (Threw threw) {
             ended = threw.answer;
             throw new Unanswered(threw);
@@ -105,20 +108,20 @@ final class Asked implements InvocationHandler {
         }
     }
 
-    private Object replayed(Reply reply, Object[] arguments) throws ChildLost {
+    private Object replayed(ContractCall call, Reply reply, Object[] arguments) throws ChildLost {
         printed.append(reply.printed());
         told.update(reply.answer());
         if (reply.status() == Wire.TOO_LONG) throw ended(Ending.TOO_LONG);
         ContractCall.Done done;
         try {
             var in = new DataInputStream(new ByteArrayInputStream(reply.answer()));
-            done = contract.replay(in, arguments);
+            done = call.replay(in, arguments);
         } catch (IOException noAnswer) {
             throw new Unanswered(ChildLost.protocol(noAnswer));
         }
         items += done.items();
         if (done.spoilt()) throw ended(Ending.OVERWROTE);
-        if (contract.returnsValue() && done.value() == null) throw ended(Ending.NULL);
+        if (call.returnsValue() && done.value() == null) throw ended(Ending.NULL);
         if (reply.status() == Wire.CUT) throw ended(Ending.CUT);
         return done.value();
     }

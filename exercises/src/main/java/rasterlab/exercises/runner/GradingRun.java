@@ -15,7 +15,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCase;
 import rasterlab.exercises.runner.scan.AllowList;
@@ -35,7 +35,7 @@ final class GradingRun {
     private final JudgeSettings settings;
     private final Exercise exercise;
     private final TopicGrading topic;
-    private final ContractCall contract;
+    private final ContractCalls contract;
     private final String source;
     private final CaseSelection selection;
     private final Consumer<CaseReport> progress;
@@ -55,7 +55,7 @@ final class GradingRun {
         this.settings = settings;
         this.exercise = exercise;
         this.topic = TopicGradings.named(exercise.topic());
-        this.contract = ContractCall.of(topic.contract());
+        this.contract = ContractCalls.of(topic.contract());
         this.source = source;
         this.selection = selection;
         this.progress = progress;
@@ -93,6 +93,7 @@ final class GradingRun {
                                 children,
                                 settings,
                                 contract,
+                                exercise.caps(),
                                 checked.entry(),
                                 compiled.classes(),
                                 again);
@@ -117,7 +118,8 @@ final class GradingRun {
                         (resource, bytes) ->
                                 classes.put(
                                         resource.replace(".class", "").replace('/', '.'), bytes));
-        return new Student(children, settings, contract, method.getName(), classes, again);
+        return new Student(
+                children, settings, contract, exercise.caps(), method.getName(), classes, again);
     }
 
     private Report tried(Student student, Student reference)
@@ -217,6 +219,7 @@ final class GradingRun {
         try {
             return new SpeedTrial(
                             contract,
+                            exercise.caps(),
                             topic.timings(exercise, new SecureRandom(), marking.uncharged()),
                             topic::inOwnWords,
                             student,

@@ -4,9 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.SpeedPoints;
@@ -28,7 +29,8 @@ final class SpeedTrial {
     /** Each in fresh children, later than the one before. */
     private static final int MOST_TRIES = 4;
 
-    private final ContractCall contract;
+    private final ContractCalls contract;
+    private final Exercise.Caps caps;
     private final TopicGrading.Timings timings;
     private final UnaryOperator<String> words;
     private final Student student;
@@ -41,6 +43,7 @@ final class SpeedTrial {
     private boolean printed;
 
     /**
+     * @param caps limits of a call that the exercise states
      * @param before what both draw before they are timed
      * @param timings what they are timed on, not known to the student, so that nothing can be
      *     computed beforehand
@@ -49,7 +52,8 @@ final class SpeedTrial {
      * @param patience tells whether the machine is busy
      */
     SpeedTrial(
-            ContractCall contract,
+            ContractCalls contract,
+            Exercise.Caps caps,
             TopicGrading.Timings timings,
             UnaryOperator<String> words,
             Student student,
@@ -58,6 +62,7 @@ final class SpeedTrial {
             Set<String> charged,
             Patience patience) {
         this.contract = contract;
+        this.caps = caps;
         this.timings = timings;
         this.words = words;
         this.student = student;
@@ -131,7 +136,7 @@ final class SpeedTrial {
         long start = System.nanoTime();
         for (int round = 1; round <= LEAST_ROUNDS || !theirs.isSettledBeside(ours); round++) {
             TopicGrading.Timing timing = timings.next();
-            TimedBatch batch = new TimedBatch(contract, timing);
+            TimedBatch batch = new TimedBatch(contract, timing, caps);
             StudentRun.Timed reply = student.run().time(batch);
             Optional<Message> obstacle = obstacle(timing, reply);
             if (obstacle.isPresent()) return obstacle;
@@ -161,6 +166,7 @@ final class SpeedTrial {
                     Answer.isOfTheJdk(reply.thrown())
                             ? Message.of(words.apply("speed.threw"), reply.thrown())
                             : Message.of(words.apply("speed.threw-own")));
+        if (reply.tooLong()) return Optional.of(Message.of("speed.too-long"));
         boolean right = timing.mistakes(reply.told()).filter(charged::containsAll).isPresent();
         return right ? Optional.empty() : Optional.of(Message.of(words.apply("speed.wrong")));
     }

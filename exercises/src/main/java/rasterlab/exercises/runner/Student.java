@@ -3,8 +3,9 @@ package rasterlab.exercises.runner;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading.Call;
-import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
@@ -21,7 +22,8 @@ final class Student implements AutoCloseable {
 
     private final Children children;
     private final JudgeSettings settings;
-    private final ContractCall contract;
+    private final ContractCalls contract;
+    private final Exercise.Caps caps;
     private final String entry;
     private final Map<String, byte[]> classes;
     private final boolean again;
@@ -34,6 +36,7 @@ final class Student implements AutoCloseable {
 
     /**
      * @param contract that the class implements
+     * @param caps limits of a call that the exercise states
      * @param entry name of the class that implements the contract
      * @param again whether this was tried before: then a signal is no accident but what the method
      *     makes of its process
@@ -41,13 +44,15 @@ final class Student implements AutoCloseable {
     Student(
             Children children,
             JudgeSettings settings,
-            ContractCall contract,
+            ContractCalls contract,
+            Exercise.Caps caps,
             String entry,
             Map<String, byte[]> classes,
             boolean again) {
         this.children = children;
         this.settings = settings;
         this.contract = contract;
+        this.caps = caps;
         this.entry = entry;
         this.classes = classes;
         this.again = again;
@@ -118,7 +123,7 @@ final class Student implements AutoCloseable {
         }
         StudentRun run = loaded.orElseThrow().run();
         Duration before = run.used();
-        Answer answer = run.call(call);
+        Answer answer = run.call(call, call.caps().within(caps));
         spent = spent.plus(run.used()).minus(before);
         if (run.over()) {
             stops++;

@@ -10,6 +10,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Caps;
 import rasterlab.exercises.TopicGrading.Told;
 import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
@@ -19,17 +20,20 @@ final class StudentRun {
     private static final Duration MESSAGE_LIMIT = Duration.ofMillis(500);
 
     private final Child child;
-    private final ContractCall contract;
+    private final ContractCalls contract;
     private final Duration callLimit;
     private final Patience patience;
     private String thrown = "";
     private boolean over;
 
+    /** Time that the calls made for one input took so far. */
+    private Duration spent = Duration.ZERO;
+
     /**
-     * @param contract of the class, whose single method is called
+     * @param contract of the class, whose methods are called
      * @param callLimit the most processor time for one call
      */
-    StudentRun(Child child, ContractCall contract, Duration callLimit, Patience patience) {
+    StudentRun(Child child, ContractCalls contract, Duration callLimit, Patience patience) {
         this.child = child;
         this.contract = contract;
         this.callLimit = callLimit;
@@ -53,7 +57,8 @@ final class StudentRun {
                         Wire.LOAD,
                         out -> {
                             out.writeUTF(contract.contract().getName());
-                            Frames.write(out, CallingClass.of(contract.method()));
+                            for (ContractCall one : contract.all())
+                                Frames.write(out, CallingClass.of(one.method()));
                             out.writeUTF(entry);
                             out.writeInt(classes.size());
                             for (Map.Entry<String, byte[]> one : classes.entrySet()) {
@@ -80,10 +85,11 @@ final class StudentRun {
      *
      * @throws ChildLost when the child gave no answer; it is dead then
      */
-    Answer call(TopicGrading.Call call) throws ChildLost, InterruptedException {
-        Asked asked = new Asked(contract, arguments -> send(call.caps(), arguments));
+    Answer call(TopicGrading.Call call, Caps caps) throws ChildLost, InterruptedException {
+        spent = Duration.ZERO;
+        Asked asked = new Asked(contract, (method, arguments) -> send(caps, method, arguments));
         try {
-            return asked.with(Answer.Ending.RETURNED, call.recorded(asked.method()));
+            return asked.with(Answer.Ending.RETURNED, call.recorded(asked.method(), caps.items()));
         } catch (LimitReached reached) {
             return asked.with(Answer.Ending.CUT, reached.recorded());
         } catch (InputChanged changed) {
@@ -101,7 +107,7 @@ final class StudentRun {
         }
     }
 
-    private Asked.Reply send(Caps caps, Object[] arguments)
+    private Asked.Reply send(Caps caps, ContractCall method, Object[] arguments)
             throws ChildLost, InterruptedException, Asked.Threw {
         Request request =
                 new Request(
@@ -110,12 +116,12 @@ final class StudentRun {
                             // with one item more the topic itself finds its limit reached
                             out.writeInt(caps.items() + 1);
                             out.writeInt(caps.bytes());
-                            contract.writeArguments(arguments, out);
+                            out.writeInt(method.number());
+                            method.writeArguments(arguments, out);
                         });
-        Duration limit = caps.processor();
-        return ask(
+        return askWithin(
+                caps.processor().orElse(callLimit),
                 request,
-                limit.compareTo(callLimit) < 0 ? limit : callLimit,
                 (status, in) -> {
                     if (status != Wire.DONE && status != Wire.CUT && status != Wire.TOO_LONG)
                         throw new IOException("status " + status + " after a call");
@@ -131,8 +137,13 @@ final class StudentRun {
      * @param own what the child tells: without the way there and back
      * @param printed number of bytes
      * @param thrown class of an exception; empty where there was none
+     * @param tooLong whether an answer has more bytes than are taken
      */
-    record Timed(long nanos, long own, Told told, long printed, String thrown) {}
+    record Timed(long nanos, long own, Told told, long printed, String thrown, boolean tooLong) {
+        static Timed none(long nanos, String thrown, boolean tooLong) {
+            return new Timed(nanos, 0, TimedBatch.NOTHING, 0, thrown, tooLong);
+        }
+    }
 
     Timed time(TimedBatch batch) throws ChildLost, InterruptedException {
         long start = System.nanoTime();
@@ -141,15 +152,39 @@ final class StudentRun {
                 patience.limit(callLimit),
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
-                    if (status != Wire.DONE)
-                        return new Timed(nanos, 0, TimedBatch.NOTHING, 0, Wire.cut(in.readUTF()));
+                    if (status == Wire.THREW)
+                        return Timed.none(nanos, Wire.cut(in.readUTF()), false);
+                    if (status != Wire.DONE) return Timed.none(nanos, "", status == Wire.TOO_LONG);
                     long own = in.readLong();
                     long count = in.readLong();
                     long sum = in.readLong();
                     long printed = in.readLong();
                     Told told = new Told(count, sum, batch.looked(in));
-                    return new Timed(nanos, own, told, printed, "");
+                    return new Timed(nanos, own, told, printed, "", false);
                 });
+    }
+
+    /**
+     * Asks in what is left of a limit for all calls that are made for one input.
+     *
+     * @throws ChildLost also when nothing is left, naming the whole limit
+     */
+    private <T> T askWithin(Duration limit, Request request, Reading<T> reading)
+            throws ChildLost, InterruptedException, Asked.Threw {
+        Duration before = used();
+        long start = System.nanoTime();
+        T answer;
+        try {
+            answer = ask(request, limit.minus(spent), reading);
+            Duration passed = Duration.ofNanos(System.nanoTime() - start);
+            spent = spent.plus(child.used().map(now -> now.minus(before)).orElse(passed));
+        } catch (ChildLost lost) {
+            if (lost.reason() != ChildLost.Reason.TIME || lost.isIdle()) throw lost;
+            throw ChildLost.late(patience.limit(limit), limit);
+        }
+        if (spent.compareTo(limit) < 0) return answer;
+        child.close();
+        throw ChildLost.late(patience.limit(limit), spent);
     }
 
     private <T> T ask(Request request, Duration limit, Reading<T> reading)

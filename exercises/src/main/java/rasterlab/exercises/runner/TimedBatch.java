@@ -11,9 +11,12 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import rasterlab.engine.study.LimitReached;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Timing;
 import rasterlab.exercises.TopicGrading.Told;
 import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 
@@ -23,16 +26,21 @@ import rasterlab.exercises.child.Wire;
 final class TimedBatch {
     static final Told NOTHING = new Told(0, 0, Optional.empty());
 
-    private final ContractCall contract;
+    private final ContractCalls contract;
     private final Timing timing;
+    private final TopicGrading.Caps caps;
     private final ByteArrayOutputStream arguments = new ByteArrayOutputStream();
     private int calls;
     private int from;
     private int to;
 
-    TimedBatch(ContractCall contract, Timing timing) {
+    /**
+     * @param caps limits of a call that the exercise states
+     */
+    TimedBatch(ContractCalls contract, Timing timing, Exercise.Caps caps) {
         this.contract = contract;
         this.timing = timing;
+        this.caps = TopicGrading.Caps.ofItems(timing.mostItems()).within(caps);
         Object listening = Asked.proxy(contract, new Listening());
         int looked = timing.looked().orElse(-1);
         for (int i = 0; i < timing.inputs(); i++) {
@@ -49,9 +57,11 @@ final class TimedBatch {
         @Override
         public Object invoke(Object proxy, Method method, Object[] given) throws Throwable {
             if (method.isDefault()) return InvocationHandler.invokeDefault(proxy, method, given);
-            contract.writeArguments(given, out);
+            ContractCall call = contract.of(method);
+            out.writeInt(call.number());
+            call.writeArguments(given, out);
             calls++;
-            return contract.invoke(timing.right(), given);
+            return call.invoke(timing.right(), given);
         }
     }
 
@@ -60,7 +70,8 @@ final class TimedBatch {
                 Wire.TIME,
                 out -> {
                     out.writeInt(calls);
-                    out.writeInt(timing.mostItems());
+                    out.writeInt(caps.items());
+                    out.writeInt(caps.bytes());
                     out.writeInt(timing.usualItems());
                     out.writeInt(from);
                     out.writeInt(to);
@@ -97,8 +108,9 @@ final class TimedBatch {
         public Object invoke(Object proxy, Method method, Object[] given) throws Throwable {
             if (method.isDefault()) return InvocationHandler.invokeDefault(proxy, method, given);
             var in = new DataInputStream(new ByteArrayInputStream(answers.remove()));
-            Object value = contract.replay(in, given).value();
-            if (contract.returnsValue() && value == null)
+            ContractCall call = contract.of(method);
+            Object value = call.replay(in, given).value();
+            if (call.returnsValue() && value == null)
                 throw new IllegalStateException("null is no answer");
             return value;
         }

@@ -1,6 +1,8 @@
 package rasterlab.exercises.child;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,8 +14,8 @@ import java.io.IOException;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.Proxy;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
@@ -22,24 +24,18 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.CurveTracer;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.PolygonSink;
-import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.exercises.Contracts;
 
 /** Whatever a contract's method is given and answers comes over the wire as it is. */
 class ContractCallTest {
-    /** Contracts of two methods, or whose method returns an object with methods of its own. */
-    private static final Set<String> NOT_CALLED =
-            Set.of("curve", "depth-buffer", "texture-filter", "hidden-surfaces");
-
     private static final int MOST = 20_000;
 
     static Stream<Named<Topic<?, ?, ?>>> topics() {
-        return Topics.all().stream()
-                .filter(topic -> !NOT_CALLED.contains(topic.name()))
-                .map(topic -> Named.of(topic.name(), topic));
+        return Contracts.topics().stream().map(topic -> Named.of(topic.name(), topic));
     }
 
     /** Each right method is called as a child calls a student's, on each hazard it is right on. */
@@ -47,8 +43,8 @@ class ContractCallTest {
     @MethodSource("topics")
     <C, I, O> void theAnswersOfAllTopicsArriveAsTheyAre(Topic<C, I, O> topic) throws Exception {
         Method<C> method = topic.methods().stream().filter(m -> !m.faulty()).findFirst().get();
-        ContractCall contract = ContractCall.of(contract(topic));
-        C remote = remote(contract, method.implementation());
+        ContractCalls contract = ContractCalls.of(Contracts.of(topic));
+        C remote = remote(contract, method.implementation(), ContractCallTest::called);
         for (Hazard<I> hazard : topic.hazards()) {
             assertEquals(
                     outcome(topic, method.implementation(), hazard.input()),
@@ -67,71 +63,136 @@ class ContractCallTest {
         }
     }
 
-    /** The interface of the contracts' package that the topic's methods implement. */
-    private static Class<?> contract(Topic<?, ?, ?> topic) {
-        Object implementation = topic.methods().get(0).implementation();
-        return interfaces(implementation.getClass())
-                .filter(type -> type.getPackageName().equals("rasterlab.contract"))
-                .findFirst()
-                .orElseThrow();
-    }
-
-    private static Stream<Class<?>> interfaces(Class<?> type) {
-        if (type == null) return Stream.of();
-        Stream<Class<?>> above =
-                Stream.concat(Stream.of(type.getInterfaces()), Stream.of(type))
-                        .filter(one -> one.isInterface());
-        return Stream.concat(
-                above.flatMap(
-                        one ->
-                                one == type
-                                        ? Stream.of(one)
-                                        : Stream.concat(Stream.of(one), interfaces(one))),
-                interfaces(type.getSuperclass()));
+    /** Answers a call of a method of the contract. */
+    private interface Answering {
+        Object answer(ContractCall call, Object implementation, Object[] given) throws Throwable;
     }
 
     @SuppressWarnings("unchecked") // the proxy is of the contract
-    private static <C> C remote(ContractCall contract, C implementation) {
+    private static <C> C remote(ContractCalls contract, C implementation, Answering answering) {
         Class<?> type = contract.contract();
         InvocationHandler handler =
                 (proxy, method, given) ->
                         method.isDefault()
                                 ? method.invoke(implementation, given)
-                                : called(contract, implementation, given);
+                                : answering.answer(contract.of(method), implementation, given);
         return (C) Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, handler);
     }
 
-    private static Object called(ContractCall contract, Object implementation, Object[] given)
+    private static Object called(ContractCall call, Object implementation, Object[] given)
             throws Throwable {
-        var asked = new ByteArrayOutputStream();
-        contract.writeArguments(given, new DataOutputStream(asked));
-        Object[] there = contract.readArguments(in(asked), MOST + 1, 10);
-        byte[] before = contract.values(there);
+        Object[] there = call.readArguments(in(sent(call, given)), MOST + 1, 10);
+        byte[] before = call.values(there);
         Object returned = null;
         try {
-            returned = contract.invoke(implementation, there);
+            returned = call.invoke(implementation, there);
         } catch (Error stopped) {
             if (Stream.of(there).noneMatch(one -> one instanceof Sheet sheet && sheet.full()))
                 throw stopped;
         }
-        var answer = new ByteArrayOutputStream();
-        contract.writeAnswer(before, there, returned, new DataOutputStream(answer));
+        return replayed(call, call.answer(before, there, returned, Integer.MAX_VALUE), given);
+    }
+
+    private static byte[] sent(ContractCall call, Object[] given) throws IOException {
+        var sent = new ByteArrayOutputStream();
+        call.writeArguments(given, new DataOutputStream(sent));
+        return sent.toByteArray();
+    }
+
+    private static Object replayed(ContractCall call, byte[] answer, Object[] given)
+            throws IOException {
         DataInputStream in = in(answer);
-        Object value = contract.replay(in, given).value();
+        Object value = call.replay(in, given).value();
         assertEquals(0, in.available(), "bytes are left over");
         return value;
     }
 
-    private static DataInputStream in(ByteArrayOutputStream bytes) {
-        return new DataInputStream(new ByteArrayInputStream(bytes.toByteArray()));
+    /** Calls that were timed answer what the same calls answer one by one. */
+    @ParameterizedTest
+    @MethodSource("topics")
+    <C, I, O> void theTimedAnswersOfAllTopicsArriveAsTheyAre(Topic<C, I, O> topic)
+            throws Throwable {
+        Method<C> method = topic.methods().stream().filter(m -> !m.faulty()).findFirst().get();
+        ContractCalls contract = ContractCalls.of(Contracts.of(topic));
+        int timed = 0;
+        for (Hazard<I> hazard : topic.hazards()) {
+            var payload = new ByteArrayOutputStream();
+            List<byte[]> answers = new ArrayList<>();
+            Answering listening =
+                    (call, implementation, given) -> {
+                        new DataOutputStream(payload).writeInt(call.number());
+                        payload.write(sent(call, given));
+                        Object[] there = call.readArguments(in(sent(call, given)), MOST + 1, 10);
+                        byte[] before = call.values(there);
+                        Object returned = call.invoke(implementation, there);
+                        answers.add(call.answer(before, there, returned, Integer.MAX_VALUE));
+                        return replayed(call, answers.get(answers.size() - 1), given);
+                    };
+            C recorded = remote(contract, method.implementation(), listening);
+            try {
+                topic.record(recorded, hazard.input(), MOST);
+            } catch (IllegalArgumentException | LimitReached | Error notTimed) {
+                continue;
+            }
+            int bytes = answers.stream().mapToInt(one -> one.length + Integer.BYTES).sum();
+            if (bytes > Wire.MOST_ANSWER_BYTES / 16) continue;
+            timed++;
+            assertTimed(contract, method.implementation(), payload.toByteArray(), answers);
+        }
+        assertTrue(timed > 0, "no hazard is answered");
+    }
+
+    private static void assertTimed(
+            ContractCalls contract, Object method, byte[] given, List<byte[]> answers)
+            throws Throwable {
+        var payload = new ByteArrayOutputStream();
+        var out = new DataOutputStream(payload);
+        for (int number :
+                new int[] {answers.size(), MOST + 1, Wire.MOST_ANSWER_BYTES, 10, 0, answers.size()})
+            out.writeInt(number);
+        out.write(given);
+        List<Calling> callings = new ArrayList<>();
+        for (ContractCall call : contract.all())
+            callings.add(
+                    new Calling() {
+                        @Override
+                        Object call(Object student, Object[] arguments) throws Throwable {
+                            return call.invoke(student, arguments);
+                        }
+                    });
+        var calls = new TimedCalls(contract, callings, in(payload.toByteArray()));
+        calls.run(method);
+        var told = new ByteArrayOutputStream();
+        calls.writeTo(new DataOutputStream(told), 7);
+        DataInputStream in = in(told.toByteArray());
+        assertTrue(in.readLong() >= 0, "items");
+        in.readLong();
+        assertEquals(7, in.readLong(), "printed");
+        for (byte[] answer : answers)
+            assertArrayEquals(answer, Frames.read(in, Wire.MOST_ANSWER_BYTES));
+        assertEquals(0, in.available(), "bytes are left over");
+    }
+
+    private static DataInputStream in(byte[] bytes) {
+        return new DataInputStream(new ByteArrayInputStream(bytes));
     }
 
     @Test
-    void aContractOfTwoMethodsIsNotCalled() {
-        var e =
-                assertThrows(
-                        IllegalArgumentException.class, () -> ContractCall.of(CurveTracer.class));
-        assertEquals("CurveTracer must have one method to implement, got 2", e.getMessage());
+    void theMethodsOfAContractHaveNumbers() throws IOException {
+        ContractCalls calls = ContractCalls.of(CurveTracer.class);
+        assertEquals(
+                List.of("at", "flatten"),
+                calls.all().stream().map(one -> one.method().getName()).toList());
+        for (ContractCall one : calls.all()) assertSame(one, calls.numbered(one.number()));
+        assertSame(calls.all().get(1), calls.of(calls.all().get(1).method()));
+        for (int none : new int[] {-1, 2})
+            assertThrows(IOException.class, () -> calls.numbered(none));
+    }
+
+    @Test
+    void anInterfaceThatCannotBeSentIsNoContract() {
+        for (Class<?> none : List.of(Comparable.class, Cloneable.class))
+            assertThrows(IllegalArgumentException.class, () -> ContractCalls.of(none));
     }
 
     @Test
@@ -140,17 +201,16 @@ class ContractCallTest {
         var out = new DataOutputStream(answer);
         out.writeBoolean(true);
         out.writeInt(Integer.MAX_VALUE);
-        assertThrows(IOException.class, () -> Values.read(double[].class, in(answer)));
-        assertThrows(IOException.class, () -> Values.read(String.class, in(answer)));
+        assertThrows(
+                IOException.class, () -> Values.read(double[].class, in(answer.toByteArray())));
+        assertThrows(IOException.class, () -> Values.read(String.class, in(answer.toByteArray())));
     }
 
     /** Otherwise a student could be given what nobody keeps. */
     @Test
     void thereIsASheetForEverySinkOfAContract() {
         List<Class<?>> sinks =
-                Topics.all().stream()
-                        .filter(topic -> !topic.name().equals("hidden-surfaces"))
-                        .<Class<?>>map(ContractCallTest::contract)
+                Contracts.all().stream()
                         .flatMap(contract -> Stream.of(contract.getMethods()))
                         .filter(method -> Modifier.isAbstract(method.getModifiers()))
                         .flatMap(method -> Stream.of(method.getParameterTypes()))

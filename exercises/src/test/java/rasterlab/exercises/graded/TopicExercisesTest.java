@@ -168,7 +168,8 @@ class TopicExercisesTest {
 
     private static Answer answer(TopicGrading.Call call, Object method) {
         try {
-            return Answer.with(Answer.Ending.RETURNED, call.recorded(method), 1, "", "");
+            return Answer.with(
+                    Answer.Ending.RETURNED, call.recorded(method, call.caps().items()), 1, "", "");
         } catch (LimitReached reached) {
             return Answer.with(Answer.Ending.CUT, reached.recorded(), 1, "", "");
         } catch (InputChanged changed) {

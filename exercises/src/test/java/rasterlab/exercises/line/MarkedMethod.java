@@ -36,7 +36,7 @@ record MarkedMethod(Exercise exercise, Marking marking) {
 
     private static Answer answer(LineRasterizer method, Call call) {
         try {
-            return answer(Answer.Ending.RETURNED, call.recorded(method));
+            return answer(Answer.Ending.RETURNED, call.recorded(method, call.caps().items()));
         } catch (LimitReached reached) {
             return answer(Answer.Ending.CUT, reached.recorded());
         } catch (IllegalArgumentException | ArithmeticException e) {

@@ -30,7 +30,7 @@ final class ChildWithParent {
             Compilation compiled = Compilation.of(endless(begun), compiler, LONG);
             StudentRun run = new StudentRun(child, Unscanned.CONTRACT, LONG, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
-            run.call(LineGrading.warmUp());
+            run.call(LineGrading.warmUp(), LineGrading.warmUp().caps());
         }
     }
 

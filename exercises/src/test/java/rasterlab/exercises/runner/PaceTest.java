@@ -63,6 +63,6 @@ class PaceTest {
     }
 
     private static StudentRun.Timed timed(long wall, long own) {
-        return new StudentRun.Timed(wall, own, TimedBatch.NOTHING, 0, "");
+        return new StudentRun.Timed(wall, own, TimedBatch.NOTHING, 0, "", false);
     }
 }

@@ -3,7 +3,7 @@ package rasterlab.exercises.runner;
 import java.time.Duration;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.child.ContractCall;
+import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.line.LineGrading;
 import rasterlab.exercises.score.Answer;
@@ -11,7 +11,7 @@ import rasterlab.exercises.score.Answer;
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
     private static final TopicGrading.Call CALL = LineGrading.warmUp();
-    static final ContractCall CONTRACT = ContractCall.of(LineRasterizer.class);
+    static final ContractCalls CONTRACT = ContractCalls.of(LineRasterizer.class);
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
 
     final ChildJars jars = ChildJars.assemble();
@@ -36,7 +36,7 @@ final class Unscanned implements AutoCloseable {
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
             StudentRun run = new StudentRun(runner, CONTRACT, CALL_LIMIT, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
-            return run.call(CALL);
+            return run.call(CALL, CALL.caps());
         }
     }
 
@@ -54,7 +54,10 @@ final class Unscanned implements AutoCloseable {
                             out -> {
                                 out.writeInt(Wire.MOST_ITEMS);
                                 out.writeInt(Wire.MOST_ANSWER_BYTES);
-                                CONTRACT.writeArguments(new Object[] {0, 0, 1001, 500, null}, out);
+                                out.writeInt(0);
+                                CONTRACT.all()
+                                        .get(0)
+                                        .writeArguments(new Object[] {0, 0, 1001, 500, null}, out);
                             });
             return runner.ask(
                     request,

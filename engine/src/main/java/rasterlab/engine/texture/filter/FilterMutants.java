@@ -6,23 +6,13 @@ import rasterlab.engine.study.Mutant;
 
 /** Textures looked up with one mistake. */
 final class FilterMutants {
-    private static final TextureFilter RIGHT = new SummedAreaFilter();
+    private static final PreparedFilter RIGHT = new SummedAreaFilter();
 
     private FilterMutants() {}
 
     static List<Mutant<TextureFilter>> all() {
         return List.of(
-                new Mutant<>(
-                        "one-texel",
-                        "aliasing",
-                        (width, height, argb) ->
-                                (s, t, a, b, c, d) ->
-                                        argb[
-                                                Math.floorMod((int) Math.floor(t * height), height)
-                                                                * width
-                                                        + Math.floorMod(
-                                                                (int) Math.floor(s * width),
-                                                                width)]),
+                new Mutant<>("one-texel", "aliasing", oneTexel()),
                 new Mutant<>(
                         "square-of-longer-side",
                         "long-and-narrow",
@@ -57,26 +47,35 @@ final class FilterMutants {
                                                 0,
                                                 0,
                                                 high))),
-                new Mutant<>(
-                        "no-area-is-a-texel",
-                        "no-area",
-                        (width, height, argb) -> {
-                            TextureFilter.Lookup look = RIGHT.prepare(width, height, argb);
-                            return (s, t, a, b, c, d) ->
-                                    Footprint.isPoint(a, b, c, d, width, height)
-                                            ? look.color(s, t, 1.0 / width, 0, 0, 1.0 / height)
-                                            : look.color(s, t, a, b, c, d);
-                        }));
+                new Mutant<>("no-area-is-a-texel", "no-area", withoutPoints()));
+    }
+
+    private static PreparedFilter oneTexel() {
+        return (width, height, argb) ->
+                (s, t, a, b, c, d) ->
+                        argb[
+                                Math.floorMod((int) Math.floor(t * height), height) * width
+                                        + Math.floorMod((int) Math.floor(s * width), width)];
+    }
+
+    private static PreparedFilter withoutPoints() {
+        return (width, height, argb) -> {
+            PreparedFilter.Lookup look = RIGHT.prepare(width, height, argb);
+            return (s, t, a, b, c, d) ->
+                    Footprint.isPoint(a, b, c, d, width, height)
+                            ? look.color(s, t, 1.0 / width, 0, 0, 1.0 / height)
+                            : look.color(s, t, a, b, c, d);
+        };
     }
 
     private interface Looking {
-        int color(TextureFilter.Lookup look, double s, double t, double wide, double high);
+        int color(PreparedFilter.Lookup look, double s, double t, double wide, double high);
     }
 
     /** Another look at footprints that have an area and are not turned. */
-    private static TextureFilter looking(Looking looking) {
+    private static PreparedFilter looking(Looking looking) {
         return (width, height, argb) -> {
-            TextureFilter.Lookup look = RIGHT.prepare(width, height, argb);
+            PreparedFilter.Lookup look = RIGHT.prepare(width, height, argb);
             return (s, t, dsdx, dtdx, dsdy, dtdy) ->
                     Footprint.isPoint(dsdx, dtdx, dsdy, dtdy, width, height)
                             ? look.color(s, t, dsdx, dtdx, dsdy, dtdy)

@@ -71,27 +71,25 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
 
     @Override
     public double[] run(TextureFilter method, FilteredPixels pixels, int limit) {
-        var lookup = method.prepare(pixels.width(), pixels.height(), pixels.argb());
-        var levels = new double[4 * Math.min(limit, pixels.count())];
-        for (int i = 0; i < levels.length / 4; i++) {
-            int argb = look(lookup, pixels.footprints(), i * FilteredPixels.NUMBERS);
-            for (int c = 0; c < 4; c++) levels[4 * i + c] = argb >>> 24 - 8 * c & 255;
-        }
+        int count = Math.min(limit, pixels.count());
+        double[] footprints = pixels.footprints();
+        if (count < pixels.count())
+            footprints = Arrays.copyOf(footprints, count * FilteredPixels.NUMBERS);
+        int[] colors = method.colors(pixels.width(), pixels.height(), pixels.argb(), footprints);
+        if (colors.length != count)
+            throw new IllegalStateException(
+                    "%d colours were asked for, got %d".formatted(count, colors.length));
+        var levels = new double[4 * count];
+        for (int i = 0; i < count; i++)
+            for (int c = 0; c < 4; c++) levels[4 * i + c] = colors[i] >>> 24 - 8 * c & 255;
         return levels;
-    }
-
-    private static int look(TextureFilter.Lookup lookup, double[] f, int at) {
-        return lookup.color(f[at], f[at + 1], f[at + 2], f[at + 3], f[at + 4], f[at + 5]);
     }
 
     /** With the time to make the picture ready, spread over the pixels. */
     @Override
     public long spend(TextureFilter method, FilteredPixels pixels) {
-        var lookup = method.prepare(pixels.width(), pixels.height(), pixels.argb());
-        long colours = 0;
-        for (int i = 0; i < pixels.count(); i++)
-            colours += look(lookup, pixels.footprints(), i * FilteredPixels.NUMBERS);
-        return colours == Long.MIN_VALUE ? 0 : pixels.count();
+        return method.colors(pixels.width(), pixels.height(), pixels.argb(), pixels.footprints())
+                .length;
     }
 
     @Override

@@ -1,11 +1,10 @@
 package rasterlab.engine.texture.filter;
 
 import java.util.List;
-import rasterlab.contract.TextureFilter;
 import rasterlab.engine.texture.TexelShare;
 
 /** A filter that can say which texels it mixes a colour of. */
-public interface SteppedFilter extends TextureFilter {
+public interface SteppedFilter extends PreparedFilter {
     /** Texels of one picture. */
     @FunctionalInterface
     interface Trace {

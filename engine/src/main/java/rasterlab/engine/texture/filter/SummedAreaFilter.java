@@ -1,7 +1,5 @@
 package rasterlab.engine.texture.filter;
 
-import rasterlab.contract.TextureFilter;
-
 /**
  * The mean over a footprint with sides along the picture's, from a table of sums: entry (i, j) is
  * the sum of all texels below and left of it, so a rectangle's sum takes four of them.
@@ -11,7 +9,7 @@ import rasterlab.contract.TextureFilter;
  *
  * <p>Source: F. C. Crow, Summed-area tables for texture mapping, SIGGRAPH 1984, pp. 207–212.
  */
-final class SummedAreaFilter implements TextureFilter {
+final class SummedAreaFilter implements PreparedFilter {
     private static final int CHANNELS = 4;
 
     @Override

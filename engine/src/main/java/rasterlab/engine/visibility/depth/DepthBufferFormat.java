@@ -121,8 +121,9 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
     protected Written answered(Call<DepthFormat> call, DepthRows rows) {
         Written steps = call.steps() ? steps(call, rows) : out -> {};
         StoredDepths stored = recorded(call, rows);
-        double[] behind = DepthCell.behind(call.method(), rows);
-        DepthFormat.Codes codes = call.method().over(rows.range());
+        var coding = (DepthCoding) call.method();
+        double[] behind = DepthCell.behind(coding, rows);
+        DepthCoding.Codes codes = coding.over(rows.range());
         return out -> {
             out.wholes(CODES.name(), stored.codes());
             out.name(STORED.name());

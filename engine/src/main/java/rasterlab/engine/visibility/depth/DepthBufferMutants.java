@@ -1,6 +1,7 @@
 package rasterlab.engine.visibility.depth;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.UnaryOperator;
 import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
@@ -8,7 +9,7 @@ import rasterlab.engine.study.Mutant;
 
 /** Depths stored with one mistake. */
 final class DepthBufferMutants {
-    private static final DepthFormat RIGHT = new ReversedDepth();
+    private static final DepthCoding RIGHT = new ReversedDepth();
     private static final int BITS = 24;
 
     private DepthBufferMutants() {}
@@ -18,13 +19,10 @@ final class DepthBufferMutants {
                 new Mutant<>("codes-reversed", "far-near-10", over(Turned::new)),
                 new Mutant<>("sixteen-bits", "far-near-1000", new FixedDepth(16)),
                 new Mutant<>("floats-close-to-the-eye", "far-near-million", new FloatDepth()),
-                new Mutant<>(
-                        "far-plane-limited",
-                        "no-far-plane",
-                        range -> RIGHT.over(new DepthRange(range.near(), least(range.far(), 1e6)))),
+                new Mutant<>("far-plane-limited", "no-far-plane", limited()),
                 new Mutant<>("even-in-one-over-z", "near-next-to-the-eye", new FixedDepth(32)),
-                new Mutant<>("far-code-overflows", "on-the-planes", Wrapped::new),
-                new Mutant<>("code-changes", "twice-the-same", over(Counted::new)),
+                new Mutant<>("far-code-overflows", "on-the-planes", wrapped()),
+                new Mutant<>("code-changes", "twice-the-same", counted()),
                 new Mutant<>("even-in-z", "close-to-the-eye", new LinearDepth(16)),
                 new Mutant<>("summed-in-float", "drift-8192", new IncrementalFloat()),
                 new Mutant<>("z-linear", "slope-through-a-wall", over(LinearZ::new)));
@@ -34,15 +32,28 @@ final class DepthBufferMutants {
         return far < most ? far : most;
     }
 
-    private static DepthFormat over(UnaryOperator<DepthFormat.Codes> mistake) {
+    private static DepthCoding limited() {
+        return range -> RIGHT.over(new DepthRange(range.near(), least(range.far(), 1e6)));
+    }
+
+    private static DepthCoding wrapped() {
+        return Wrapped::new;
+    }
+
+    private static DepthCoding counted() {
+        var rows = new AtomicInteger();
+        return over(right -> new Counted(right, rows));
+    }
+
+    private static DepthCoding over(UnaryOperator<DepthCoding.Codes> mistake) {
         return range -> mistake.apply(RIGHT.over(range));
     }
 
     /** Right codes, each row of which may be changed. */
-    private static class Changed implements DepthFormat.Codes {
-        final DepthFormat.Codes right;
+    private static class Changed implements DepthCoding.Codes {
+        final DepthCoding.Codes right;
 
-        Changed(DepthFormat.Codes right) {
+        Changed(DepthCoding.Codes right) {
             this.right = right;
         }
 
@@ -68,7 +79,7 @@ final class DepthBufferMutants {
     }
 
     private static final class Turned extends Changed {
-        Turned(DepthFormat.Codes right) {
+        Turned(DepthCoding.Codes right) {
             super(right);
         }
 
@@ -100,22 +111,23 @@ final class DepthBufferMutants {
     }
 
     private static final class Counted extends Changed {
-        private int rows;
+        private final AtomicInteger rows;
 
-        Counted(DepthFormat.Codes right) {
+        Counted(DepthCoding.Codes right, AtomicInteger rows) {
             super(right);
+            this.rows = rows;
         }
 
         @Override
         public void row(double base, double perPixel, int from, int to, int[] codes) {
             super.row(base, perPixel, from, to, codes);
-            for (int i = from; i < to; i++) codes[i - from] += rows;
-            rows++;
+            for (int i = from; i < to; i++) codes[i - from] += rows.get();
+            rows.incrementAndGet();
         }
     }
 
     private static final class LinearZ extends Changed {
-        LinearZ(DepthFormat.Codes right) {
+        LinearZ(DepthCoding.Codes right) {
             super(right);
         }
 

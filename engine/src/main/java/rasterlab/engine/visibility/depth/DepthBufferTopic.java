@@ -52,12 +52,20 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
         return StoredDepths.of(method, rows);
     }
 
+    /** Storing alone, where the method tells it from what a code stands for. */
     @Override
     public long spend(DepthFormat method, DepthRows rows) {
-        DepthFormat.Codes codes = method.over(rows.range());
         var row = new int[rows.pixels()];
+        if (method instanceof DepthCoding coding) {
+            DepthCoding.Codes codes = coding.over(rows.range());
+            for (int s = 0; s < rows.surfaces(); s++)
+                codes.row(rows.nearness(s), rows.perPixel(s), 0, row.length, row);
+            return rows.count();
+        }
+        var depths = new double[rows.pixels()];
         for (int s = 0; s < rows.surfaces(); s++)
-            codes.row(rows.nearness(s), rows.perPixel(s), 0, row.length, row);
+            method.store(
+                    rows.range(), rows.nearness(s), rows.perPixel(s), 0, row.length, row, depths);
         return rows.count();
     }
 

@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /**
@@ -15,7 +14,7 @@ public record DepthCell(double nearest, double farthest) {
      *
      * @param z between the planes
      */
-    public static DepthCell of(DepthFormat.Codes codes, DepthRange range, double z) {
+    public static DepthCell of(DepthCoding.Codes codes, DepthRange range, double z) {
         double far = Math.min(range.far(), Double.MAX_VALUE);
         return new DepthCell(last(codes, z, range.near()), last(codes, z, far));
     }
@@ -24,9 +23,9 @@ public record DepthCell(double nearest, double farthest) {
      * The smallest distance at which something behind each surface is told apart from it, surface
      * after surface, pixel after pixel; NaN where nothing up to the far plane is.
      */
-    public static double[] behind(DepthFormat format, DepthRows rows) {
+    public static double[] behind(DepthCoding format, DepthRows rows) {
         DepthRange range = rows.range();
-        DepthFormat.Codes codes = format.over(range);
+        DepthCoding.Codes codes = format.over(range);
         var behind = new double[rows.count()];
         for (int i = 0; i < behind.length; i++) {
             double z = rows.depth(i / rows.pixels(), i % rows.pixels());
@@ -36,7 +35,7 @@ public record DepthCell(double nearest, double farthest) {
     }
 
     /** The double that is farthest from {@code z} on the way to {@code end} and has its code. */
-    private static double last(DepthFormat.Codes codes, double z, double end) {
+    private static double last(DepthCoding.Codes codes, double z, double end) {
         int code = codes.code(1 / z);
         if (codes.code(1 / end) == code) return end;
         long same = Double.doubleToRawLongBits(z);

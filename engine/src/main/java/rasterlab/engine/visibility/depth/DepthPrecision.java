@@ -2,7 +2,6 @@ package rasterlab.engine.visibility.depth;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /**
@@ -61,8 +60,8 @@ public final class DepthPrecision {
     /** The width of the depths that share a code with z = far/2, as a share of z. */
     public static double measured(String format, double ratio) {
         var range = new DepthRange(1, ratio);
-        DepthFormat.Codes codes =
-                new DepthBufferTopic().method(format).implementation().over(range);
+        var coding = (DepthCoding) new DepthBufferTopic().method(format).implementation();
+        DepthCoding.Codes codes = coding.over(range);
         return DepthCell.of(codes, range, ratio / 2).width() / (ratio / 2);
     }
 

@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /**
@@ -9,7 +8,7 @@ import rasterlab.contract.DepthRange;
  * <p>One step of the code is about z²·(1/near − 1/far)/2ⁿ of depth: most codes lie close to the
  * near plane.
  */
-final class FixedDepth implements DepthFormat {
+final class FixedDepth implements DepthCoding {
     private final int bits;
 
     /**

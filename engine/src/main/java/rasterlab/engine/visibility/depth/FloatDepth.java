@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /**
@@ -10,7 +9,7 @@ import rasterlab.contract.DepthRange;
  * floats close to 0 are spent next to the near plane. The bits of floats from 0 up are in their
  * order.
  */
-final class FloatDepth implements DepthFormat {
+final class FloatDepth implements DepthCoding {
     @Override
     public FloatCodes over(DepthRange range) {
         return new FloatCodes(range);

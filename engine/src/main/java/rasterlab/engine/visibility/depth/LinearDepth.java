@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /**
@@ -9,7 +8,7 @@ import rasterlab.contract.DepthRange;
  * <p>One step of the code is (far − near)/(2ⁿ − 1) of depth everywhere. z is not linear along a
  * scan line, so each pixel costs a division.
  */
-final class LinearDepth implements DepthFormat {
+final class LinearDepth implements DepthCoding {
     private final int bits;
 
     /**

@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /**
@@ -9,7 +8,7 @@ import rasterlab.contract.DepthRange;
  * <p>Far off, where perspective crowds depths together, the floats close to 0 are as dense: depths
  * are told apart at about 2⁻²⁴ of z wherever they are. The code is minus the float's bits.
  */
-final class ReversedDepth implements DepthFormat {
+final class ReversedDepth implements DepthCoding {
     @Override
     public Codes over(DepthRange range) {
         return new ReversedCodes(range);

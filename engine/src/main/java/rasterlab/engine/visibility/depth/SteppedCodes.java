@@ -1,19 +1,17 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
-
 /** Codes that are computed for a single depth and added up along a scan line. */
-final class SteppedCodes implements DepthFormat.Codes {
+final class SteppedCodes implements DepthCoding.Codes {
     /** Begins a scan line. */
     @FunctionalInterface
     interface Start {
         DepthWalk walk(double nearness, double perPixel, int pixels);
     }
 
-    private final DepthFormat.Codes single;
+    private final DepthCoding.Codes single;
     private final Start start;
 
-    SteppedCodes(DepthFormat.Codes single, Start start) {
+    SteppedCodes(DepthCoding.Codes single, Start start) {
         this.single = single;
         this.start = start;
     }

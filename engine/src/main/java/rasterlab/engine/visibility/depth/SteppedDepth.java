@@ -1,10 +1,9 @@
 package rasterlab.engine.visibility.depth;
 
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /** A format whose codes along a scan line can be followed pixel by pixel. */
-public interface SteppedDepth extends DepthFormat {
+public interface SteppedDepth extends DepthCoding {
     /**
      * The walk along a scan line.
      *

@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility.depth;
 
-import java.util.Arrays;
 import rasterlab.contract.DepthFormat;
 
 /**
@@ -16,34 +15,46 @@ public record StoredDepths(int pixels, int[] codes, double[] depths) {
 
     /** Stores the rows in a format. */
     public static StoredDepths of(DepthFormat format, DepthRows rows) {
-        DepthFormat.Codes coder = format.over(rows.range());
         int pixels = rows.pixels();
-        var codes = new int[rows.count()];
-        var row = new int[pixels];
+        var stored = new StoredDepths(pixels, new int[rows.count()], new double[rows.count()]);
         for (int s = 0; s < rows.surfaces(); s++) {
-            coder.row(rows.nearness(s), rows.perPixel(s), 0, pixels, row);
-            System.arraycopy(row, 0, codes, s * pixels, pixels);
-            checkLaterStart(coder, rows, s, codes);
+            Row whole = Row.of(format, rows, s, 0);
+            System.arraycopy(whole.codes, 0, stored.codes, s * pixels, pixels);
+            System.arraycopy(whole.depths, 0, stored.depths, s * pixels, pixels);
+            stored.checkLaterStart(Row.of(format, rows, s, pixels / 2), s);
         }
-        return new StoredDepths(
-                pixels, codes, Arrays.stream(codes).mapToDouble(coder::depth).toArray());
+        return stored;
+    }
+
+    /** A row of a surface from one of its pixels on. */
+    private record Row(int from, int[] codes, double[] depths) {
+        static Row of(DepthFormat format, DepthRows rows, int surface, int from) {
+            // Longer than needed where it starts later, as the contract allows.
+            var row = new Row(from, new int[rows.pixels()], new double[rows.pixels()]);
+            format.store(
+                    rows.range(),
+                    rows.nearness(surface),
+                    rows.perPixel(surface),
+                    from,
+                    rows.pixels(),
+                    row.codes,
+                    row.depths);
+            return row;
+        }
     }
 
     /**
      * Puts the codes of a row that starts in the middle where they mean other depths than those of
      * the whole row. Methods that add up along a row differ by less than {@link #SAME}.
      */
-    private static void checkLaterStart(
-            DepthFormat.Codes coder, DepthRows rows, int surface, int[] codes) {
-        int from = rows.pixels() / 2;
-        // Longer than needed, as the contract allows.
-        var later = new int[rows.pixels()];
-        coder.row(rows.nearness(surface), rows.perPixel(surface), from, rows.pixels(), later);
-        for (int i = from; i < rows.pixels(); i++) {
-            int at = surface * rows.pixels() + i;
-            double whole = coder.depth(codes[at]);
-            double part = coder.depth(later[i - from]);
-            if (!(whole == part || Math.abs(part / whole - 1) <= SAME)) codes[at] = later[i - from];
+    private void checkLaterStart(Row later, int surface) {
+        for (int i = later.from; i < pixels; i++) {
+            int at = surface * pixels + i;
+            double whole = depths[at];
+            double part = later.depths[i - later.from];
+            if (whole == part || Math.abs(part / whole - 1) <= SAME) continue;
+            codes[at] = later.codes[i - later.from];
+            depths[at] = part;
         }
     }
 

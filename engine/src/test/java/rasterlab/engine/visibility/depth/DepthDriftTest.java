@@ -7,7 +7,6 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import rasterlab.contract.DepthFormat;
 import rasterlab.contract.DepthRange;
 
 /** Sums along a scan line, and what exact order makes of rows. */
@@ -62,7 +61,7 @@ class DepthDriftTest {
         for (String method :
                 new String[] {"incremental-z16", "incremental-z24", "incremental-float"}) {
             SteppedDepth format = stepped(method);
-            DepthFormat.Codes codes = format.over(range);
+            DepthCoding.Codes codes = format.over(range);
             codes.row(0.9, -1.2e-4, 0, LONG, row);
             DepthWalk walk = format.walk(range, 0.9, -1.2e-4, LONG);
             do assertEquals(walk.code(), row[walk.pixel()], method);

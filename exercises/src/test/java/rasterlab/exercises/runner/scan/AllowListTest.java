@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.lang.reflect.Member;
+import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.net.URI;
 import java.nio.file.FileSystems;
@@ -19,8 +20,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.exercises.Contracts;
 
 /** The list holds what is harmless and nothing that reaches out. */
 class AllowListTest {
@@ -127,10 +130,38 @@ class AllowListTest {
         "rasterlab.contract.FaceShader, rasterlab/contract/SpotCone, shinesAllAround",
         "rasterlab.contract.PolygonFiller, rasterlab/contract/FillRule, NON_ZERO",
         "rasterlab.contract.PolygonFiller, rasterlab/contract/FillRule, ordinal",
-        "rasterlab.contract.TextureFilter, rasterlab/contract/TextureFilter$Lookup, color"
+        "rasterlab.contract.DepthFormat, rasterlab/contract/DepthRange, nearest",
+        "rasterlab.contract.CurveTracer, rasterlab/contract/Curve$Kind, BEZIER"
     })
     void allowsTheTypesThatTheContractLeadsTo(Class<?> contract, String type, String member) {
         assertTrue(AllowList.of(contract).allows(type, member));
+    }
+
+    static List<Class<?>> contracts() {
+        return Contracts.all();
+    }
+
+    /** Whatever a method is given or asked for may be named, and only what the contracts have. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("contracts")
+    void allowsWhatTheMethodsOfEveryContractTakeAndGiveBack(Class<?> contract) {
+        AllowList all = AllowList.of(contract);
+        for (Method method : contract.getMethods()) {
+            List<Class<?>> types = new ArrayList<>(List.of(method.getParameterTypes()));
+            types.add(method.getReturnType());
+            for (Class<?> type : types) {
+                Class<?> element = type;
+                while (element.isArray()) element = element.getComponentType();
+                if (element.isPrimitive()) continue;
+                String name = element.getName().replace('.', '/');
+                assertTrue(all.allows(name), method + " needs " + name);
+                for (Method own : element.isRecord() ? element.getDeclaredMethods() : new Method[0])
+                    if (Modifier.isPublic(own.getModifiers()))
+                        assertTrue(all.allows(name, own.getName()), own.toString());
+            }
+        }
+        Set<Class<?>> more = ContractTypes.of(contract);
+        for (Class<?> type : more) assertEquals(contract.getPackage(), type.getPackage());
     }
 
     @ParameterizedTest(name = "{0} does not lead to {1}.{2}")
