@@ -38,12 +38,7 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
         byte[] bytes = source.getBytes(StandardCharsets.UTF_8);
         Request request = new Request(Wire.COMPILE, out -> Frames.write(out, bytes));
         try {
-            Compilation answer = child.ask(request, limit, Compilation::read);
-            return answer.verdict() == GradingVerdict.COMPILE_ERROR
-                    ? KotlinSource.in(source)
-                            .map(one -> failed(answer.verdict(), List.of(one)))
-                            .orElse(answer)
-                    : answer;
+            return child.ask(request, limit, (status, in) -> of(source, status, in));
         } catch (ChildLost lost) {
             if (lost.isIdle()) throw lost;
             return switch (lost.reason()) {
@@ -52,6 +47,21 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
                 default -> throw lost;
             };
         }
+    }
+
+    /**
+     * What a compiler answered to the source.
+     *
+     * @param status of {@link Wire}
+     * @param in the rest of its answer
+     */
+    static Compilation of(String source, int status, DataInputStream in) throws IOException {
+        Compilation answer = read(status, in);
+        return answer.verdict() == GradingVerdict.COMPILE_ERROR
+                ? KotlinSource.in(source)
+                        .map(one -> failed(answer.verdict(), List.of(one)))
+                        .orElse(answer)
+                : answer;
     }
 
     private static Compilation read(int status, DataInputStream in) throws IOException {

@@ -76,10 +76,11 @@ final class GradingRun {
     /**
      * @throws ChildLost when a child was killed from outside or could not work: our fault
      */
-    Report run(Children children) throws ChildLost, InterruptedException {
+    Report run(Children children, Compiling compiling) throws ChildLost, InterruptedException {
         again = tried;
         tried = true;
-        Compilation compiled = compiled(children);
+        TimeLimit limit = settings.patience().limit(settings.compileLimit());
+        Compilation compiled = compiling.compile(children, source, limit);
         if (compiled.verdict() != GradingVerdict.OK)
             return sheet.rejected(compiled.verdict(), compiled.errors());
         String name = topic.contract().getName().replace('.', '/');
@@ -99,13 +100,6 @@ final class GradingRun {
                                 again);
                 Student reference = reference(children)) {
             return tried(student, reference);
-        }
-    }
-
-    private Compilation compiled(Children children) throws ChildLost, InterruptedException {
-        try (Child compiler = children.take(ChildKind.COMPILE)) {
-            return Compilation.of(
-                    source, compiler, settings.patience().limit(settings.compileLimit()));
         }
     }
 

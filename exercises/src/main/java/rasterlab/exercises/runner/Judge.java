@@ -30,11 +30,19 @@ public final class Judge implements Grading, AutoCloseable {
     private final Box box;
     private final Children children;
     private final SpeedMemory memory;
+    private final Compiling compiling;
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
 
-    Judge(JudgeSettings settings, ChildJars jars, Launcher launcher, Box box, SpeedMemory memory) {
+    Judge(
+            JudgeSettings settings,
+            ChildJars jars,
+            Launcher launcher,
+            Box box,
+            SpeedMemory memory,
+            Compiling compiling) {
         this.memory = memory;
+        this.compiling = compiling;
         this.settings = settings;
         this.jars = jars;
         this.launcher = launcher;
@@ -67,11 +75,16 @@ public final class Judge implements Grading, AutoCloseable {
      * @param memory in which bands of speed sources were before
      */
     public static Judge start(JudgeSettings settings, SpeedMemory memory) {
+        return start(settings, memory, Compiling::inAChild);
+    }
+
+    /** The same with another compiler than the child, for sources that can do it no harm. */
+    static Judge start(JudgeSettings settings, SpeedMemory memory, Compiling compiling) {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
         try {
             Box box = BoxChoice.on(launcher, jars).choose(settings.box());
-            return prepared(new Judge(settings, jars, launcher, box, memory));
+            return prepared(new Judge(settings, jars, launcher, box, memory, compiling));
         } catch (RuntimeException cannotStart) {
             launcher.close();
             jars.close();
@@ -135,7 +148,7 @@ public final class Judge implements Grading, AutoCloseable {
         Message reason = Message.NONE;
         for (int left = TRIES; left > 0; left--) {
             try {
-                return run.run(children);
+                return run.run(children, compiling);
             } catch (ChildLost lost) {
                 reason = Message.of("internal.child").and(lost.said());
             } catch (UncheckedIOException cannotStart) {

@@ -154,7 +154,8 @@ class GradingLifeTest {
                         jars,
                         launcher,
                         withoutReserve,
-                        SpeedMemory.ofProcess())) {
+                        SpeedMemory.ofProcess(),
+                        Compiling::inAChild)) {
             assertEquals(GradingVerdict.OK, grade(judge, Sources.RIGHT).verdict());
         }
     }

@@ -19,15 +19,27 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
-/** Each source ends in the verdict and the text that a student can act on. */
+/**
+ * Each source ends in the verdict and the text that a student can act on. Those that try the
+ * compiler are compiled in a child each, as on the server, the others together in this process.
+ */
 @Tag("slow")
 class HostileSourcesTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource({"texts", "welcome", "classes", "greedy", "throwing"})
+    @MethodSource("texts")
+    void isAnsweredFromAChildWith(String verdict, String said, String source) throws Exception {
+        assertAnswer(verdict, said, JUDGE.gradeInChildren(source));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource({"welcome", "classes", "greedy", "throwing"})
     void isAnsweredWith(String verdict, String said, String source) throws Exception {
-        Report report = JUDGE.grade(source);
+        assertAnswer(verdict, said, JUDGE.grade(source));
+    }
+
+    private static void assertAnswer(String verdict, String said, Report report) {
         assertEquals(verdict, report.verdict().code(), () -> words(report));
         assertTrue(words(report).contains(said), () -> said + " is not in " + words(report));
         if (report.verdict() != GradingVerdict.OK)

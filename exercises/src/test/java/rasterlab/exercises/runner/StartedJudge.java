@@ -9,27 +9,37 @@ import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Report;
 
 /**
- * A judge for all tests of a class. No child waits in reserve: one that does compiles a sample
- * first, which costs as much as the source.
+ * A judge for all tests of a class, whose sources are compiled in this process. No child waits in
+ * reserve: one that compiles does a sample first, which costs as much as the source.
  */
 final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
 
+    private WarmCompiler compiler;
     private Judge judge;
 
     @Override
     public void beforeAll(ExtensionContext context) {
-        judge = Judge.start(JudgeSettings.once());
+        compiler = new WarmCompiler();
+        judge = Judge.start(JudgeSettings.once(), SpeedMemory.ofProcess(), compiler);
     }
 
     @Override
     public void afterAll(ExtensionContext context) {
         judge.close();
+        compiler.close();
     }
 
     /** What the open cases of a line exercise say of a source. */
     Report grade(String source) throws InterruptedException {
         return grade(source, CaseSelection.open());
+    }
+
+    /** The same, compiled in a child as on the server. */
+    Report gradeInChildren(String source) throws InterruptedException {
+        try (Judge inChildren = Judge.start(JudgeSettings.once())) {
+            return inChildren.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+        }
     }
 
     Report grade(String source, CaseSelection cases) throws InterruptedException {
