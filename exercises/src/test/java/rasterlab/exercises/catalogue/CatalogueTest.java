@@ -12,9 +12,12 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -27,6 +30,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.Picture;
@@ -73,6 +77,21 @@ class CatalogueTest {
         assertEquals(100, exercise.points().total());
         assertTrue(exercise.statement("ru").contains("Брезенхем"), exercise.statement("ru"));
         assertEquals(exercise.statement("en"), exercise.statement("de"));
+    }
+
+    @Test
+    void anExerciseStatesLimitsOfACallOrHasTheUsualOnes() throws IOException {
+        assertEquals(Caps.NONE, Catalogue.builtIn().named("line-bresenham").caps());
+        change(
+                "exercise.json",
+                "\"points\"",
+                "\"caps\": {\"items\": 30000, \"bytes\": 500, \"seconds\": 0.25}, \"points\"");
+        assertEquals(
+                new Caps(
+                        OptionalInt.of(30_000),
+                        OptionalInt.of(500),
+                        Optional.of(Duration.ofMillis(250))),
+                Catalogue.builtIn().withFolder(folder).named("my-line").caps());
     }
 
     @Test
@@ -322,6 +341,36 @@ class CatalogueTest {
                         "\"octant\": 1",
                         "\"octant\": 9",
                         "'octant' must be a whole number from 1 to 8, got 9"),
+                argumentSet(
+                        "more items than can be taken",
+                        json,
+                        "\"points\"",
+                        "\"caps\": { \"items\": 65536 }, \"points\"",
+                        "field 'caps', field 'items' must be a whole number from 1 to 65535, got 65536"),
+                argumentSet(
+                        "no bytes",
+                        json,
+                        "\"points\"",
+                        "\"caps\": { \"bytes\": 0 }, \"points\"",
+                        "field 'caps', field 'bytes' must be a whole number from 1 to 4128768, got 0"),
+                argumentSet(
+                        "more time than all calls have",
+                        json,
+                        "\"points\"",
+                        "\"caps\": { \"seconds\": 8.5 }, \"points\"",
+                        "field 'caps', field 'seconds' must be a number from 0.05 to 8.0, got 8.5"),
+                argumentSet(
+                        "limit without a name",
+                        json,
+                        "\"points\"",
+                        "\"caps\": { \"pixels\": 100 }, \"points\"",
+                        "field 'caps', field 'pixels' is not"),
+                argumentSet(
+                        "fewer items than a right answer has",
+                        json,
+                        "\"points\"",
+                        "\"caps\": { \"items\": 9 }, \"points\"",
+                        "exercise.json, field 'caps.items': the right answer of case"),
                 argumentSet(
                         "generated case shown",
                         "hidden-cases.json",

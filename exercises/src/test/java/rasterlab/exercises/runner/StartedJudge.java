@@ -43,6 +43,11 @@ final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
     }
 
     Report grade(String source, CaseSelection cases) throws InterruptedException {
-        return judge.grade(EXERCISE, source, cases, one -> {});
+        return grade(EXERCISE, source, cases);
+    }
+
+    Report grade(Exercise exercise, String source, CaseSelection cases)
+            throws InterruptedException {
+        return judge.grade(exercise, source, cases, one -> {});
     }
 }
