@@ -26,7 +26,7 @@ import rasterlab.tests.bench.JavaCommand;
 
 /** What is left of a window whose process is ended from outside. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 @ExtendWith(OwnDisplay.class)
 class EndedWindowTest {
     @TempDir Path folder;

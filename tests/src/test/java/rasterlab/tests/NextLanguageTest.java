@@ -29,7 +29,7 @@ import rasterlab.app.shell.SettingsFile;
 
 /** A window that was asked to speak Russian this once, and is English otherwise. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 @ExtendWith(OwnDisplay.class)
 class NextLanguageTest {
     @TempDir Path folder;

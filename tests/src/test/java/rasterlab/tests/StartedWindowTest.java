@@ -1,6 +1,6 @@
 package rasterlab.tests;
 
-import static java.util.concurrent.TimeUnit.SECONDS;
+import static java.util.concurrent.TimeUnit.MINUTES;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
@@ -35,7 +35,7 @@ import rasterlab.tests.bench.JavaCommand;
 
 /** The window of a program that was left at a tab. */
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 @ExtendWith(OwnDisplay.class)
 class StartedWindowTest {
     @TempDir Path folder;
@@ -116,9 +116,9 @@ class StartedWindowTest {
             var said = new ArrayList<String>();
             while (said.size() < windows) {
                 // Nothing interrupts reading from a pipe.
-                String line = CompletableFuture.supplyAsync(() -> next(output)).get(60, SECONDS);
+                String line = CompletableFuture.supplyAsync(() -> next(output)).get(2, MINUTES);
                 if (line == null)
-                    fail("ended with " + process.onExit().get(60, SECONDS).exitValue());
+                    fail("ended with " + process.onExit().get(2, MINUTES).exitValue());
                 said.add(line);
             }
             return said;

@@ -16,7 +16,7 @@ import rasterlab.tests.grading.ServerProcess;
 import rasterlab.tests.grading.Solutions;
 
 /** The tab of exercises and a course's server, under a real display. */
-@Timeout(120)
+@Timeout(300)
 class WindowCourseTest extends ExercisesHarness {
     @Test
     void serverThatIsDownIsToldAndNothingIsLost() {

@@ -24,7 +24,7 @@ import rasterlab.engine.line.Segment;
 import rasterlab.tests.grading.Solutions;
 
 /** The tab of exercises under a real display, by mouse and keyboard. */
-@Timeout(120)
+@Timeout(300)
 class WindowExercisesTest extends ExercisesHarness {
     private String source() {
         return window.textBox("source").text();

@@ -45,11 +45,14 @@ import rasterlab.engine.line.Segment;
 
 /** The lab's window, open on a real display while a test runs; its failures fail the test. */
 @Tag("slow")
-@Timeout(180)
+@Timeout(300)
 @ExtendWith(OwnDisplay.class)
 abstract class WindowHarness {
     /** So long may a slow machine that does something else besides need for what is awaited. */
     private static final long LIMIT_MILLIS = 100_000;
+
+    /** The longest that the robot can be told to wait for what it looks for itself. */
+    private static final int ROBOT_MILLIS = 60_000;
 
     /** Of the smallest window, of one on a laptop, and of one on a large screen. */
     static final List<Dimension> SIZES =
@@ -68,6 +71,10 @@ abstract class WindowHarness {
         assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
         robot = BasicRobot.robotWithNewAwtHierarchy();
         robot.settings().componentLookupScope(ComponentLookupScope.SHOWING_ONLY);
+        robot.settings().timeoutToBeVisible(ROBOT_MILLIS);
+        robot.settings().timeoutToFindPopup(ROBOT_MILLIS);
+        robot.settings().timeoutToFindSubMenu(ROBOT_MILLIS);
+        robot.settings().idleTimeout(ROBOT_MILLIS);
         frame =
                 GuiActionRunner.execute(
                         () -> {
@@ -90,10 +97,22 @@ abstract class WindowHarness {
                                     failures::add);
                         });
         window = new FrameFixture(robot, frame);
-        window.show(new Dimension(1280, 720));
+        show(frame, new Dimension(1280, 720));
         var asked = new AtomicLong(System.nanoTime());
         await("the window has the keyboard", () -> hasKeyboard(asked));
         robot.waitForIdle();
+    }
+
+    /** The robot's own way gives a window 20 s to open, some of which it takes to be made. */
+    private static void show(LabFrame frame, Dimension size) {
+        GuiActionRunner.execute(
+                () -> {
+                    frame.pack();
+                    frame.setLocation(100, 100);
+                    frame.setSize(size);
+                    frame.setVisible(true);
+                });
+        await("the window is shown", frame::isShowing);
     }
 
     /** A display without a window manager may refuse a window that is not seen yet: asks again. */

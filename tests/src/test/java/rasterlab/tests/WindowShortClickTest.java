@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Clicks so short that the keyboard comes to a button after what it does has disabled it. */
-@Timeout(120)
+@Timeout(300)
 class WindowShortClickTest extends WindowHarness {
     @ParameterizedTest(name = "the keyboard stays at {0}, which its click disabled")
     @CsvSource({"player.toStart, player.play", "player.toEnd, player.position"})

@@ -25,7 +25,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 
 /** The tab of speed and accuracy under a real display, by mouse and keyboard. */
-@Timeout(120)
+@Timeout(300)
 class WindowStudyTest extends WindowHarness {
     @BeforeEach
     void showStudy() {

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.language.Language;
 
-@Timeout(60)
+@Timeout(300)
 class CopyingTest {
     private static final ShownPicture PICTURE =
             new ShownPicture(

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
+@Timeout(300)
 class LatestOnlyTest {
     private final BlockingQueue<Integer> begun = new LinkedBlockingQueue<>();
     private final Semaphore mayEnd = new Semaphore(0);

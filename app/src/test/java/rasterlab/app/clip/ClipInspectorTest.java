@@ -14,7 +14,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-@Timeout(60)
+@Timeout(300)
 class ClipInspectorTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

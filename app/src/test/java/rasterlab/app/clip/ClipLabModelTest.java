@@ -23,7 +23,7 @@ import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
-@Timeout(60)
+@Timeout(300)
 class ClipLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -22,7 +22,7 @@ import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class ExerciseLabModelTest {
     private static final String HEAD =
             "public class A implements rasterlab.contract.LineRasterizer {\n"

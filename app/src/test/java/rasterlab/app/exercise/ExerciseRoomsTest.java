@@ -52,7 +52,7 @@ class ExerciseRoomsTest {
                             });
                     model.check();
                 });
-        assertTrue(ended.await(60, TimeUnit.SECONDS), "the check does not end");
+        assertTrue(ended.await(2, TimeUnit.MINUTES), "the check does not end");
     }
 
     @AfterAll

@@ -25,9 +25,9 @@ import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Work beside a server that takes everything and says nothing, in a window without much room. */
-@Timeout(60)
+@Timeout(300)
 class FoldedRoomsTest {
-    private static final Duration PATIENCE = Duration.ofMinutes(1);
+    private static final Duration PATIENCE = Duration.ofMinutes(2);
 
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final CountDownLatch end = new CountDownLatch(1);

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-@Timeout(30)
+@Timeout(300)
 class ServerNoticesTest {
     @ParameterizedTest(
             name = "a server that ends in the middle is told in the words of a parser: {0}")

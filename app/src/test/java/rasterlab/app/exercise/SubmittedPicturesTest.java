@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** Pictures of what was handed in, as a server gives them. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class SubmittedPicturesTest {
     @TempDir Path folder;
 

@@ -26,7 +26,7 @@ import rasterlab.app.language.Texts;
 
 /** Handing in, to a server that behaves well and to others. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class SubmittingTest {
     private static final String SUBMIT = "POST /api/v1/exercises/line-bresenham/submissions";
     static final String RESULT = "GET /api/v1/submissions/s1";
@@ -42,6 +42,9 @@ class SubmittingTest {
                     + "],\"diagnostics\":[],\"isolation\":\"bubblewrap\"}";
     private static final String POSITION =
             "event: position\ndata: {\"position\":2,\"state\":\"queued\"}\n\n";
+
+    /** Longer than it takes to ask; each test that waits for it to pass takes so long. */
+    private static final Duration SHORT = Duration.ofSeconds(3);
 
     @TempDir Path folder;
 
@@ -67,17 +70,25 @@ class SubmittingTest {
         FakeServer.send(exchange, 200, "text/event-stream", text);
     }
 
-    private Trial joined(FakeServer server, Duration patience) throws InterruptedException {
-        var trial = new Trial(folder, patience);
+    private Trial joined(FakeServer server) throws InterruptedException {
+        var trial = new Trial(folder);
         trial.model.join(server.address(), "CODE", "Ann");
         trial.awaitEnd();
+        return trial;
+    }
+
+    /** One that has joined at leisure, and soon gives up to wait for an answer. */
+    private Trial hasty(FakeServer server) throws InterruptedException {
+        joined(server).close();
+        var trial = new Trial(folder, SHORT);
+        trial.await("the account is known", state -> state.account().isPresent());
         return trial;
     }
 
     @Test
     void followsASubmissionToItsResult() throws Exception {
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             List<Work.Phase> phases = new ArrayList<>();
             trial.model.listen(state -> phases.add(state.work().phase()));
             trial.model.submit();
@@ -94,7 +105,7 @@ class SubmittingTest {
     @DisplayName("a result of an exercise that has changed since passes for one of the present one")
     void anEarlierRevisionIsTakenOver() throws Exception {
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             for (boolean current : List.of(true, false)) {
                 String told = "{\"revision\":\"r0\",\"current\":" + current + ",";
                 server.on(RESULT, 200, DONE.replaceFirst("[{]", told));
@@ -108,7 +119,7 @@ class SubmittingTest {
     @DisplayName("what is said of a hidden case is said of another one in Russian")
     void hiddenCasesAreToldApartInEachLanguage() throws Exception {
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             server.on(
                     RESULT,
                     exchange -> {
@@ -128,7 +139,7 @@ class SubmittingTest {
     @DisplayName("a case that was not run has no result")
     void casesThatWereNotRunAreCalledSo() throws Exception {
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             String notRun =
                     CASE.replace(
                             "\"verdict\":\"wrong\"", "\"verdict\":\"no_result\",\"run\":false");
@@ -146,7 +157,7 @@ class SubmittingTest {
     @Test
     void accountIsThereAgain() throws Exception {
         try (var server = server()) {
-            try (var trial = joined(server, Duration.ofSeconds(20))) {
+            try (var trial = joined(server)) {
                 assertEquals("joined", trial.state().notice().key());
             }
             try (var again = new Trial(folder)) {
@@ -176,7 +187,7 @@ class SubmittingTest {
     void serverThatIsSlowIsTold() throws Exception {
         var end = new CountDownLatch(1);
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(3))) {
+                var trial = hasty(server)) {
             server.on(SUBMIT, exchange -> hold(end));
             trial.model.submit();
             assertEquals("server.slow", trial.awaitEnd().notice().key());
@@ -189,7 +200,7 @@ class SubmittingTest {
     void slowJoiningIsToldAsSuch() throws Exception {
         var end = new CountDownLatch(1);
         try (var server = server();
-                var trial = new Trial(folder, Duration.ofSeconds(3))) {
+                var trial = new Trial(folder, SHORT)) {
             server.on("POST /api/v1/join", exchange -> hold(end));
             trial.model.join(server.address(), "CODE", "Ann");
             Notice notice = trial.awaitEnd().notice();
@@ -208,7 +219,7 @@ class SubmittingTest {
     @DisplayName("a token that the server does not know takes the place of one that it does")
     void accountStaysWhereATokenIsNotKnown() throws Exception {
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             Account before = trial.model.state().account().orElseThrow();
             server.on("GET /api/v1/exercises", 401, "{\"detail\":\"no\"}");
             trial.model.signIn(server.address(), "made up");
@@ -252,7 +263,7 @@ class SubmittingTest {
     void silentEventsAreTold() throws Exception {
         var end = new CountDownLatch(1);
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(3))) {
+                var trial = hasty(server)) {
             server.on(EVENTS, exchange -> begunOnly(exchange, end));
             trial.model.submit();
             assertEquals("server.slow", trial.awaitEnd().notice().key());
@@ -263,7 +274,7 @@ class SubmittingTest {
     @Test
     void refusalIsToldInTheServersWords() throws Exception {
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             server.on(SUBMIT, 413, "{\"detail\":\"the body may have at most 3 bytes\"}");
             trial.model.submit();
             Notice notice = trial.awaitEnd().notice();
@@ -291,7 +302,7 @@ class SubmittingTest {
     void eventsThatBreakOffAreTakenUpAgain() throws Exception {
         var connections = new AtomicInteger();
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             server.on(
                     RESULT,
                     200,
@@ -317,7 +328,7 @@ class SubmittingTest {
     void cancelledFollowingIsTakenUpBySubmittingAgain() throws Exception {
         var end = new CountDownLatch(1);
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             server.on(EVENTS, exchange -> begunOnly(exchange, end));
             trial.model.submit();
             trial.await("it waits", state -> state.work().phase() == Work.Phase.WAITING);
@@ -360,7 +371,7 @@ class SubmittingTest {
     void accountThatCannotBeKeptStillServes() throws Exception {
         Files.createDirectories(folder.resolve("grader.properties").resolve("in the way"));
         try (var server = server();
-                var trial = joined(server, Duration.ofSeconds(20))) {
+                var trial = joined(server)) {
             assertEquals("account.unsaved", trial.state().notice().key());
             trial.model.submit();
             assertEquals("wrong", trial.awaitEnd().outcome().orElseThrow().verdict());

@@ -11,14 +11,14 @@ import rasterlab.exercises.catalogue.Catalogue;
 
 /** A model whose thread of events is the test's own. */
 final class Trial implements AutoCloseable {
-    private static final long LONGEST_SECONDS = 60;
+    private static final long LONGEST_SECONDS = 120;
 
     private final BlockingQueue<Runnable> events = new LinkedBlockingQueue<>();
     final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
     final ExerciseLabModel model;
 
     Trial(Path folder) {
-        this(folder, Duration.ofSeconds(30));
+        this(folder, Duration.ofMinutes(2));
     }
 
     /**

@@ -28,7 +28,7 @@ import rasterlab.engine.light.Substance;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.raster.Raster;
 
-@Timeout(60)
+@Timeout(300)
 class LightLabModelTest {
     private static final int WIDTH = 150;
     private static final int HEIGHT = 180;

@@ -28,7 +28,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.transform.SphericalView;
 
-@Timeout(120)
+@Timeout(300)
 class LitSceneFileTest {
     private static final int WIDTH = 120;
     private static final int HEIGHT = 90;

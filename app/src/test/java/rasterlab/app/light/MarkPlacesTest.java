@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.ModelThread;
 
 /** Line and point that were marked in a picture whose size changes. */
-@Timeout(60)
+@Timeout(300)
 class MarkPlacesTest {
     /** World units that half a pixel of the smallest picture stands for, on a slanted face. */
     private static final double PIXEL = 3;

@@ -35,7 +35,7 @@ import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class OpenedLitSceneTest {
     @TempDir Path folder;
 

@@ -38,7 +38,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
 @Tag("slow")
-@Timeout(180)
+@Timeout(300)
 class FigureLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

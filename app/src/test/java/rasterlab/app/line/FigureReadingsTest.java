@@ -27,7 +27,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.study.Hazard;
 
-@Timeout(180)
+@Timeout(300)
 class FigureReadingsTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

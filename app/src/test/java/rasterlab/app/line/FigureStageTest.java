@@ -29,7 +29,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.circle.Circle;
 
-@Timeout(60)
+@Timeout(300)
 class FigureStageTest {
     private static final Dimension SIZE = new Dimension(800, 600);
 

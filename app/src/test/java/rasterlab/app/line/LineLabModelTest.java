@@ -27,7 +27,7 @@ import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
-@Timeout(60)
+@Timeout(300)
 class LineLabModelTest {
     private static final Segment WINDOWED =
             new Segment(-20, -3, 41, 14).in(new PixelWindow(0, 0, 20, 20));
@@ -150,7 +150,7 @@ class LineLabModelTest {
         model.chooseMethod(method.name());
         for (var hazard : model.hazards())
             Assertions.assertTimeoutPreemptively(
-                    Duration.ofSeconds(20),
+                    Duration.ofMinutes(2),
                     () -> {
                         model.show(hazard.input());
                         settle();

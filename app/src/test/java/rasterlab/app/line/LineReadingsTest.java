@@ -15,7 +15,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 
-@Timeout(30)
+@Timeout(300)
 class LineReadingsTest {
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final LineLabModel model =

@@ -44,7 +44,7 @@ import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.raster.Plotted;
 
-@Timeout(30)
+@Timeout(300)
 class LineStageTest {
     private static final int BLUE = LineColours.OWN.of("bresenham").getRGB();
 

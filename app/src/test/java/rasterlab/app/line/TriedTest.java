@@ -30,7 +30,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.Plotted;
 
 /** What a program of the user's drew, beside the right line. */
-@Timeout(60)
+@Timeout(300)
 class TriedTest {
     private static final Segment SHORT = new Segment(0, 0, 2, 0);
     private static final Segment LONG = new Segment(0, 0, 9_999, 0);

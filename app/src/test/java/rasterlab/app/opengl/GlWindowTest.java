@@ -25,7 +25,7 @@ import rasterlab.app.opengl.state.Setting;
 import rasterlab.engine.raster.Raster;
 
 /** OpenGL's window on its way; skipped without a display or without OpenGL. */
-@Timeout(60)
+@Timeout(300)
 class GlWindowTest {
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final JPanel place = new JPanel(new BorderLayout());
@@ -109,7 +109,7 @@ class GlWindowTest {
         begun.await();
         EventQueue.invokeAndWait(window::close);
         mayGoOn.countDown();
-        maker.join(TimeUnit.SECONDS.toMillis(20));
+        maker.join(TimeUnit.MINUTES.toMillis(2));
         assertFalse(maker.isAlive(), "its thread has ended");
         events();
         assertEquals(0, place.getComponentCount());

@@ -18,7 +18,7 @@ import rasterlab.app.cli.Lab;
 import rasterlab.contract.FillRule;
 
 /** The copied command computes what the lab shows. */
-@Timeout(60)
+@Timeout(300)
 class PolygonCommandTest {
     private final PolygonTopics topics = new PolygonTopics();
 

@@ -25,7 +25,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class PolygonLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -30,7 +30,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class PolygonPictureTest {
     private static final int WIDTH = 260;
     private static final int HEIGHT = 200;

@@ -27,7 +27,7 @@ import rasterlab.engine.visibility.depth.StoredDepths;
 
 /** The copied command answers to the row that the lab shows, by its method. */
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class RowCommandTest {
     static Stream<Arguments> cells() {
         return Stream.of(new DepthBufferTopic(), new MappingTopic(), new FilterTopic())

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 
-@Timeout(60)
+@Timeout(300)
 class OneWindowTest {
     private static final String HELD = "held";
 

@@ -22,7 +22,7 @@ import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.spline.SplineMode;
 
-@Timeout(60)
+@Timeout(300)
 class StateKeeperTest {
     private static final LabSettings FIRST = LabSettings.first(Language.ENGLISH);
 

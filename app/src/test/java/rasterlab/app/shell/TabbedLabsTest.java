@@ -27,7 +27,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** Tabs of a window that is open; skipped without a display. */
-@Timeout(60)
+@Timeout(300)
 class TabbedLabsTest {
     private final List<String> events = new CopyOnWriteArrayList<>();
     private final CountDownLatch mayGoOn = new CountDownLatch(1);

@@ -24,7 +24,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
-@Timeout(120)
+@Timeout(300)
 class CurveLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -17,7 +17,7 @@ import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.engine.spline.Polyline;
 
-@Timeout(60)
+@Timeout(300)
 class CurvePictureTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

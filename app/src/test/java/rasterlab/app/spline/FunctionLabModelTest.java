@@ -21,7 +21,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
-@Timeout(60)
+@Timeout(300)
 class FunctionLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

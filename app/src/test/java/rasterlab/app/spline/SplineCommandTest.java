@@ -24,7 +24,7 @@ import rasterlab.app.cli.Lab;
 import rasterlab.contract.SplineEnds;
 
 /** The copied command computes the very numbers that the lab shows. */
-@Timeout(60)
+@Timeout(300)
 class SplineCommandTest {
     static Stream<Arguments> curves() {
         return Stream.of(

@@ -20,7 +20,7 @@ import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.engine.Topics;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class ChartStageTest {
     private static final int WIDTH = 900;
     private static final int HEIGHT = 640;

@@ -29,7 +29,7 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.HazardTrial;
 
-@Timeout(60)
+@Timeout(300)
 class StudyInspectorTest {
     private static final OpenInLab NOWHERE =
             new OpenInLab() {

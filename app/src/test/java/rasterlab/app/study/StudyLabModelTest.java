@@ -25,7 +25,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class StudyLabModelTest {
     /** Measured in a second, where lines take ten. */
     private static final MatrixTopic SMALL = new MatrixTopic();
@@ -46,7 +46,7 @@ class StudyLabModelTest {
 
     private StudyLabState await(Predicate<StudyLabState> wanted) throws InterruptedException {
         while (!wanted.test(model.state())) {
-            Runnable event = events.poll(60, TimeUnit.SECONDS);
+            Runnable event = events.poll(2, TimeUnit.MINUTES);
             if (event == null) throw new AssertionError("nothing happens: " + model.state());
             event.run();
         }

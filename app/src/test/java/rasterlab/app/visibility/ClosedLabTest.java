@@ -14,7 +14,7 @@ import rasterlab.app.canvas.PictureMaker;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.raster.Raster;
 
-@Timeout(30)
+@Timeout(300)
 class ClosedLabTest {
     @Test
     void makerIsClosedOnceAfterTheLastPictureOfTwoThreads() throws InterruptedException {

@@ -19,7 +19,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.Renderer;
 
 /** The depths of one method while another is chosen. */
-@Timeout(60)
+@Timeout(300)
 class LentDepthsTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

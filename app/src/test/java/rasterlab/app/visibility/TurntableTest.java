@@ -25,7 +25,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.Raster;
 
 /** Wrong pixels of a scene that the timeline turns. */
-@Timeout(30)
+@Timeout(300)
 class TurntableTest {
     private final ModelThread thread = new ModelThread();
     private final VisibilityLabModel model =

@@ -18,7 +18,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
 @Tag("slow")
-@Timeout(120)
+@Timeout(300)
 class ViewVerdictsTest {
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
 

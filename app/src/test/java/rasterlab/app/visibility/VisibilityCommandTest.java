@@ -41,7 +41,7 @@ import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class VisibilityCommandTest {
     @TempDir Path folder;
 

@@ -29,7 +29,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Vase;
 
 @Tag("slow")
-@Timeout(30)
+@Timeout(300)
 class VisibilityLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

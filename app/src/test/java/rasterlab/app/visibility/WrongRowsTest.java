@@ -27,7 +27,7 @@ import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.PixelMark;
 
 /** What the inspector says of wrong pixels. */
-@Timeout(60)
+@Timeout(300)
 class WrongRowsTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -58,6 +58,6 @@ record BuiltLab(Path folder) {
         var command = new ArrayList<>(List.of(folder.resolve("lab").toString()));
         command.addAll(words);
         var environment = Map.of("JAVA_HOME", folder.toString());
-        return ChildProcess.run(folder, environment, Duration.ofMinutes(1), command);
+        return ChildProcess.run(folder, environment, Duration.ofMinutes(5), command);
     }
 }

@@ -33,7 +33,7 @@ record FreshCopy(Path folder, ChildProcess firstRun) implements AutoCloseable {
         var folder = Files.createTempDirectory("rasterlab fresh copy ").resolve("a folder");
         copySources(folder);
         var copy = new FreshCopy(folder, null);
-        return new FreshCopy(folder, copy.lab(folder, Duration.ofMinutes(10), "methods"));
+        return new FreshCopy(folder, copy.lab(folder, Duration.ofMinutes(15), "methods"));
     }
 
     /** Runs {@code ./lab} with arguments from a working folder. */

@@ -27,7 +27,7 @@ import rasterlab.tests.ChildProcess;
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
 @ExtendWith(FreshCopy.Provider.class)
 class FrontDoorTest {
-    private static final Duration SOON = Duration.ofMinutes(1);
+    private static final Duration SOON = Duration.ofMinutes(5);
 
     private static final String TOUR = "./lab tour --quick --out tour";
 
@@ -103,7 +103,7 @@ class FrontDoorTest {
                 ChildProcess.run(
                         copy.folder(),
                         withTheFirstCompilerOnly(),
-                        Duration.ofMinutes(8),
+                        Duration.ofMinutes(15),
                         List.of("sh", "-c", command));
         assertEquals(0, run.exit(), command + "\n" + run.out() + run.err());
     }

@@ -24,7 +24,7 @@ import org.openqa.selenium.support.ui.WebDriverWait;
  * @param profile the profile's folder, which Chromium fills
  */
 record Browser(ChromeDriver driver, Path profile) implements AutoCloseable {
-    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration PATIENCE = Duration.ofMinutes(2);
 
     /** Skips the test, naming the part, where Chromium or its driver is missing. */
     static Browser open(Path profile, String language) {

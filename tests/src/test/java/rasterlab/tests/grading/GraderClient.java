@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  * @param token empty for somebody who has none
  */
 public record GraderClient(HttpClient http, URI address, String token) {
-    private static final Duration LIMIT = Duration.ofSeconds(60);
+    private static final Duration LIMIT = Duration.ofMinutes(2);
     private static final ObjectMapper JSON = new ObjectMapper();
 
     public static GraderClient of(URI address, String token) {

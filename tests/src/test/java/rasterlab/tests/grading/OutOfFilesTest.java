@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Clients that take every file which the server may open do no damage that lasts. */
 @Tag("slow")
 @EnabledOnOs(value = OS.LINUX, disabledReason = "open files are counted in /proc")
-@Timeout(240)
+@Timeout(300)
 class OutOfFilesTest {
     private static final String EXERCISE = "line-bresenham";
 

@@ -53,7 +53,7 @@ class ReadmeCallsTest {
     private JsonNode call(String command, Map<String, String> environment) throws Exception {
         var run =
                 ChildProcess.run(
-                        folder, environment, Duration.ofMinutes(1), List.of("sh", "-c", command));
+                        folder, environment, Duration.ofMinutes(5), List.of("sh", "-c", command));
         Assumptions.assumeTrue(run.exit() != 127, "there is no curl");
         assertEquals(0, run.exit(), command + "\n" + run.out() + run.err());
         return new ObjectMapper().readTree(run.out());

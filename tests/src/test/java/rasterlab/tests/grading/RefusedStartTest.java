@@ -100,7 +100,7 @@ class RefusedStartTest {
 
     private void assertRefused(String words, Map<String, String> environment, String... options) {
         var command = ServerProcess.command(folder.resolve("course"), options);
-        var run = ChildProcess.run(folder, environment, Duration.ofMinutes(1), command);
+        var run = ChildProcess.run(folder, environment, Duration.ofMinutes(5), command);
         assertEquals(2, run.exit(), run.err());
         assertEquals("", run.out());
         assertEquals(1, run.err().lines().count(), run.err());

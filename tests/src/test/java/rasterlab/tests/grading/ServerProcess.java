@@ -72,7 +72,7 @@ public record ServerProcess(Process process, URI address, String token, Path log
                                         throw new java.io.UncheckedIOException(e);
                                     }
                                 })
-                        .orTimeout(60, TimeUnit.SECONDS)
+                        .orTimeout(2, TimeUnit.MINUTES)
                         .join();
         if (line == null || !line.startsWith(start))
             throw new AssertionError(
@@ -95,7 +95,7 @@ public record ServerProcess(Process process, URI address, String token, Path log
     public void close() throws IOException {
         process.destroy();
         try {
-            if (!process.waitFor(25, TimeUnit.SECONDS)) process.destroyForcibly();
+            if (!process.waitFor(1, TimeUnit.MINUTES)) process.destroyForcibly();
         } catch (InterruptedException e) {
             process.destroyForcibly();
             Thread.currentThread().interrupt();

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.coordinates.Answered;
 
 /** The copied command computes the very images that the lab shows. */
-@Timeout(60)
+@Timeout(300)
 class ListCommandTest {
     private final ListLabModel model =
             new ListLabModel(

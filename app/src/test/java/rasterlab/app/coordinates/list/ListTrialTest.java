@@ -41,7 +41,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
 /** Hazards of topics about points, as the lab of lists shows them. */
-@Timeout(60)
+@Timeout(300)
 class ListTrialTest {
     /** Hazards whose picture is not all of it, by some method, and in what. */
     private static final Map<String, Set<Unlike.Kind>> UNLIKE =

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.coordinates.Answered;
 
-@Timeout(60)
+@Timeout(300)
 class CubeCommandTest {
     private final StackLabModel model = new StackLabModel();
 

@@ -11,7 +11,7 @@ import rasterlab.app.coordinates.Answered;
 import rasterlab.engine.transform.rotate.RotateTopic;
 
 /** The copied command computes the very point that the lab shows. */
-@Timeout(60)
+@Timeout(300)
 class TurnCommandTest {
     @ParameterizedTest(name = "method, angle or number of turns is lost: {0}")
     @ValueSource(strings = {"direct", "float", "table", "buneman-textbook", "quaternion"})

@@ -17,7 +17,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.rotate.Turns;
 
 @Tag("slow")
-@Timeout(60)
+@Timeout(300)
 class TurnLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

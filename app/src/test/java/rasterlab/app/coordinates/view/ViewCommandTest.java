@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.coordinates.Answered;
 
 /** The copied command computes the very coordinates that the lab shows. */
-@Timeout(60)
+@Timeout(300)
 class ViewCommandTest {
     private final ViewLabModel model = new ViewLabModel();
 
