@@ -6,6 +6,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.language.Language;
 
 /**
@@ -16,6 +17,11 @@ import rasterlab.app.language.Language;
 public interface LabRoom<M> {
     /** Name of its tab. */
     String name();
+
+    /** The package of its texts, below {@code rasterlab.app}. */
+    default String texts() {
+        return name();
+    }
 
     /**
      * A new model; takes long.
@@ -31,15 +37,34 @@ public interface LabRoom<M> {
     /** Ends the model's background work. */
     void close(M model);
 
+    /** Does before what the first panel would take long for, on any thread; may be left undone. */
+    default void prepare(M model) {}
+
+    /** A new panel. On the event thread. */
+    LabPanel panel(M model, Surroundings around);
+
     /**
-     * A new panel. On the event thread.
+     * Surrounds a panel.
      *
+     * @param opening shows inputs in the tabs of their topics
      * @param onFailure told what the lab could not do, on any thread
      */
-    LabPanel panel(M model, Language language, Consumer<Throwable> onFailure);
+    record Surroundings(Language language, OpenInLab opening, Consumer<Throwable> onFailure) {}
+
+    /** Whether it opens other tabs, whose models it needs then. */
+    default boolean opensOthers() {
+        return false;
+    }
+
+    /** Whether it plays steps. */
+    default boolean playsSteps() {
+        return true;
+    }
 
     /** A card for each topic that it shows; none for a lab that shows no topic's inputs. */
-    List<TopicCard<M>> cards();
+    default List<TopicCard<M>> cards() {
+        return List.of();
+    }
 
     /** Pictures of the lab that the tour shows. */
     List<LabShot<M>> shots();

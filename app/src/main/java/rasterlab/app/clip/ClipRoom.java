@@ -11,7 +11,6 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
-import rasterlab.app.language.Language;
 
 /** The lab of clipping: segments, a polygon, a view volume. */
 public final class ClipRoom implements LabRoom<ClipLabModel> {
@@ -36,8 +35,8 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
     }
 
     @Override
-    public LabPanel panel(ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new ClipPanel(model, language, onFailure);
+    public LabPanel panel(ClipLabModel model, Surroundings around) {
+        return new ClipPanel(model, around.language(), around.onFailure());
     }
 
     @Override

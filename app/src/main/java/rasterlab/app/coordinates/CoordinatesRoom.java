@@ -13,7 +13,6 @@ import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
-import rasterlab.app.language.Language;
 import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.transform.matrix.MatrixCall;
 import rasterlab.engine.transform.rotate.Turns;
@@ -46,9 +45,8 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     }
 
     @Override
-    public LabPanel panel(
-            CoordinatesLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new CoordinatesPanel(model, language, onFailure);
+    public LabPanel panel(CoordinatesLabModel model, Surroundings around) {
+        return new CoordinatesPanel(model, around.language(), around.onFailure());
     }
 
     @Override

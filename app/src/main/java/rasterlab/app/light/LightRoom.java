@@ -12,7 +12,6 @@ import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
-import rasterlab.app.language.Language;
 import rasterlab.app.row.RowColours;
 
 /** The lab of light, colour and texture. */
@@ -41,8 +40,8 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     }
 
     @Override
-    public LabPanel panel(LightLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new LightPanel(model, language, onFailure);
+    public LabPanel panel(LightLabModel model, Surroundings around) {
+        return new LightPanel(model, around.language(), around.onFailure());
     }
 
     @Override

@@ -11,7 +11,6 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
-import rasterlab.app.language.Language;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.line.LineTopic;
@@ -43,8 +42,8 @@ public final class LineRoom implements LabRoom<LineLabModel> {
     }
 
     @Override
-    public LabPanel panel(LineLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new LinePanel(model, language, onFailure);
+    public LabPanel panel(LineLabModel model, Surroundings around) {
+        return new LinePanel(model, around.language(), around.onFailure());
     }
 
     @Override

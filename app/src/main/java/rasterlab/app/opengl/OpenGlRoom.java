@@ -8,8 +8,6 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
-import rasterlab.app.card.TopicCard;
-import rasterlab.app.language.Language;
 import rasterlab.app.opengl.state.Setting;
 
 /** The lab that draws one scene by OpenGL and by the pipeline. */
@@ -36,14 +34,8 @@ public final class OpenGlRoom implements LabRoom<OpenGlLabModel> {
     }
 
     @Override
-    public LabPanel panel(OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new OpenGlPanel(model, language, onFailure);
-    }
-
-    /** OpenGL is no topic. */
-    @Override
-    public List<TopicCard<OpenGlLabModel>> cards() {
-        return List.of();
+    public LabPanel panel(OpenGlLabModel model, Surroundings around) {
+        return new OpenGlPanel(model, around.language(), around.onFailure());
     }
 
     @Override

@@ -11,7 +11,6 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
-import rasterlab.app.language.Language;
 
 /** The lab of polygons: what is inside, triangulation, filling. */
 public final class PolygonRoom implements LabRoom<PolygonLabModel> {
@@ -36,8 +35,8 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
     }
 
     @Override
-    public LabPanel panel(PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new PolygonPanel(model, language, onFailure);
+    public LabPanel panel(PolygonLabModel model, Surroundings around) {
+        return new PolygonPanel(model, around.language(), around.onFailure());
     }
 
     @Override

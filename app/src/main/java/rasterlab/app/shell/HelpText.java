@@ -2,7 +2,6 @@ package rasterlab.app.shell;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -13,9 +12,6 @@ import rasterlab.app.language.Texts;
  * @param sections those of the tab first, then what works everywhere
  */
 record HelpText(String title, List<Section> sections) {
-    /** Tabs without a player. */
-    private static final Set<String> WITHOUT_STEPS = Set.of("study", "exercises");
-
     HelpText {
         sections = List.copyOf(sections);
     }
@@ -41,7 +37,7 @@ record HelpText(String title, List<Section> sections) {
         List<Way> ofTab = own.isEmpty() ? ways(texts, tab) : own;
         var sections = new ArrayList<Section>();
         sections.add(new Section(texts.text("heading.tab"), ofTab));
-        if (!WITHOUT_STEPS.contains(tab))
+        if (TabRooms.namedOrFirst(tab).playsSteps())
             sections.add(new Section(texts.text("heading.player"), ways(texts, "player")));
         sections.add(new Section(texts.text("heading.window"), ways(texts, "window")));
         return new HelpText(texts.text("title", name), sections);

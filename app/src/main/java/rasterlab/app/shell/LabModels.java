@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import rasterlab.app.canvas.Kept;
@@ -18,6 +17,7 @@ import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.exercise.ExerciseLabModel;
+import rasterlab.app.exercise.ExerciseRoom;
 import rasterlab.app.exercise.UnsavedDraft;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.LightRoom;
@@ -27,14 +27,12 @@ import rasterlab.app.opengl.OpenGlLabModel;
 import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonRoom;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.study.StudyLabModel;
+import rasterlab.app.study.StudyRoom;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.app.visibility.VisibilityRoom;
-import rasterlab.engine.Topics;
-import rasterlab.exercises.catalogue.Catalogue;
 
 /**
  * The labs' models, which outlive the panels that show them; used on the event thread. Each is made
@@ -51,9 +49,6 @@ public final class LabModels implements AutoCloseable {
     /** What the labs showed when they were made, by the name under which it is kept. */
     private final Map<String, Object> asMade = new ConcurrentHashMap<>();
 
-    private final LabModel<StudyLabModel> study;
-    private final LabModel<ExerciseLabModel> exercises;
-
     private LabModels(
             Executor events,
             Consumer<Map<String, Kept<?>>> bringBack,
@@ -61,39 +56,12 @@ public final class LabModels implements AutoCloseable {
         this.events = events;
         this.bringBack = bringBack;
         this.onFailure = onFailure;
-        LabRooms.all().forEach(this::room);
-        study = studyLab();
-        exercises = exercisesLab();
+        TabRooms.all().forEach(this::add);
     }
 
-    private <M> void room(LabRoom<M> room) {
-        lab(room.name(), held -> room.model(held, onFailure), room::keep, room::close);
-    }
-
-    private LabModel<StudyLabModel> studyLab() {
-        return lab(
-                "study",
-                held -> new StudyLabModel(Topics.all(), held, onFailure),
-                (model, kept) -> kept.put("study", model),
-                StudyLabModel::close);
-    }
-
-    private LabModel<ExerciseLabModel> exercisesLab() {
-        return lab(
-                "exercises",
-                held -> new ExerciseLabModel(() -> Catalogue.builtIn().all(), held, onFailure),
-                (model, kept) -> kept.put("exercises", model),
-                ExerciseLabModel::close);
-    }
-
-    private <M> LabModel<M> lab(
-            String tab,
-            Function<Executor, M> making,
-            BiConsumer<M, Map<String, Kept<?>>> parts,
-            Consumer<M> closing) {
-        var lab = new LabModel<>(making, parts, closing, events, this::begin);
-        labs.put(tab, lab);
-        return lab;
+    private <M> void add(LabRoom<M> room) {
+        Function<Executor, M> making = held -> room.model(held, onFailure);
+        labs.put(room.name(), new LabModel<>(making, room::keep, room::close, events, this::begin));
     }
 
     private void begin(Map<String, Kept<?>> kept) {
@@ -137,8 +105,9 @@ public final class LabModels implements AutoCloseable {
      * with ways into other tabs need all. What is closed meanwhile is not made.
      */
     void make(String tab) {
-        if (List.of("study", "exercises").contains(tab)) makeAll();
-        else labs.getOrDefault(tab, labs.values().iterator().next()).prepare();
+        LabRoom<?> room = TabRooms.namedOrFirst(tab);
+        if (room.opensOthers()) makeAll();
+        else lab(room).prepare();
     }
 
     /** Makes what is not made and not closed meanwhile. */
@@ -147,9 +116,13 @@ public final class LabModels implements AutoCloseable {
     }
 
     /** The model of that lab; the same one every time. */
-    @SuppressWarnings("unchecked") // under a room's name is the model that the room made
     public <M> M of(LabRoom<M> room) {
-        return (M) labs.get(room.name()).get();
+        return lab(room).get();
+    }
+
+    @SuppressWarnings("unchecked") // under a room's name is the model that the room makes
+    private <M> LabModel<M> lab(LabRoom<M> room) {
+        return (LabModel<M>) labs.get(room.name());
     }
 
     public CoordinatesLabModel coordinates() {
@@ -185,22 +158,22 @@ public final class LabModels implements AutoCloseable {
     }
 
     public StudyLabModel study() {
-        return study.get();
+        return of(new StudyRoom());
     }
 
     public ExerciseLabModel exercises() {
-        return exercises.get();
+        return of(new ExerciseRoom()).model();
     }
 
     /** Keeps the exercises' sources in a folder. */
     void keepSourcesIn(Path folder) {
-        exercises.whenMade(model -> model.keepIn(folder));
+        lab(new ExerciseRoom()).whenMade(desk -> desk.model().keepIn(folder));
     }
 
     /** The sources that are not on the disk; tries once more to write them, and waits for that. */
     List<UnsavedDraft> unsavedDrafts() throws InterruptedException {
-        Optional<ExerciseLabModel> made = exercises.ifMade();
-        return made.isPresent() ? made.get().unsavedDrafts() : List.of();
+        Optional<ExerciseRoom.Desk> made = lab(new ExerciseRoom()).ifMade();
+        return made.isPresent() ? made.get().model().unsavedDrafts() : List.of();
     }
 
     /** What opens as it was left, of the labs that are made, by the name under which it is kept. */

@@ -1,34 +1,23 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import rasterlab.app.canvas.HazardTold;
-import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.card.LabRoom;
-import rasterlab.app.exercise.ExercisePanel;
-import rasterlab.app.exercise.WindowEditor;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.rooms.LabRooms;
-import rasterlab.app.study.StudyPanel;
 import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
     /** In the order of the window. */
     public static final List<String> NAMES =
-            Stream.concat(
-                            LabRooms.all().stream().map(LabRoom::name),
-                            Stream.of("study", "exercises"))
-                    .toList();
+            TabRooms.all().stream().<String>map(LabRoom::name).toList();
 
     private final LabModels models;
-    private final WindowEditor editor;
     private final Language language;
     private final List<LabTab> tabs;
     private final LabOpening opening;
@@ -36,13 +25,11 @@ public final class LabTabs implements AutoCloseable {
 
     private LabTabs(
             LabModels models,
-            WindowEditor editor,
             Language language,
             List<LabTab> tabs,
             LabOpening opening,
             Consumer<Throwable> onFailure) {
         this.models = models;
-        this.editor = editor;
         this.language = language;
         this.tabs = List.copyOf(tabs);
         this.opening = opening;
@@ -56,61 +43,30 @@ public final class LabTabs implements AutoCloseable {
      */
     public static LabTabs create(
             LabModels models, Language language, Consumer<Throwable> onFailure) {
-        return create(models, new WindowEditor(), language, onFailure);
-    }
-
-    /** The same tabs once more, in another language or theme, with the same editor. */
-    LabTabs again(Language language) {
-        return create(models, editor, language, onFailure);
-    }
-
-    private static LabTabs create(
-            LabModels models,
-            WindowEditor editor,
-            Language language,
-            Consumer<Throwable> onFailure) {
-        Texts texts = Texts.of("shell", language);
         var opening =
                 new LabOpening(models, LabTabs::tryHazard, EventQueue::invokeLater, onFailure);
-        var tabs = new ArrayList<LabTab>();
-        for (String name : NAMES)
-            tabs.add(
-                    new LabTab(
-                            name,
-                            texts.text("tab." + name),
-                            () -> prepare(name, models),
-                            () -> begun(name, models, editor, opening, language, onFailure)));
-        return new LabTabs(models, editor, language, tabs, opening, onFailure);
+        Texts texts = Texts.of("shell", language);
+        var around = new LabRoom.Surroundings(language, opening, onFailure);
+        List<LabTab> tabs =
+                TabRooms.all().stream().map(room -> tab(room, texts, models, around)).toList();
+        return new LabTabs(models, language, tabs, opening, onFailure);
     }
 
-    private static void prepare(String tab, LabModels models) {
-        models.make(tab);
-        if (tab.equals("exercises")) ExercisePanel.prepare(models.exercises());
+    private static <M> LabTab tab(
+            LabRoom<M> room, Texts texts, LabModels models, LabRoom.Surroundings around) {
+        return new LabTab(
+                room.name(),
+                texts.text("tab." + room.name()),
+                () -> {
+                    models.make(room.name());
+                    room.prepare(models.of(room));
+                },
+                () -> room.panel(models.of(room), around));
     }
 
-    private static LabPanel begun(
-            String tab,
-            LabModels models,
-            WindowEditor editor,
-            LabOpening opening,
-            Language language,
-            Consumer<Throwable> onFailure) {
-        return switch (tab) {
-            case "study" -> new StudyPanel(models.study(), opening, language, onFailure);
-            case "exercises" ->
-                    new ExercisePanel(models.exercises(), editor, opening, language, onFailure);
-            default ->
-                    panel(
-                            Named.find("tab", tab, LabRooms.all(), LabRoom::name),
-                            models,
-                            language,
-                            onFailure);
-        };
-    }
-
-    private static <M> LabPanel panel(
-            LabRoom<M> room, LabModels models, Language language, Consumer<Throwable> onFailure) {
-        return room.panel(models.of(room), language, onFailure);
+    /** The same tabs once more, in another language or theme. */
+    LabTabs again(Language language) {
+        return create(models, language, onFailure);
     }
 
     private static void tryHazard(Runnable work) {

@@ -10,7 +10,6 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
-import rasterlab.app.language.Language;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.SplineProblem;
 
@@ -39,8 +38,8 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
     }
 
     @Override
-    public LabPanel panel(SplineLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new SplinePanel(model, language, onFailure);
+    public LabPanel panel(SplineLabModel model, Surroundings around) {
+        return new SplinePanel(model, around.language(), around.onFailure());
     }
 
     @Override

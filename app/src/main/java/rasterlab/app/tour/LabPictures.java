@@ -3,6 +3,8 @@ package rasterlab.app.tour;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -11,10 +13,10 @@ import java.util.stream.Stream;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.TabRooms;
 import rasterlab.engine.study.Study;
 
 /** Every tab of the window in each look, painted without a display. */
@@ -35,7 +37,7 @@ final class LabPictures implements TourPart {
             String tab,
             Function<Language, String> said,
             Supplier<Consumer<LabModels>> preparation) {
-        /** A shot of a lab that needs others. */
+        /** A shot of what the tour itself made before. */
         static Shot ofTour(String name, String tab, Supplier<Consumer<LabModels>> preparation) {
             return new Shot(
                     name,
@@ -78,11 +80,16 @@ final class LabPictures implements TourPart {
         this.wanted = wanted;
         this.charted = charted;
         this.looks = looks;
-        LabRooms.all().stream().flatMap(LabPictures::of).forEach(shots::add);
-        shots.add(Shot.ofTour("study", "study", () -> models -> {}));
-        shots.add(Shot.ofTour("chart", "study", this::measured));
-        shots.add(Shot.ofTour("exercises", "exercises", () -> models -> {}));
-        shots.add(Shot.ofTour("checked", "exercises", LabPictures::wrongSolution));
+        Map<String, Shot> further =
+                Map.of(
+                        "study",
+                        Shot.ofTour("chart", "study", this::measured),
+                        "exercises",
+                        Shot.ofTour("checked", "exercises", LabPictures::wrongSolution));
+        for (LabRoom<?> room : TabRooms.all()) {
+            of(room).forEach(shots::add);
+            Optional.ofNullable(further.get(room.name())).ifPresent(shots::add);
+        }
     }
 
     private static <M> Stream<Shot> of(LabRoom<M> room) {
@@ -93,7 +100,7 @@ final class LabPictures implements TourPart {
                                         shot.name(),
                                         room.name(),
                                         language ->
-                                                Texts.of(room.name(), language)
+                                                Texts.of(room.texts(), language)
                                                         .text("tour." + shot.name()),
                                         () -> models -> shot.prepare().accept(models.of(room))));
     }

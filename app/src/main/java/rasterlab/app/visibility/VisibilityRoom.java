@@ -14,7 +14,6 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
-import rasterlab.app.language.Language;
 import rasterlab.app.row.RowColours;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.visibility.faces.Body;
@@ -55,9 +54,8 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
     }
 
     @Override
-    public LabPanel panel(
-            VisibilityLabModel model, Language language, Consumer<Throwable> onFailure) {
-        return new VisibilityPanel(model, language, onFailure);
+    public LabPanel panel(VisibilityLabModel model, Surroundings around) {
+        return new VisibilityPanel(model, around.language(), around.onFailure());
     }
 
     @Override
