@@ -1,0 +1,32 @@
+package rasterlab.app.polygon;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.GoldenCommands;
+import rasterlab.engine.study.Hazard;
+
+class PolygonCommandBytesTest {
+    private static final Place SIGNED_ZERO = new Place(-0.0, 2.5);
+
+    @ParameterizedTest(name = "the copied commands have changed: {0}")
+    @EnumSource(PolygonMode.class)
+    void commandsStayAsTheyWere(PolygonMode mode) throws IOException {
+        var topics = new PolygonTopics();
+        PolygonScene first = PolygonScene.first(mode);
+        var commands = new ArrayList<String>();
+        commands.add("first: " + PolygonCommand.of(first));
+        for (Hazard<?> hazard : topics.hazards(mode)) {
+            PolygonScene scene = first.with(topics.showing(first, hazard.name()));
+            commands.add(hazard.name() + ": " + PolygonCommand.of(scene));
+        }
+        for (Grip grip : first.figure().grips().keySet())
+            commands.add(
+                    grip
+                            + ": "
+                            + PolygonCommand.of(
+                                    first.with(first.figure().moved(grip, SIGNED_ZERO))));
+        GoldenCommands.assertKept(mode.topic(), commands);
+    }
+}
