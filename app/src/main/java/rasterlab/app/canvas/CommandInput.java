@@ -3,11 +3,12 @@ package rasterlab.app.canvas;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import rasterlab.engine.format.ValueSink;
+import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Format;
 
 /**
  * An input of a topic as the commands of the labs write it: JSON with a space behind each comma and
- * colon, numbers with all their digits, but whole ones without ".0" and no zero with a sign.
+ * colon, numbers with all their digits, but whole ones without ".0".
  */
 public final class CommandInput implements ValueSink {
     private final StringBuilder json = new StringBuilder();
@@ -15,23 +16,46 @@ public final class CommandInput implements ValueSink {
     /** Whether the next value is the first of its array or object, or stands behind its name. */
     private boolean first = true;
 
-    private CommandInput() {}
+    /** Whether a zero below zero has its sign. */
+    private final boolean signed;
+
+    private CommandInput(boolean signed) {
+        this.signed = signed;
+    }
 
     /**
-     * The input as one JSON object.
+     * The input as one JSON object, whose zeros have no sign.
      *
      * @throws IllegalArgumentException if it cannot be told outside
      */
     public static <I> String of(Format<?, I, ?> format, I input) {
-        var written = new CommandInput();
-        written.startObject();
+        return of(out -> format.writeInput(input, out));
+    }
+
+    /** Those fields as one JSON object, whose zeros have no sign. */
+    public static String of(Written fields) {
+        return new CommandInput(false).object(fields);
+    }
+
+    /** The same as {@link #of}, for a topic whose answers depend on the signs of zeros. */
+    public static <I> String signed(Format<?, I, ?> format, I input) {
+        return signed(out -> format.writeInput(input, out));
+    }
+
+    /** The same as {@link #of}, for a topic whose answers depend on the signs of zeros. */
+    public static String signed(Written fields) {
+        return new CommandInput(true).object(fields);
+    }
+
+    private String object(Written fields) {
+        startObject();
         try {
-            format.writeInput(input, written);
+            fields.write(this);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        written.endObject();
-        return written.json.toString();
+        endObject();
+        return json.toString();
     }
 
     private void add(String text) {
@@ -78,7 +102,7 @@ public final class CommandInput implements ValueSink {
 
     @Override
     public void number(double value) {
-        String digits = Double.toString(value + 0.0);
+        String digits = Double.toString(signed ? value : value + 0.0);
         add(digits.endsWith(".0") ? digits.substring(0, digits.length() - 2) : digits);
     }
 

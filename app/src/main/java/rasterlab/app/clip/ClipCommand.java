@@ -1,60 +1,48 @@
 package rasterlab.app.clip;
 
-import java.util.Arrays;
+import java.io.IOException;
 import java.util.List;
-import java.util.stream.Collectors;
-import rasterlab.engine.clip.segment.ClipWindow;
+import rasterlab.app.canvas.CommandInput;
+import rasterlab.engine.format.ValueSink;
 
-/** The shell command that clips what the lab shows. */
+/**
+ * The shell command that clips what the lab shows. Its window may be one that no input of the topic
+ * has, such as a polygon around segments, so the fields are written one by one.
+ */
 final class ClipCommand {
     private ClipCommand() {}
 
     static String of(ClipScene scene) {
-        return "echo '{%s}' | ./lab run %s %s"
-                .formatted(input(scene), scene.mode().topic(), scene.method());
+        return "echo '%s' | ./lab run %s %s"
+                .formatted(
+                        CommandInput.signed(out -> write(scene, out)),
+                        scene.mode().topic(),
+                        scene.method());
     }
 
-    private static String input(ClipScene scene) {
-        if (scene instanceof SegmentScene segments)
-            return window(segments.window())
-                    + ", "
-                    + segments(segments.segments().stream().map(PlaneSegment::ends).toList());
-        if (scene instanceof PolygonScene polygon)
-            return window(polygon.window()) + ", \"polygon\": " + points(polygon.subject());
-        var volume = (VolumeScene) scene;
-        return "\"zmin\": "
-                + number(volume.zmin())
-                + ", "
-                + segments(volume.segments().stream().map(SpaceSegment::ends).toList());
+    private static void write(ClipScene scene, ValueSink out) throws IOException {
+        if (scene instanceof SegmentScene shown) {
+            write(shown.window(), out);
+            write(shown.segments().stream().map(PlaneSegment::ends).toList(), out);
+        } else if (scene instanceof PolygonScene polygon) {
+            write(polygon.window(), out);
+            out.points("polygon", PlaneFigures.xy(polygon.subject()), 2);
+        } else {
+            var volume = (VolumeScene) scene;
+            out.number("zmin", volume.zmin());
+            write(volume.segments().stream().map(SpaceSegment::ends).toList(), out);
+        }
     }
 
-    private static String window(ShownWindow window) {
-        if (!window.upright()) return "\"window\": " + points(window.corners());
-        ClipWindow sides = window.rectangle();
-        return "\"window\": " + numbers(sides.sides());
+    private static void write(ShownWindow window, ValueSink out) throws IOException {
+        if (window.upright()) out.numbers("window", window.rectangle().sides());
+        else out.points("window", window.xy(), 2);
     }
 
-    private static String segments(List<double[]> segments) {
-        return segments.stream()
-                .map(ClipCommand::numbers)
-                .collect(Collectors.joining(", ", "\"segments\": [", "]"));
-    }
-
-    private static String points(List<Place> points) {
-        return points.stream()
-                .map(point -> numbers(new double[] {point.x(), point.y()}))
-                .collect(Collectors.joining(", ", "[", "]"));
-    }
-
-    private static String numbers(double[] numbers) {
-        return Arrays.stream(numbers)
-                .mapToObj(ClipCommand::number)
-                .collect(Collectors.joining(", ", "[", "]"));
-    }
-
-    /** All digits that the number has, a whole one without ".0". */
-    private static String number(double value) {
-        String digits = Double.toString(value);
-        return digits.endsWith(".0") ? digits.substring(0, digits.length() - 2) : digits;
+    private static void write(List<double[]> segments, ValueSink out) throws IOException {
+        out.name("segments");
+        out.startArray();
+        for (double[] ends : segments) out.numbers(ends);
+        out.endArray();
     }
 }

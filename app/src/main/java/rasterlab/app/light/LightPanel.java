@@ -77,7 +77,8 @@ public final class LightPanel extends LabPanel {
         lightActions.add("saveScene", saving::ask);
         stage.setTransferHandler(new FileDrop(this, language, model::open));
         lightActions.addCopy("copyCommand", saving::tellCommands);
-        colourActions.addCopy("copyCommand", told -> told.accept(command()));
+        colourActions.addCopy(
+                "copyCommand", told -> told.accept(ColourCommand.of(model.state().colour())));
         rows = new RowCard(shown, cards, this::rows);
         orbit.bindKeys(stage);
         turning.bindKeys(cube);
@@ -178,13 +179,6 @@ public final class LightPanel extends LabPanel {
     private String turningReading() {
         double degrees = Math.toDegrees(model.state().colour().yaw()) % 360;
         return Shown.number(Math.rint(degrees), 0, texts.locale()) + "°";
-    }
-
-    /** Writes the colour in all models. */
-    private String command() {
-        ColourChoice colour = model.state().colour();
-        return "echo '{\"%s\": %s}' | ./lab run color %s"
-                .formatted(colour.model().code(), colour.components(), colour.method());
     }
 
     private Chips chips() {

@@ -4,10 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.StringJoiner;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import rasterlab.app.coordinates.figure.CallJson;
+import rasterlab.app.canvas.CommandInput;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
@@ -28,20 +26,27 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
         return pixels.count();
     }
 
-    /** Writes a grey picture, as those of all hazards are. */
+    /** Writes the greys of a picture, whose alpha is not told outside. */
     @Override
     String json(FilteredPixels pixels) {
-        var rows = new StringJoiner(", ", "[", "]");
-        for (int row = pixels.height() - 1; row >= 0; row--)
-            rows.add(
-                    Arrays.stream(pixels.argb(), row * pixels.width(), (row + 1) * pixels.width())
-                            .mapToObj(argb -> String.valueOf(argb & 255))
-                            .collect(Collectors.joining(",", "[", "]")));
-        return "{\"picture\": %s, \"pixels\": %s}"
-                .formatted(
-                        rows,
-                        CallJson.rows(
-                                pixels.footprints().length / pixels.count(), pixels.footprints()));
+        return CommandInput.of(
+                out -> {
+                    out.name("picture");
+                    out.startArray();
+                    for (int row = pixels.height() - 1; row >= 0; row--)
+                        out.wholes(greys(pixels, row));
+                    out.endArray();
+                    out.points(
+                            "pixels",
+                            pixels.footprints(),
+                            pixels.footprints().length / pixels.count());
+                });
+    }
+
+    private static int[] greys(FilteredPixels pixels, int row) {
+        return Arrays.stream(pixels.argb(), row * pixels.width(), (row + 1) * pixels.width())
+                .map(argb -> argb & 255)
+                .toArray();
     }
 
     @Override

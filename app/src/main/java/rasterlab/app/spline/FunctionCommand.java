@@ -1,9 +1,10 @@
 package rasterlab.app.spline;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
+import rasterlab.app.canvas.CommandInput;
 import rasterlab.contract.SplineEnds;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SplineProblem;
 
 /** The shell command that finds the function which the lab shows, with its coefficients. */
 final class FunctionCommand {
@@ -11,22 +12,17 @@ final class FunctionCommand {
 
     static String of(FunctionLabState state) {
         FunctionChoice choice = state.choice();
-        var at = new ArrayList<Double>();
-        state.at().ifPresent(place -> at.add(place.x()));
-        return "echo '{\"x\": %s, \"y\": %s, \"ends\": %s, \"at\": %s}' | ./lab run spline-function %s"
+        var problem =
+                new SplineProblem(
+                        choice.knots().stream().mapToDouble(Place::x).toArray(),
+                        choice.knots().stream().mapToDouble(Place::y).toArray(),
+                        choice.ends(),
+                        state.at().stream().mapToDouble(FunctionAt::x).toArray(),
+                        false);
+        return "echo '%s' | ./lab run spline-function %s"
                 .formatted(
-                        JsonNumber.list(choice.knots().stream().map(Place::x).toList()),
-                        JsonNumber.list(choice.knots().stream().map(Place::y).toList()),
-                        ends(choice.ends()),
-                        JsonNumber.list(List.copyOf(at)),
+                        CommandInput.signed(new SplineFunctionTopic().format(), problem),
                         choice.method());
-    }
-
-    private static String ends(SplineEnds ends) {
-        String kind = "{\"kind\": \"" + code(ends.kind()) + "\"";
-        if (ends.kind() != SplineEnds.Kind.SLOPES) return kind + "}";
-        return "%s, \"left\": %s, \"right\": %s}"
-                .formatted(kind, JsonNumber.of(ends.left()), JsonNumber.of(ends.right()));
     }
 
     /** As the command line names it. */

@@ -3,8 +3,8 @@ package rasterlab.app.coordinates.list;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.stream.Collectors;
-import rasterlab.app.coordinates.figure.CallJson;
+import rasterlab.app.coordinates.figure.ChainCommand;
+import rasterlab.engine.format.Written;
 
 /** The shell command that computes the images which the lab shows. */
 final class ListCommand {
@@ -24,21 +24,18 @@ final class ListCommand {
         int size = choice.items().size();
         int from = choice.reading() == Reading.OBJECTS ? size - Math.min(step, size) : 0;
         int to = choice.reading() == Reading.OBJECTS ? size : Math.min(step, size);
-        var applied = new ArrayList<String>();
+        var applied = new ArrayList<Written>();
         for (int i = from; i < to; i++) applied.add(matrix(scene, i));
         Collections.reverse(applied);
-        return "echo '{\"matrices\": %s, \"points\": %s}' | ./lab run transform double"
-                .formatted(
-                        applied.stream().collect(Collectors.joining(", ", "[", "]")),
-                        CallJson.points(choice.dimension(), choice.wire().numbers()));
+        return ChainCommand.of(applied, choice.dimension(), choice.wire().numbers(), "double");
     }
 
-    private static String matrix(ListScene scene, int index) {
+    private static Written matrix(ListScene scene, int index) {
         List<ListItem> items = scene.choice().items();
         boolean named = !items.get(index).free() && scene.choice().method().equals("formula");
         return named || scene.isRefused() && !items.get(index).free()
-                ? CallJson.call(items.get(index).call())
-                : CallJson.rows(scene.choice().dimension() + 1, cells(scene, index));
+                ? ChainCommand.named(items.get(index).call())
+                : ChainCommand.cells(scene.choice().dimension() + 1, cells(scene, index));
     }
 
     private static double[] cells(ListScene scene, int index) {

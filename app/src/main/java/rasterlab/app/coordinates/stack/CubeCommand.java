@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.stack;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
-import rasterlab.app.coordinates.figure.CallJson;
+import rasterlab.app.coordinates.figure.ChainCommand;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Wire;
 
@@ -20,9 +20,10 @@ final class CubeCommand {
         if (cubes.isEmpty()) return Optional.empty();
         Matrix4d newest = cubes.get(cubes.size() - 1);
         return Optional.of(
-                "echo '{\"matrices\": [%s], \"points\": %s}' | ./lab run transform double"
-                        .formatted(
-                                CallJson.rows(4, Chains.cells(newest)),
-                                CallJson.points(3, Wire.cube().numbers())));
+                ChainCommand.of(
+                        List.of(ChainCommand.cells(4, Chains.cells(newest))),
+                        3,
+                        Wire.cube().numbers(),
+                        "double"));
     }
 }
