@@ -45,7 +45,7 @@ public final class Failure {
                         : GradingVerdict.RUNTIME_ERROR;
         return Finding.of(
                 verdict,
-                Message.quoted(answer.thrown()).and(answer.place()),
+                Message.of("answer.threw", answer.thrown()).and(answer.place()),
                 List.of(List.of(thrownCause(answer.exception()))));
     }
 

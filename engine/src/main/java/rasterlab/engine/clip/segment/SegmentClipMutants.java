@@ -44,6 +44,15 @@ final class SegmentClipMutants {
     private static List<Mutant<SegmentClipper>> ends() {
         return List.of(
                 new Mutant<>(
+                        "ends-moved-to-the-sides",
+                        "through-the-window",
+                        (l, b, r, t, x0, y0, x1, y1, out) ->
+                                out.segment(
+                                        between(l, r, x0),
+                                        between(b, t, y0),
+                                        between(l, r, x1),
+                                        between(b, t, y1))),
+                new Mutant<>(
                         "always-left-to-right",
                         "swapped-ends",
                         (l, b, r, t, x0, y0, x1, y1, out) -> {
@@ -81,6 +90,10 @@ final class SegmentClipMutants {
                                         (x0, y0, x1, y1) ->
                                                 out.segment(
                                                         x0, y0, x0 + (x1 - x0), y0 + (y1 - y0)))));
+    }
+
+    private static double between(double least, double most, double value) {
+        return Math.max(least, Math.min(most, value));
     }
 
     private record Given(double x0, double y0, double x1, double y1) {

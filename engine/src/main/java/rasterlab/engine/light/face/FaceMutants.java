@@ -3,6 +3,7 @@ package rasterlab.engine.light.face;
 import java.util.List;
 import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
+import rasterlab.contract.Reflection;
 import rasterlab.engine.study.Mutant;
 
 /** Faces shaded with one mistake. */
@@ -17,6 +18,10 @@ final class FaceMutants {
                 new Mutant<>("intensities-interpolated", "highlight-inside", new GouraudFace()),
                 new Mutant<>("one-intensity", "curved", FaceMutants::asInTheMiddle),
                 new Mutant<>("normal-not-normalized", "curved", new ShortNormalFace()),
+                new Mutant<>(
+                        "half-way-for-mirrored",
+                        "highlight-inside",
+                        new PhongFace(Reflection.BLINN_PHONG)),
                 new Mutant<>("corners-cut-first", "sum-above-1-at-the-corners", FaceMutants::mixed),
                 new Mutant<>(
                         "face-normal",

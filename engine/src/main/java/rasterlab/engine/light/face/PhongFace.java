@@ -12,7 +12,16 @@ import rasterlab.engine.light.shade.FormulaShader;
  * 18(6), 1975, pp. 311–317.
  */
 final class PhongFace implements SteppedFace {
-    private final FormulaShader formula = new FormulaShader(Reflection.PHONG);
+    private final FormulaShader formula;
+
+    PhongFace() {
+        this(Reflection.PHONG);
+    }
+
+    /** The same with another formula. */
+    PhongFace(Reflection reflection) {
+        formula = new FormulaShader(reflection);
+    }
 
     @Override
     public double[] shade(LitFace face, double[] weights, Evaluations told) {
