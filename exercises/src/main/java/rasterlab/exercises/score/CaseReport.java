@@ -67,6 +67,11 @@ public record CaseReport(
         return VisibleText.line(said.in(language));
     }
 
+    /** The place in the answer that is told, as a path of its JSON, if one is. */
+    public Optional<String> place() {
+        return said.place();
+    }
+
     /** The same with what the student may not see taken out. */
     public CaseReport forStudent(boolean afterDeadline) {
         if (visibility == Disclosure.OPEN

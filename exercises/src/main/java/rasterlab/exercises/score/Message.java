@@ -7,6 +7,7 @@ import java.text.MessageFormat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -48,6 +49,9 @@ public record Message(List<Sentence> sentences) {
     /** The text whose place may hold the key of another, on a mistake that is known. */
     private static final String OF_A_MISTAKE = "known-mistake";
 
+    /** The beginning of the keys of texts on a place in an answer, which stands first in them. */
+    private static final String AT = "answer.at";
+
     private static final JsonMapper MAPPER = new JsonMapper();
 
     /**
@@ -62,6 +66,11 @@ public record Message(List<Sentence> sentences) {
 
         private String in(ResourceBundle texts) {
             Object[] said = arguments.stream().map(one -> said(one, texts)).toArray();
+            place().ifPresent(
+                            path ->
+                                    said[0] =
+                                            AnswerPlace.in(
+                                                    texts, arguments.get(said.length - 1), path));
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
         }
 
@@ -73,6 +82,13 @@ public record Message(List<Sentence> sentences) {
             if (key.equals(OF_A_MISTAKE) && texts.containsKey(argument))
                 return texts.getString(argument);
             return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
+        }
+
+        /** The place in an answer that is told, as a path of its JSON. */
+        private Optional<String> place() {
+            return key.startsWith(AT) && arguments.size() > 1
+                    ? Optional.of(arguments.get(0))
+                    : Optional.empty();
         }
 
         private static String inForm(String argument, ResourceBundle texts) {
@@ -175,6 +191,11 @@ public record Message(List<Sentence> sentences) {
         } catch (JsonProcessingException e) {
             return quoted(english);
         }
+    }
+
+    /** The place in an answer that is told, such as {@code segments[0][1]}, if one is. */
+    public Optional<String> place() {
+        return sentences.stream().flatMap(one -> one.place().stream()).findFirst();
     }
 
     /** In English. */

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Properties;
 import java.util.Set;
 import java.util.TreeMap;
@@ -18,6 +19,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -172,6 +174,31 @@ class MessageTest {
                 String said = Message.of(key, "A", "B", "C", "D", "E", "F", "G", "H").in(name);
                 assertFalse(PLACE.matcher(said).find() || said.contains("''"), said);
             }
+    }
+
+    @ParameterizedTest(name = "a student reads a path of JSON: {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "clip-segment | segments[0][1] | y of the start of segment 1 is 3 | отрезок 1, y начала: 3",
+                "clip-segment | segments[11][2] | x of the end of segment 12 is 3 | отрезок 12, x конца: 3",
+                "point-in-triangle | inside[4] | the answer for point 5 is 3 | ответ для точки 5: 3",
+                "shade-face | intensity[2][0] | the red of point 3 is 3 | точка 3, доля красного: 3",
+                "matrix | matrix[2][0] | matrix[2][0] is 3 | matrix[2][0]: 3"
+            })
+    void aPlaceIsToldInWords(String topic, String path, String english, String russian) {
+        Message said = Message.of("answer.at", path, 3, 0, topic);
+        assertEquals(english + ", right is 0", said.in("en"));
+        assertEquals(russian + ", верно 0", said.in("ru"));
+        assertEquals(Optional.of(path), said.place());
+    }
+
+    @Test
+    void aPlaceThatWasStoredWithoutItsTopicIsStillRead() {
+        assertEquals(
+                "inside[4] is false, right is true",
+                Message.of("answer.at", "inside[4]", false, true).in("en"));
+        assertEquals(Optional.empty(), Message.of("answer.null").place());
     }
 
     private static Map<String, TreeSet<String>> places(String file) throws IOException {

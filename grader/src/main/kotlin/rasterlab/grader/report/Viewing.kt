@@ -60,7 +60,10 @@ data class PointsView(
     val of: Int,
 )
 
-/** @param run false where the method was stopped before the case's turn came: `verdict` is `no_result` then */
+/**
+ * @param run false where the method was stopped before the case's turn came: `verdict` is `no_result` then
+ * @param place in the answer that the message tells in words, as a path of its JSON; null where it tells none
+ */
 @Serializable
 data class CaseView(
     val name: String,
@@ -71,6 +74,7 @@ data class CaseView(
     val points: Int,
     val of: Int,
     val message: String,
+    val place: String?,
     val pictures: List<PictureView>,
     val scene: JsonElement?,
 )
@@ -175,6 +179,7 @@ fun CaseReport.view(
         points(),
         of(),
         message(language),
+        place().getOrNull(),
         pictures,
         scene,
     )

@@ -199,7 +199,19 @@ class SubmissionRoutesTest {
                 "gradedAt",
             )
         val CASE_FIELDS =
-            setOf("name", "title", "visibility", "run", "verdict", "points", "of", "message", "pictures", "scene")
+            setOf(
+                "name",
+                "title",
+                "visibility",
+                "run",
+                "verdict",
+                "points",
+                "of",
+                "message",
+                "place",
+                "pictures",
+                "scene",
+            )
 
         /** Through a connection of its own, as another process would read it. */
         fun query(
