@@ -24,7 +24,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param tolerance what still counts as right
  * @param points the most points for accuracy, stability and speed
  * @param caps limits of a call that this exercise states itself
- * @param timed how the inputs to measure speed on are drawn, as JSON; empty where the topic knows
+ * @param timed how the inputs to measure speed on are drawn, as JSON
  * @param groups what cases ask for, where several ask for the same
  */
 public record Exercise(

@@ -1,5 +1,6 @@
 package rasterlab.engine.line;
 
+import rasterlab.engine.raster.FirstDifference;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;

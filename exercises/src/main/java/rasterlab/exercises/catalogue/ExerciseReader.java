@@ -64,14 +64,16 @@ final class ExerciseReader {
                         "points",
                         "caps",
                         "timed",
+                        "shapes",
                         "groups",
                         "cases");
         TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
         PointPlan points = points(fields.object("points", "accuracy", "stability", "speed"));
         List<Group> groups = GroupReader.read(fields, topic);
+        Shapes shapes = Shapes.read(fields);
         List<Case> cases = new ArrayList<>();
         for (String caseFile : fields.texts("cases"))
-            cases.addAll(cases(caseFile, topic, GroupReader.names(groups)));
+            cases.addAll(cases(caseFile, topic, GroupReader.names(groups), shapes));
         checkNames(cases);
         checkSum(cases, Kind.ACCURACY, points.accuracy());
         checkSum(cases, Kind.STABILITY, points.stability());
@@ -96,9 +98,17 @@ final class ExerciseReader {
                         groups,
                         cases);
         checkItems(read, topic);
-        // asked once, so that a mistake shows before anybody submits
-        topic.timings(read, new Random(0), List.of());
+        checkTimings(fields, topic, read);
         return read;
+    }
+
+    /** Asks for inputs to measure speed on, so that a mistake shows before anybody submits. */
+    private static void checkTimings(JsonFields fields, TopicGrading topic, Exercise read) {
+        try {
+            topic.timings(read, new Random(0), List.of());
+        } catch (CatalogueException e) {
+            throw fields.wrong("", Phrase.of("field.unusable", e.said()));
+        }
     }
 
     /** An error is stated with its unit, so that nobody takes pixels for shares. */
@@ -150,15 +160,15 @@ final class ExerciseReader {
         return plan;
     }
 
-    private List<Case> cases(String file, TopicGrading topic, List<String> groups) {
+    private List<Case> cases(String file, TopicGrading topic, List<String> groups, Shapes shapes) {
         List<Case> cases = new ArrayList<>();
         for (JsonFields fields :
                 JsonFields.parseArray(folder.place(file), folder.text(file), CASE_FIELDS))
-            cases.add(checked(fields, oneCase(fields, groups), topic));
+            cases.add(checked(fields, oneCase(fields, groups, shapes), topic));
         return cases;
     }
 
-    private static Case oneCase(JsonFields fields, List<String> groups) {
+    private static Case oneCase(JsonFields fields, List<String> groups, Shapes shapes) {
         String name = name(fields);
         boolean generated = fields.has("generate");
         if (generated == fields.has("input"))
@@ -182,7 +192,7 @@ final class ExerciseReader {
                 Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
                 visibility,
                 fields.integer("points", 0, Exercise.MOST_POINTS),
-                fields.json(generated ? "generate" : "input"),
+                generated ? shapes.given(fields.object("generate")) : fields.json("input"),
                 generated);
     }
 

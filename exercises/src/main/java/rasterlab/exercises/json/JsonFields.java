@@ -101,22 +101,28 @@ public final class JsonFields {
         return value.asJson();
     }
 
+    /** A field that must be there, as it stands. */
+    public JsonNode tree(String field) {
+        return required(field).node;
+    }
+
+    /** This object as it stands. */
+    public JsonNode tree() {
+        return object.node;
+    }
+
     /** The value of a field that must be there, by its shape. */
     public <T> T get(Field<T> field) {
         return given(List.of(field)).get(field);
     }
 
     /**
-     * The input that a topic's format makes of its fields, which may stand among others.
+     * The input that a topic's format makes of these fields.
      *
-     * @throws IllegalArgumentException if it makes none of them
+     * @throws Misfit if it makes none of them
      */
     public <I> I input(Format<?, I, ?> format) {
-        try {
-            return format.read(given(format.input()));
-        } catch (Misfit e) {
-            throw new IllegalArgumentException(e.reason(), e);
-        }
+        return format.read(given(format.input()));
     }
 
     private Given given(List<Field<?>> fields) {

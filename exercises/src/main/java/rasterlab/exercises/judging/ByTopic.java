@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.CatalogueException;
@@ -13,18 +14,27 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.scene.MethodCase;
+import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Phrase;
 
 /**
  * Grades any topic by its own exact answer, its own comparison, and its own faulty methods and
- * mutants. A topic adds what a student's speed is held against and how its answers are drawn.
+ * mutants. A topic adds what a student's speed is held against and how its answers are drawn; a
+ * kind of output, what it tells of a wrong answer by itself.
  *
  * @param <C> the contract
  * @param <I> one input
  * @param <O> one output
  */
 public abstract class ByTopic<C, I, O> implements TopicGrading {
+    /** Characters of an input that is told as an example. */
+    private static final int LONGEST_EXAMPLE = 160;
+
     private final Topic<C, I, O> topic;
     private final Class<C> contract;
     private final C reference;
@@ -47,6 +57,118 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
      */
     protected abstract List<CasePicture> pictures(I input, O exact, O actual);
 
+    /** The number of items of the right answer. */
+    protected long items(I input) {
+        return topic.spend(reference, input);
+    }
+
+    /** Whether all right answers have their items in one order, so that a case may cut them. */
+    protected boolean isInOrder() {
+        return false;
+    }
+
+    /** The right answer that is nearest to that one, as far as it is looked at. */
+    protected O right(I input, O actual, Demand demand) {
+        return topic.exact(input, demand.items());
+    }
+
+    /** Whether an output is right for that input. */
+    protected boolean isRight(I input, O exact, O actual, Tolerance tolerance) {
+        var deviation = topic.compare(input, exact, actual);
+        boolean within =
+                tolerance.worst().isPresent()
+                        && deviation.missing() == 0
+                        && deviation.extra() == 0
+                        && deviation.worst() <= tolerance.worst().getAsDouble();
+        return within || topic.correct(deviation);
+    }
+
+    /** Whether two outputs tell of the same mistake: up to rounding, or to the letter. */
+    protected boolean isSame(I input, O known, O actual) {
+        // a comparison may look at the input beside both
+        return topic.correct(topic.compare(input, known, actual))
+                || Leaves.of(topic.format(), input, known)
+                        .equals(Leaves.of(topic.format(), input, actual));
+    }
+
+    /** Codes of the mistakes that the kind of output tells by itself. */
+    protected Set<String> ownMistakes() {
+        return Set.of();
+    }
+
+    /**
+     * The explanations that the kind of output has for a wrong answer, the likeliest first; none
+     * where it has none.
+     */
+    protected List<List<Cause>> explanations(I input, O actual, Demand demand) {
+        return List.of();
+    }
+
+    /** The text on a faulty method of the topic that gives the same answer. */
+    protected String knownMethod() {
+        return "known-answer";
+    }
+
+    /** The first part of a wrong answer that differs, and how far all of it is from right. */
+    protected Message difference(I input, O right, O actual) {
+        return Leaves.difference(topic, input, right, actual);
+    }
+
+    /**
+     * The right answer that a wrong one is shown beside.
+     *
+     * @param right as {@link #right} has it
+     */
+    protected O beside(I input, O right, O actual, Demand demand, List<List<Cause>> causes) {
+        return right;
+    }
+
+    /** What else is to be said of a wrong answer. */
+    protected Message further(I input, O actual, Demand demand) {
+        return Message.NONE;
+    }
+
+    /** The finding on an answer that goes on beyond the most items, which it has. */
+    protected Finding endless(I input, Answer answer, Demand demand, boolean whole) {
+        return Failure.of(answer, demand.mayRefuse());
+    }
+
+    /** What distinguishes that input from others, as codes of texts {@code where.CODE}. */
+    protected Set<String> traits(I input) {
+        return Set.of();
+    }
+
+    /** The input in words, as an example of where a mistake is seen; nothing where it is long. */
+    protected Message example(I input) {
+        String json = Leaves.json(topic.format(), input);
+        return json.length() > LONGEST_EXAMPLE ? Message.NONE : Message.of("answer.example", json);
+    }
+
+    /** The topic's method that exercises ask for; empty where any right one will do. */
+    protected Optional<String> method() {
+        return Optional.empty();
+    }
+
+    /** What the lab shows of a student's answer beside the right one. */
+    protected Optional<MethodCase.Drawn> drawn(Answer answer) {
+        return Optional.empty();
+    }
+
+    /**
+     * Makes batches of inputs to time a method on; the answer to one of them is judged.
+     *
+     * @param inputs draws new ones each time
+     */
+    protected Timings timings(
+            Supplier<List<TimedInput<I>>> inputs, Tolerance tolerance, Random random) {
+        return () ->
+                new InputBatch<>(
+                        this,
+                        inputs.get().stream().map(TimedInput::input).toList(),
+                        tolerance,
+                        random);
+    }
+
     @Override
     public final String name() {
         return topic.name();
@@ -63,21 +185,36 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     @Override
-    public final Optional<String> unit() {
+    public Optional<String> unit() {
         return Optional.of(topic.errorUnit());
     }
 
     @Override
     public final List<Call> calls(Case one, Tolerance tolerance, long seed) {
-        TopicInputs.Read<I> read = new TopicInputs<>(topic).of(one, seed);
+        TopicInputs.Read<I> read = new TopicInputs<>(topic, isInOrder()).of(one, seed);
         return read.inputs().stream()
-                .<Call>map(input -> new InputCall<>(this, input, tolerance, read.mayRefuse()))
+                .<Call>map(
+                        input -> new InputCall<>(this, input, demand(one, input, tolerance, read)))
                 .toList();
+    }
+
+    private Demand demand(Case one, I input, Tolerance tolerance, TopicInputs.Read<I> read) {
+        Tolerance held = read.strict() ? new Tolerance(false) : tolerance;
+        if (!isInOrder()) return new Demand(held, read.mayRefuse(), false, topic.mostItems());
+        int most = read.first().orElse(topic.mostItems());
+        long items = items(input);
+        if (items > most && read.first().isEmpty())
+            throw new CatalogueException(
+                    Phrase.of(
+                            "field.wrong",
+                            Phrase.of("field", TopicInputs.place(one), "first"),
+                            Phrase.of("field.cut", most)));
+        return new Demand(held, read.mayRefuse(), items > most, (int) Math.min(most, items));
     }
 
     @Override
     public final Set<String> mistakes() {
-        Set<String> codes = new TreeSet<>();
+        Set<String> codes = new TreeSet<>(ownMistakes());
         topic.methods().stream().filter(Method::faulty).forEach(one -> codes.add(one.name()));
         topic.mutants().forEach(one -> codes.add(one.name()));
         return codes;
@@ -86,44 +223,16 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     @Override
     public final Timings timings(
             Exercise exercise, Random random, Collection<Set<String>> wrongOn) {
-        String data =
-                exercise.timed()
-                        .orElseThrow(
-                                () ->
-                                        new CatalogueException(
-                                                Phrase.of(
-                                                        "field.wrong",
-                                                        Phrase.quoted("timed"),
-                                                        Phrase.of("field.missing"))));
-        TopicInputs<C, I> inputs = new TopicInputs<>(topic);
-        Phrase place = Phrase.quoted("timed");
-        inputs.drawn(place, data, random, 1);
-        return () ->
-                new InputBatch<>(
-                        this, inputs.drawn(place, data, random), exercise.tolerance(), random);
+        return timings(
+                new TimedInputs<>(topic, exercise, random, wrongOn), exercise.tolerance(), random);
     }
 
-    Topic<C, I, O> topic() {
+    protected final Topic<C, I, O> topic() {
         return topic;
     }
 
-    C right() {
+    /** The right method that a student's speed is held against. */
+    protected final C plain() {
         return reference;
-    }
-
-    /** The exact answer, of a very long one its beginning. */
-    O exact(I input) {
-        return topic.exact(input, topic.mostItems());
-    }
-
-    /** Whether an output is right for that input. */
-    boolean isRight(I input, O exact, O actual, Tolerance tolerance) {
-        var deviation = topic.compare(input, exact, actual);
-        boolean within =
-                tolerance.worst().isPresent()
-                        && deviation.missing() == 0
-                        && deviation.extra() == 0
-                        && deviation.worst() <= tolerance.worst().getAsDouble();
-        return within || topic.correct(deviation);
     }
 }

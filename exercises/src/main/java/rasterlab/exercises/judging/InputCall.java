@@ -1,13 +1,12 @@
 package rasterlab.exercises.judging;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.TopicGrading.Caps;
 import rasterlab.exercises.scene.MethodCase;
@@ -19,19 +18,14 @@ import rasterlab.exercises.score.Message;
 
 /** One input of a topic and how an answer to it is judged. */
 final class InputCall<C, I, O> implements Call {
-    /** Characters of an input that is told as an example. */
-    private static final int LONGEST_EXAMPLE = 160;
-
     private final ByTopic<C, I, O> grading;
     private final I input;
-    private final Tolerance tolerance;
-    private final boolean mayRefuse;
+    private final Demand demand;
 
-    InputCall(ByTopic<C, I, O> grading, I input, Tolerance tolerance, boolean mayRefuse) {
+    InputCall(ByTopic<C, I, O> grading, I input, Demand demand) {
         this.grading = grading;
         this.input = input;
-        this.tolerance = tolerance;
-        this.mayRefuse = mayRefuse;
+        this.demand = demand;
     }
 
     private Topic<C, I, O> topic() {
@@ -40,14 +34,16 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public Caps caps() {
-        return Caps.ofItems(topic().mostBeforeEndless(items()));
+        return Caps.ofItems(
+                demand.cut() ? demand.items() : topic().mostBeforeEndless(items()));
     }
 
     /** None where the right method refuses the input. */
     @Override
     public long items() {
+        if (demand.cut()) return demand.items();
         try {
-            return topic().spend(grading.right(), input);
+            return grading.items(input);
         } catch (IllegalArgumentException refused) {
             return 0;
         }
@@ -71,67 +67,60 @@ final class InputCall<C, I, O> implements Call {
 
     @SuppressWarnings("unchecked") // recorded by this class
     private Finding judged(Answer answer, boolean whole) {
-        if (answer.ending() != Answer.Ending.RETURNED || answer.output().isEmpty())
-            return Failure.of(answer, mayRefuse);
-        O exact = grading.exact(input);
+        if (answer.output().isEmpty()) return Failure.of(answer, demand.mayRefuse());
+        if (answer.ending() == Answer.Ending.CUT && !demand.cut())
+            return grading.endless(input, answer, demand, whole);
         O actual = (O) answer.output().get();
-        if (grading.isRight(input, exact, actual, tolerance)) return Finding.OK;
-        List<List<Cause>> causes = new KnownMistakes<>(topic(), input).of(actual);
+        O right = grading.right(input, actual, demand);
+        if (grading.isRight(input, right, actual, demand.tolerance())) return Finding.OK;
+        List<List<Cause>> own = grading.explanations(input, actual, demand);
+        List<List<Cause>> causes = own.isEmpty() ? known().of(actual) : own;
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
-        Message said = said(exact, actual);
-        // where several mistakes give this answer, none of them is told
-        if (causes.size() == 1) said = said.and(causes.get(0).get(0).said());
+        O beside = grading.beside(input, right, actual, demand, causes);
+        Message said = grading.difference(input, beside, actual);
+        // where several mistakes that are known give this answer, none of them is told
+        if (!own.isEmpty() || causes.size() == 1)
+            for (Cause one : causes.get(0)) said = said.and(one.said());
+        Message further = grading.further(input, actual, demand);
+        if (!said.sentences().containsAll(further.sentences())) said = said.and(further);
         return new Finding(
-                GradingVerdict.WRONG, said, grading.pictures(input, exact, actual), causes);
+                GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
     }
 
-    /** The first part of the answer that differs, and how far all of it is from right. */
-    private Message said(O exact, O actual) {
-        Leaves right = Leaves.of(topic().format(), input, exact);
-        Leaves mine = Leaves.of(topic().format(), input, actual);
-        Message said =
-                right.firstUnlike(mine)
-                        .map(place -> right.said(place, mine))
-                        .orElse(Message.of("answer.differs"));
-        Deviation deviation = topic().compare(input, exact, actual);
-        String key = "answer.worst." + topic().errorUnit().replace(' ', '-');
-        boolean measured = deviation.worst() > 0 && Double.isFinite(deviation.worst());
-        return measured && Message.isKnown(key)
-                ? said.and(Message.of(key, Leaves.number(deviation.worst())))
-                : said;
+    private KnownMistakes<C, I, O> known() {
+        return new KnownMistakes<>(grading, input, demand);
     }
 
     @Override
     public boolean isRightWith(String mistake) {
-        return new KnownMistakes<>(topic(), input).isRightWith(mistake, grading.exact(input));
+        return known().isRightWith(mistake);
     }
 
-    /** None: a mistake of such a topic is not looked for by the kind of input. */
     @Override
     public Set<String> traits() {
-        return Set.of();
+        Set<String> traits = new LinkedHashSet<>(grading.traits(input));
+        if (demand.cut()) traits.add("cut");
+        return traits;
     }
 
     @Override
     public Message example() {
-        String json = Leaves.json(topic().format(), input);
-        return json.length() > LONGEST_EXAMPLE ? Message.NONE : Message.of("answer.example", json);
+        return grading.example(input);
     }
 
-    /** The lab shows the input and a right answer, not yet what the student's method answered. */
     @Override
     public String scene(Optional<Answer> wrong) {
         return new MethodCase(
                         topic().name(),
-                        rightMethod(),
+                        grading.method().or(this::rightMethod),
                         Leaves.json(topic().format(), input),
-                        Optional.empty())
+                        wrong.flatMap(grading::drawn))
                 .write();
     }
 
     /** The first method that is right on this input; empty where all fail. */
     private Optional<String> rightMethod() {
-        O exact = grading.exact(input);
+        O exact = topic().exact(input, topic().mostItems());
         return topic().methods().stream()
                 .filter(one -> !one.faulty())
                 .filter(one -> isRight(one.implementation(), exact))

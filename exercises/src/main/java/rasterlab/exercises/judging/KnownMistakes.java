@@ -17,12 +17,16 @@ import rasterlab.exercises.score.Message;
 final class KnownMistakes<C, I, O> {
     private static final System.Logger LOG = System.getLogger(KnownMistakes.class.getName());
 
+    private final ByTopic<C, I, O> grading;
     private final Topic<C, I, O> topic;
     private final I input;
+    private final Demand demand;
 
-    KnownMistakes(Topic<C, I, O> topic, I input) {
-        this.topic = topic;
+    KnownMistakes(ByTopic<C, I, O> grading, I input, Demand demand) {
+        this.grading = grading;
+        this.topic = grading.topic();
         this.input = input;
+        this.demand = demand;
     }
 
     /** Each explains the answer by itself. */
@@ -35,16 +39,16 @@ final class KnownMistakes<C, I, O> {
             }
         for (Method<C> one : topic.methods())
             if (one.faulty() && gives(one.implementation(), actual))
-                found.add(List.of(new Cause(one.name(), Message.of("known-answer", one.name()))));
+                found.add(
+                        List.of(
+                                new Cause(
+                                        one.name(),
+                                        Message.of(grading.knownMethod(), one.name()))));
         return found;
     }
 
-    /**
-     * Whether the mistake of that name does not show on this input.
-     *
-     * @param exact the right answer
-     */
-    boolean isRightWith(String name, O exact) {
+    /** Whether the mistake of that name does not show on this input; so does one not known here. */
+    boolean isRightWith(String name) {
         Stream<C> mutants =
                 topic.mutants().stream()
                         .filter(one -> one.name().equals(name))
@@ -53,29 +57,40 @@ final class KnownMistakes<C, I, O> {
                 topic.methods().stream()
                         .filter(one -> one.name().equals(name))
                         .map(Method::implementation);
-        return Stream.concat(mutants, methods).allMatch(method -> gives(method, exact));
+        return Stream.concat(mutants, methods)
+                .allMatch(
+                        method ->
+                                output(method)
+                                        .filter(
+                                                output ->
+                                                        grading.isSame(
+                                                                input,
+                                                                grading.right(
+                                                                        input, output, demand),
+                                                                output))
+                                        .isPresent());
     }
 
     private boolean gives(C method, O actual) {
-        return output(method).filter(output -> isSame(output, actual)).isPresent();
-    }
-
-    /** Up to rounding, or to the letter: a comparison may look at the input beside both. */
-    private boolean isSame(O known, O actual) {
-        return topic.correct(topic.compare(input, known, actual))
-                || Leaves.of(topic.format(), input, known)
-                        .equals(Leaves.of(topic.format(), input, actual));
+        return output(method).filter(output -> grading.isSame(input, output, actual)).isPresent();
     }
 
     /** Empty where it refuses, goes on without end or breaks down, as a faulty one may. */
+    @SuppressWarnings("unchecked") // what is recorded is an output of the topic
     private Optional<O> output(C method) {
         try {
-            return Optional.of(topic.record(method, input, topic.mostItems()));
-        } catch (LimitReached | IllegalArgumentException refused) {
+            return Optional.of(topic.record(method, input, most()));
+        } catch (LimitReached reached) {
+            return demand.cut() ? Optional.of((O) reached.recorded()) : Optional.empty();
+        } catch (IllegalArgumentException refused) {
             return Optional.empty();
         } catch (RuntimeException broken) {
             LOG.log(System.Logger.Level.DEBUG, "a known faulty method breaks down here", broken);
             return Optional.empty();
         }
+    }
+
+    private int most() {
+        return demand.cut() ? demand.items() : topic.mostItems();
     }
 }

@@ -13,7 +13,9 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
 import rasterlab.exercises.json.JsonSink;
 import rasterlab.exercises.score.Message;
 
@@ -102,6 +104,22 @@ final class Leaves {
         }
     }
 
+    /** The first part of an answer that differs, and how far all of it is from right. */
+    static <C, I, O> Message difference(Topic<C, I, O> topic, I input, O exact, O actual) {
+        Leaves right = of(topic.format(), input, exact);
+        Leaves mine = of(topic.format(), input, actual);
+        Message said =
+                right.firstUnlike(mine)
+                        .map(place -> right.said(topic.name(), place, mine))
+                        .orElse(Message.of("answer.differs"));
+        Deviation deviation = topic.compare(input, exact, actual);
+        String key = "answer.worst." + topic.errorUnit().replace(' ', '-');
+        boolean measured = deviation.worst() > 0 && Double.isFinite(deviation.worst());
+        return measured && Message.isKnown(key)
+                ? said.and(Message.of(key, number(deviation.worst())))
+                : said;
+    }
+
     /** The first place that differs by what is seen beside the largest difference. */
     Optional<String> firstUnlike(Leaves other) {
         Set<String> places = new LinkedHashSet<>(values.keySet());
@@ -136,18 +154,23 @@ final class Leaves {
         return values.hashCode();
     }
 
-    /** Says what another answer has at a place, and what is right there. */
-    Message said(String place, Leaves mine) {
+    /**
+     * Says what another answer has at a place, and what is right there. The topic comes last, so
+     * that the place can be put into words.
+     */
+    private Message said(String topic, String place, Leaves mine) {
         String right = at(place);
         String given = mine.at(place);
-        if (right.equals(NONE)) return Message.of("answer.at.extra", place, shortened(given));
-        if (given.equals(NONE)) return Message.of("answer.at.missing", place, shortened(right));
+        if (right.equals(NONE))
+            return Message.of("answer.at.extra", place, shortened(given), topic);
+        if (given.equals(NONE))
+            return Message.of("answer.at.missing", place, shortened(right), topic);
         for (int digits = FEW; digits < ALL; digits += 3) {
             String one = rounded(given, digits);
             String other = rounded(right, digits);
-            if (!one.equals(other)) return Message.of("answer.at", place, one, other);
+            if (!one.equals(other)) return Message.of("answer.at", place, one, other, topic);
         }
-        return Message.of("answer.at", place, given, right);
+        return Message.of("answer.at", place, given, right, topic);
     }
 
     private static String shortened(String value) {

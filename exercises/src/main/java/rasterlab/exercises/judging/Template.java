@@ -1,12 +1,13 @@
 package rasterlab.exercises.judging;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.DoubleNode;
 import com.fasterxml.jackson.databind.node.IntNode;
+import com.fasterxml.jackson.databind.node.LongNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Map;
 import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -16,7 +17,8 @@ import rasterlab.exercises.score.Phrase;
 /**
  * Inputs of a topic as JSON with places that are drawn anew for each: {@code "-40..40"} is a whole
  * number of that range, {@code "0.5..1.0"} any double of it, <code>{"any": [x, y]}</code> one of
- * these, and <code>{"times": 6, "of": x}</code> an array of so many.
+ * these, <code>{"times": 6, "of": x}</code> an array of so many, and {@code "=x+along"} a sum of
+ * {@link NamedNumbers}.
  */
 final class Template {
     private static final JsonMapper MAPPER = new JsonMapper();
@@ -26,60 +28,62 @@ final class Template {
 
     private final Phrase place;
     private final JsonNode root;
+    private final NamedNumbers let;
 
     /**
-     * @throws CatalogueException if the text is no JSON
+     * @param let the numbers that may stand in it by their names
      */
-    Template(Phrase place, String json) {
+    Template(Phrase place, JsonNode root, NamedNumbers let) {
         this.place = place;
-        try {
-            this.root = MAPPER.readTree(json);
-        } catch (JsonProcessingException e) {
-            throw wrong("template.json", json);
-        }
+        this.root = root;
+        this.let = let;
+        if (!root.isObject()) throw wrong("template.json", root);
     }
 
     /**
      * One input as JSON.
      *
-     * @throws CatalogueException if a range or a number of times cannot be
+     * @param named the numbers that stand in it by their names
+     * @throws CatalogueException if a range, a sum or a number of times cannot be
      */
-    String draw(Random random) {
-        return drawn(root, random).toString();
+    String draw(Random random, Map<String, Long> named) {
+        return drawn(root, random, named).toString();
     }
 
-    private JsonNode drawn(JsonNode node, Random random) {
-        if (node.isTextual()) return number(node, random);
+    private JsonNode drawn(JsonNode node, Random random, Map<String, Long> named) {
+        if (node.isTextual()) return number(node, random, named);
         if (node.isArray()) {
             ArrayNode array = MAPPER.createArrayNode();
-            for (JsonNode one : node) array.add(drawn(one, random));
+            for (JsonNode one : node) array.add(drawn(one, random, named));
             return array;
         }
         if (!node.isObject()) return node;
-        if (node.has("any")) return oneOf(node.get("any"), random);
-        if (node.has("times")) return times(node, random);
+        if (node.has("any")) return oneOf(node.get("any"), random, named);
+        if (node.has("times")) return times(node, random, named);
         ObjectNode object = MAPPER.createObjectNode();
-        node.properties().forEach(f -> object.set(f.getKey(), drawn(f.getValue(), random)));
+        node.properties().forEach(f -> object.set(f.getKey(), drawn(f.getValue(), random, named)));
         return object;
     }
 
-    private JsonNode oneOf(JsonNode all, Random random) {
+    private JsonNode oneOf(JsonNode all, Random random, Map<String, Long> named) {
         if (!all.isArray() || all.isEmpty()) throw wrong("template.any", all);
-        return drawn(all.get(random.nextInt(all.size())), random);
+        return drawn(all.get(random.nextInt(all.size())), random, named);
     }
 
-    private JsonNode times(JsonNode node, Random random) {
+    private JsonNode times(JsonNode node, Random random, Map<String, Long> named) {
         JsonNode times = node.get("times");
         int count = times.canConvertToInt() && times.isIntegralNumber() ? times.intValue() : 0;
         if (count < 1 || count > MOST_TIMES || !node.has("of"))
             throw wrong("template.times", MOST_TIMES, node);
         ArrayNode array = MAPPER.createArrayNode();
-        for (int left = count; left > 0; left--) array.add(drawn(node.get("of"), random));
+        for (int left = count; left > 0; left--) array.add(drawn(node.get("of"), random, named));
         return array;
     }
 
     /** A text that is no range stays, such as the name of a rule. */
-    private JsonNode number(JsonNode text, Random random) {
+    private JsonNode number(JsonNode text, Random random, Map<String, Long> named) {
+        if (text.textValue().startsWith("="))
+            return new LongNode(let.sum(text.textValue().substring(1), named));
         Matcher range = RANGE.matcher(text.textValue());
         if (!range.matches()) return text;
         double least = Double.parseDouble(range.group(1));

@@ -1,9 +1,13 @@
 package rasterlab.exercises.judging;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Random;
+import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -19,17 +23,29 @@ import rasterlab.exercises.score.Phrase;
  * of a hazard, or drawn by a {@link Template}.
  */
 final class TopicInputs<C, I> {
-    private static final int MOST_INPUTS = 1000;
+    static final int MOST_INPUTS = 1000;
 
-    /** The inputs of a case, and whether it may be refused. */
-    record Read<I>(List<I> inputs, boolean mayRefuse) {}
+    /**
+     * The inputs of a case, and what it asks for.
+     *
+     * @param mayRefuse whether a refusal is as good as the answer
+     * @param strict whether the tolerance of the exercise does not hold
+     * @param first the most items of an answer that are looked at, where that is said
+     */
+    record Read<I>(List<I> inputs, boolean mayRefuse, boolean strict, OptionalInt first) {}
 
     private final Topic<C, I, ?> topic;
     private final Format<C, I, ?> format;
+    private final boolean inOrder;
 
-    TopicInputs(Topic<C, I, ?> topic) {
+    /**
+     * @param inOrder whether all right answers have their items in one order, so that a case may
+     *     ask for the first ones
+     */
+    TopicInputs(Topic<C, I, ?> topic, boolean inOrder) {
         this.topic = topic;
         this.format = topic.format();
+        this.inOrder = inOrder;
     }
 
     /**
@@ -39,20 +55,43 @@ final class TopicInputs<C, I> {
      * @throws CatalogueException when a field is missing, unknown, or no input of the topic
      */
     Read<I> of(Case one, long seed) {
-        String field = one.generated() ? "generate" : "input";
-        Phrase place = Phrase.of("field", Phrase.of("field.case", one.name()), field);
-        if (one.generated())
+        Phrase place = place(one);
+        if (one.generated()) {
+            JsonFields fields =
+                    JsonFields.parse(place, one.input(), "count", "let", "given", "strict");
             return new Read<>(
-                    drawn(place, one.input(), new Random(31 * seed + one.name().hashCode())),
-                    false);
-        JsonFields fields = JsonFields.parse(place, one.input(), "given", "hazard", "mayRefuse");
+                    drawn(place, fields, new Random(31 * seed + one.name().hashCode())),
+                    false,
+                    fields.flag("strict", false),
+                    OptionalInt.empty());
+        }
+        JsonFields fields = fields(place, one);
         if (fields.has("given") == fields.has("hazard"))
             throw fields.wrong("", Phrase.of("field.either", "given", "hazard"));
-        I input =
+        return new Read<>(
                 fields.has("hazard")
-                        ? hazard(fields)
-                        : input(Phrase.of("field", place, "given"), fields.json("given"));
-        return new Read<>(List.of(input), fields.flag("mayRefuse", false));
+                        ? List.of(hazard(fields))
+                        : given(Phrase.of("field", place, "given"), fields),
+                fields.flag("mayRefuse", false),
+                fields.flag("strict", false),
+                fields.has("first")
+                        ? OptionalInt.of(fields.integer("first", 1, topic.mostItems()))
+                        : OptionalInt.empty());
+    }
+
+    private JsonFields fields(Phrase place, Case one) {
+        return inOrder
+                ? JsonFields.parse(
+                        place, one.input(), "given", "hazard", "mayRefuse", "strict", "first")
+                : JsonFields.parse(place, one.input(), "given", "hazard", "mayRefuse", "strict");
+    }
+
+    /** The place of a case's input, for people. */
+    static Phrase place(Case one) {
+        return Phrase.of(
+                "field",
+                Phrase.of("field.case", one.name()),
+                one.generated() ? "generate" : "input");
     }
 
     private I hazard(JsonFields fields) {
@@ -64,33 +103,73 @@ final class TopicInputs<C, I> {
                 .input();
     }
 
-    /**
-     * Inputs that are drawn.
-     *
-     * @param json {@code count}, and {@code given} as a template
-     */
-    List<I> drawn(Phrase place, String json, Random random) {
-        return drawn(place, json, random, MOST_INPUTS);
-    }
-
-    /** At most so many of them, which tell whether the others can be drawn. */
-    List<I> drawn(Phrase place, String json, Random random, int most) {
-        JsonFields fields = JsonFields.parse(place, json, "count", "given");
-        Phrase given = Phrase.of("field", place, "given");
-        Template template = new Template(given, fields.json("given"));
-        int count = Math.min(most, fields.integer("count", 1, MOST_INPUTS));
+    /** One input, or several that are tried one after the other. */
+    private List<I> given(Phrase place, JsonFields fields) {
+        JsonNode given = fields.tree("given");
+        if (!given.isArray()) return List.of(input(place, fields.json("given")));
+        if (given.isEmpty()) throw fields.wrong("given", Phrase.of("template.turns", "[]"));
         List<I> inputs = new ArrayList<>();
-        for (int left = count; left > 0; left--) inputs.add(input(given, template.draw(random)));
+        for (JsonNode one : given) inputs.add(input(place, one.toString()));
         return inputs;
     }
 
+    private List<I> drawn(Phrase place, JsonFields fields, Random random) {
+        Drawing<I> drawing = drawing(place, fields, let(place, fields));
+        List<I> inputs = new ArrayList<>();
+        for (int left = fields.integer("count", 1, MOST_INPUTS); left > 0; left--)
+            inputs.addAll(drawing.next(random));
+        return inputs;
+    }
+
+    /** The numbers of the field {@code let}, if it is there. */
+    NamedNumbers let(Phrase place, JsonFields fields) {
+        return new NamedNumbers(
+                Phrase.of("field", place, "let"),
+                fields.has("let")
+                        ? fields.object("let").tree()
+                        : JsonNodeFactory.instance.objectNode());
+    }
+
+    /**
+     * What draws inputs by the field {@code given}: a template, or an array of turns, each a
+     * template or an array of such that share the drawn numbers.
+     */
+    Drawing<I> drawing(Phrase place, JsonFields fields, NamedNumbers let) {
+        Phrase given = Phrase.of("field", place, "given");
+        JsonNode tree = fields.tree("given");
+        List<List<Template>> turns = new ArrayList<>();
+        if (tree.isArray()) {
+            for (JsonNode turn : tree) turns.add(templates(given, turn, let));
+        } else turns.add(templates(given, tree, let));
+        if (turns.isEmpty() || turns.stream().anyMatch(List::isEmpty))
+            throw fields.wrong("given", Phrase.of("template.turns", tree.toString()));
+        return new Drawing<>(let, turns, json -> input(given, json));
+    }
+
+    private static List<Template> templates(Phrase place, JsonNode turn, NamedNumbers let) {
+        if (!turn.isArray()) return List.of(new Template(place, turn, let));
+        List<Template> together = new ArrayList<>();
+        for (JsonNode one : turn) together.add(new Template(place, one, let));
+        return together;
+    }
+
     private I input(Phrase place, String json) {
-        byte[] text = json.getBytes(StandardCharsets.UTF_8);
         try {
-            return format.read(StrictJson.read(text, text.length, format.input(), format.open()));
+            return format.open() ? openInput(json) : fields(place, json).input(format);
         } catch (Misfit misfit) {
             throw new CatalogueException(
                     Phrase.of("field.wrong", place, Phrase.quoted(misfit.getMessage())));
         }
+    }
+
+    private JsonFields fields(Phrase place, String json) {
+        return JsonFields.parse(
+                place, json, format.input().stream().map(Field::name).toArray(String[]::new));
+    }
+
+    /** The format itself looks at fields by names that are known nowhere else. */
+    private I openInput(String json) {
+        byte[] text = json.getBytes(StandardCharsets.UTF_8);
+        return format.read(StrictJson.read(text, text.length, format.input(), true));
     }
 }

@@ -1,7 +1,8 @@
 /**
- * The exercise on drawing a segment: its cases as data, and how a drawn line is judged.
+ * What the exercise on drawing a segment adds to the grading of pixels: the exact pixels with their
+ * ties, the traits of segments, and a plain right method.
  *
  * <p>Pixel coordinates: x grows to the right, y grows down. Start with {@link
- * rasterlab.exercises.line.LineCase}.
+ * rasterlab.exercises.line.LineGrading}.
  */
 package rasterlab.exercises.line;

@@ -47,7 +47,7 @@ class FairMarkingTest {
                             "last-pixel-anywhere",
                             "single-point-is-skipped",
                             "points"),
-                    Set.copyOf(marked(LineMutants::withoutLastPixel, seed).failed()),
+                    Set.copyOf(marked(LineMutants.known("last-pixel-left-out"), seed).failed()),
                     "seed " + seed);
     }
 
@@ -65,12 +65,14 @@ class FairMarkingTest {
 
     static Stream<Arguments> sharedMistakes() {
         return Stream.of(
-                mistake("the last pixel is missing", LineMutants::withoutLastPixel),
-                mistake("the first pixel is missing", LineMutants::withoutFirstPixel),
+                mistake("the last pixel is missing", LineMutants.known("last-pixel-left-out")),
+                mistake("the first pixel is missing", LineMutants.known("first-pixel-left-out")),
                 mistake(
                         "the pixels come in reverse order",
                         (x0, y0, x1, y1, out) -> RIGHT.draw(x1, y1, x0, y0, out)),
-                mistake("ties go to the larger coordinate", LineMutants::tiesToTheLarger),
+                mistake(
+                        "ties go to the larger coordinate",
+                        LineMutants.known("ties-to-the-larger")),
                 mistake("the line is shifted by 0 in x and +1 in y", LineMutants::shifted),
                 mistake(
                         "x and y are exchanged",
@@ -99,10 +101,7 @@ class FairMarkingTest {
                                         (x, y) -> out.plot(x, y1 < y0 ? 2 * y0 - y : y))),
                 mistake(
                         "reverse order, from the last end to the first. This shows only on lines to the left",
-                        (x0, y0, x1, y1, out) -> {
-                            if (x0 <= x1) RIGHT.draw(x0, y0, x1, y1, out);
-                            else RIGHT.draw(x1, y1, x0, y0, out);
-                        }));
+                        LineMutants.known("always-from-the-left")));
     }
 
     private static Arguments mistake(String said, LineRasterizer method) {
@@ -112,7 +111,7 @@ class FairMarkingTest {
     @Test
     @DisplayName("a title says that the ends matter, where it is the ties that do")
     void casesOnTiesAskForTheSmallerCoordinate() {
-        List<Case> failed = cases(marked(LineMutants::tiesToTheLarger, 1).failed());
+        List<Case> failed = cases(marked(LineMutants.known("ties-to-the-larger"), 1).failed());
         for (Case one : failed) {
             assertTrue(one.title("en").contains("to the smaller coordinate"), one.title("en"));
             assertTrue(one.title("ru").contains("меньшая координата"), one.title("ru"));
@@ -127,7 +126,7 @@ class FairMarkingTest {
     @Test
     @DisplayName("a mistake at ties costs other points than the statement says")
     void theStatementSaysWhatTiesCost() {
-        int lost = ALL - marked(LineMutants::tiesToTheLarger, 1).points();
+        int lost = ALL - marked(LineMutants.known("ties-to-the-larger"), 1).points();
         String english = EXERCISE.statement().get("en");
         String russian = EXERCISE.statement().get("ru");
         assertTrue(english.contains("one at ties " + lost + "."), english);
@@ -151,8 +150,8 @@ class FairMarkingTest {
     @Test
     @DisplayName("two mistakes cost more than both, or are not told apart")
     void twoMistakesCostBoth() {
-        LineRasterizer both =
-                (x0, y0, x1, y1, out) -> LineMutants.withoutLastPixel(x1, y1, x0, y0, out);
+        LineRasterizer withoutLast = LineMutants.known("last-pixel-left-out");
+        LineRasterizer both = (x0, y0, x1, y1, out) -> withoutLast.draw(x1, y1, x0, y0, out);
         MarkedMethod marked = marked(both, 1);
         int lost = ALL - marked.points();
         assertTrue(lost >= 11 && lost <= 16, () -> lost + " lost by " + marked.failed());
@@ -161,7 +160,7 @@ class FairMarkingTest {
     @Test
     @DisplayName("gaps on steep lines fail the cases on gentle ones, or on the last pixel")
     void steepGapsCostTheSteepCases() {
-        List<String> failed = marked(LineMutants::oncePerColumn, 3).failed();
+        List<String> failed = marked(LineMutants.known("one-pixel-a-column"), 3).failed();
         assertTrue(failed.contains("steep-line-leaves-gaps"), failed::toString);
         assertTrue(failed.contains("octant-2"), failed::toString);
         for (String other : List.of("last-pixel-anywhere", "octant-1", "order-anywhere"))
@@ -208,7 +207,7 @@ class FairMarkingTest {
         List<Segment> open =
                 EXERCISE.cases().stream()
                         .filter(one -> one.visibility() == Disclosure.OPEN)
-                        .flatMap(one -> LineCaseReader.read(one, 0).segments().stream())
+                        .flatMap(one -> TriedSegments.of(EXERCISE, one, 0).stream())
                         .toList();
         return (x0, y0, x1, y1, out) -> {
             boolean known = open.contains(new Segment(x0, y0, x1, y1));
@@ -229,7 +228,7 @@ class FairMarkingTest {
             List<String> failed = marked.failed();
             for (Case one : EXERCISE.cases())
                 if (one.visibility() == Disclosure.OPEN
-                        && LineCaseReader.read(one, 0).segments().stream()
+                        && TriedSegments.of(EXERCISE, one, 0).stream()
                                 .allMatch(segment -> segment.x1() >= segment.x0()))
                     assertTrue(!failed.contains(one.name()), () -> one.name() + " in " + failed);
             String shared =

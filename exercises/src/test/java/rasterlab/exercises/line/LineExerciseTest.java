@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -28,10 +29,13 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
@@ -117,12 +121,12 @@ class LineExerciseTest {
     @Test
     void theSeedDrawsTheHiddenSegmentsInTheirOctant() {
         for (Case one : EXERCISE.cases()) {
-            if (!one.generated() || one.input().contains("shape")) continue;
-            assertEquals(LineCaseReader.read(one, 5), LineCaseReader.read(one, 5));
-            assertNotEquals(LineCaseReader.read(one, 5), LineCaseReader.read(one, 6));
-            int octant = one.name().startsWith("octant-") ? one.name().charAt(7) - '0' : 8;
-            for (Segment segment : LineCaseReader.read(one, 5).segments())
-                assertInOctant(octant, segment);
+            if (!one.generated() || !one.name().startsWith("octant-")) continue;
+            List<Segment> drawn = TriedSegments.of(EXERCISE, one, 5);
+            assertEquals(drawn, TriedSegments.of(EXERCISE, one, 5));
+            assertNotEquals(drawn, TriedSegments.of(EXERCISE, one, 6));
+            int octant = one.name().charAt(7) - '0';
+            for (Segment segment : drawn) assertInOctant(octant, segment);
         }
     }
 
@@ -146,12 +150,9 @@ class LineExerciseTest {
         PixelRecording upper = new PixelRecording(3);
         IntStream.of(0, 1, 2).forEach(x -> upper.plot(x, (x + 1) / 2));
         Answer answer = answer(Answer.Ending.RETURNED, upper);
-        LineCase loose = new LineCase(List.of(tied), false, 100, false);
-        LineCase strict = new LineCase(List.of(tied), true, 100, false);
-        assertEquals(Finding.OK, new LineJudge(loose, true).judge(tied, answer));
-        assertEquals(
-                GradingVerdict.WRONG, new LineJudge(loose, false).judge(tied, answer).verdict());
-        Finding finding = new LineJudge(strict, true).judge(tied, answer);
+        assertEquals(Finding.OK, call(tied, "", true).judge(answer));
+        assertEquals(GradingVerdict.WRONG, call(tied, "", false).judge(answer).verdict());
+        Finding finding = call(tied, ", \"strict\": true", true).judge(answer);
         assertEquals("#-.\n.+#", text(finding, CasePicture.DIFFERENCE));
         assertEquals("##.\n..#", text(finding, CasePicture.EXPECTED));
         assertEquals("#..\n.##", text(finding, CasePicture.ACTUAL));
@@ -176,9 +177,8 @@ class LineExerciseTest {
         for (String pixel : drawn.split(" "))
             pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
         Segment segment = new Segment(0, 0, 2, 0);
-        LineCase demand = new LineCase(List.of(segment), true, 100, false);
         Answer answer = answer(Answer.Ending.RETURNED, pixels);
-        String said = new LineJudge(demand, false).judge(segment, answer).said().in("ru");
+        String said = call(segment, "", false).judge(answer).said().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
     }
 
@@ -190,7 +190,7 @@ class LineExerciseTest {
             assertEquals(
                     "{\"version\":1,\"topic\":\"line\",\"method\":\"bresenham\","
                             + "\"input\":{\"from\":[12,-3],\"to\":[0,7]}}",
-                    LineJudge.scene(new Segment(12, -3, 0, 7), Optional.empty()));
+                    call(new Segment(12, -3, 0, 7), "", true).scene());
         } finally {
             Locale.setDefault(before);
         }
@@ -202,9 +202,8 @@ class LineExerciseTest {
         PixelRecording wrong = new PixelRecording(3);
         wrong.plot(0, -1);
         wrong.plot(1, 0);
-        LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Answer answer = answer(Answer.Ending.RETURNED, wrong);
-        String scene = LineJudge.scene(segment, LineJudge.plotted(answer));
+        String scene = call(segment, "", true).scene(Optional.of(answer));
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1],[1,0]]}"), scene);
     }
 
@@ -213,9 +212,8 @@ class LineExerciseTest {
         Segment segment = new Segment(0, 0, 9, 0);
         PixelRecording wrong = new PixelRecording(1);
         wrong.plot(0, -1);
-        LineCase demand = new LineCase(List.of(segment), false, 1, false);
         Answer answer = answer(Answer.Ending.CUT, wrong);
-        String scene = LineJudge.scene(segment, LineJudge.plotted(answer));
+        String scene = call(segment, "", true).scene(Optional.of(answer));
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1]],\"drawnCut\":true}"), scene);
     }
 
@@ -226,9 +224,7 @@ class LineExerciseTest {
         twice.plot(0, 0);
         twice.plot(1, 0);
         twice.plot(1, 0);
-        LineCase demand = new LineCase(List.of(segment), false, 100, false);
-        Finding finding =
-                new LineJudge(demand, true).judge(segment, answer(Answer.Ending.RETURNED, twice));
+        Finding finding = call(segment, "", true).judge(answer(Answer.Ending.RETURNED, twice));
         assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
     }
 
@@ -265,9 +261,8 @@ class LineExerciseTest {
         Segment segment = new Segment(0, 0, 500, 0);
         PixelRecording drawn = new PixelRecording(501);
         for (int i = 0; i <= 500; i++) drawn.plot(i == 300 ? x : i, i == 300 ? y : 0);
-        LineCase demand = new LineCase(List.of(segment), false, 1000, false);
         Answer answer = answer(Answer.Ending.RETURNED, drawn);
-        Finding finding = new LineJudge(demand, true).judge(segment, answer);
+        Finding finding = call(segment, "", true).judge(answer);
         assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
         PicturePart part = finding.pictures().get(0).part().orElseThrow();
         assertTrue(part.shown().contains(300, 0), part::toString);
@@ -275,11 +270,25 @@ class LineExerciseTest {
     }
 
     private static void assertMarked(Segment segment, PixelRecording drawn, Answer.Ending ending) {
-        LineCase demand = new LineCase(List.of(segment), false, 100, false);
         Answer answer = answer(ending, drawn);
-        List<CasePicture> pictures = new LineJudge(demand, true).judge(segment, answer).pictures();
+        List<CasePicture> pictures = call(segment, "", true).judge(answer).pictures();
         assertEquals(3, pictures.size());
         assertFalse(Arrays.equals(pictures.get(0).png(), pictures.get(2).png()));
+    }
+
+    /** A case's only call, with further fields of its input. */
+    private static Call call(Segment s, String further, boolean eitherOnTies) {
+        String input =
+                String.format(
+                        Locale.ROOT,
+                        "{\"given\": {\"from\": [%d, %d], \"to\": [%d, %d]}%s}",
+                        s.x0(),
+                        s.y0(),
+                        s.x1(),
+                        s.y1(),
+                        further);
+        Case one = new Case("a-case", Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
+        return new LineGrading().calls(one, new Tolerance(eitherOnTies), 0).get(0);
     }
 
     private static Answer answer(Answer.Ending ending, PixelRecording drawn) {

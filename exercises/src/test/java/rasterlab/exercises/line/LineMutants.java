@@ -9,17 +9,31 @@ import org.junit.jupiter.params.provider.Arguments;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.BresenhamLine;
+import rasterlab.engine.line.LineTopic;
 
-/** Right methods with one mistake each, and the case that is named after it. */
+/**
+ * Right methods with one mistake each, and the case that is named after it: the mutants of the
+ * topic, and those that only the cases of the exercise tell apart.
+ */
 final class LineMutants {
     private static final LineRasterizer RIGHT = new BresenhamLine();
 
     private LineMutants() {}
 
+    /** The topic's mutant of that name. */
+    static LineRasterizer known(String name) {
+        return new LineTopic()
+                .mutants().stream()
+                        .filter(one -> one.name().equals(name))
+                        .findFirst()
+                        .orElseThrow(() -> new AssertionError("no mutant " + name))
+                        .implementation();
+    }
+
     static Stream<Arguments> all() {
         return Stream.of(
-                mutant("last-pixel-is-dropped", LineMutants::withoutLastPixel),
-                mutant("first-pixel-is-dropped", LineMutants::withoutFirstPixel),
+                mutant("last-pixel-is-dropped", known("last-pixel-left-out")),
+                mutant("first-pixel-is-dropped", known("first-pixel-left-out")),
                 mutant("line-is-shifted", LineMutants::shifted),
                 mutant(
                         "axes-are-swapped",
@@ -39,15 +53,8 @@ final class LineMutants {
                         "horizontal-leftward-stops",
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(x0, y0, y0 == y1 && x1 < x0 ? x0 : x1, y1, out)),
-                mutant(
-                        "upward-goes-down",
-                        (x0, y0, x1, y1, out) ->
-                                RIGHT.draw(x0, y0, x1, y0 + Math.abs(y1 - y0), out)),
-                mutant(
-                        "single-point-is-skipped",
-                        (x0, y0, x1, y1, out) -> {
-                            if (x0 != x1 || y0 != y1) RIGHT.draw(x0, y0, x1, y1, out);
-                        }),
+                mutant("upward-goes-down", known("never-upwards")),
+                mutant("single-point-is-skipped", known("single-point-skipped")),
                 mutant(
                         "vertical-divides-by-zero",
                         (x0, y0, x1, y1, out) -> {
@@ -57,11 +64,11 @@ final class LineMutants {
                 mutant(
                         "pixels-come-backwards",
                         (x0, y0, x1, y1, out) -> RIGHT.draw(x1, y1, x0, y0, out)),
-                mutant("steep-line-leaves-gaps", LineMutants::oncePerColumn),
+                mutant("steep-line-leaves-gaps", known("one-pixel-a-column")),
                 mutant("steep-leftward-mixes-axes", LineMutants::axesMixed),
                 mutant("negative-coordinates-round-to-zero", LineMutants::roundedToZero),
-                mutant("swapped-ends-differ-on-ties", LineMutants::tiesFromTheFirstEnd),
-                mutant("steep-swapped-ends-differ-on-ties", LineMutants::tiesFromTheFirstEnd),
+                mutant("swapped-ends-differ-on-ties", known("ties-to-the-larger")),
+                mutant("steep-swapped-ends-differ-on-ties", known("ties-to-the-larger")),
                 mutant("beyond-2-30-overflows", LineMutants::intDifferences),
                 mutant("last-column-never-ends", LineMutants::columnCounter),
                 mutant("long-line-drifts", LineMutants::floatSum));
@@ -76,15 +83,6 @@ final class LineMutants {
         boolean is(int dx, int dy);
     }
 
-    static void withoutLastPixel(int x0, int y0, int x1, int y1, Pixels out) {
-        withoutLastPixel((dx, dy) -> true).draw(x0, y0, x1, y1, out);
-    }
-
-    /** Where the line passes midway between two pixels, the one with the larger coordinate. */
-    static void tiesToTheLarger(int x0, int y0, int x1, int y1, Pixels out) {
-        RIGHT.draw(~x0, ~y0, ~x1, ~y1, (x, y) -> out.plot(~x, ~y));
-    }
-
     private static LineRasterizer withoutLastPixel(Slope slope) {
         return (x0, y0, x1, y1, out) ->
                 RIGHT.draw(
@@ -95,17 +93,6 @@ final class LineMutants {
                         (x, y) -> {
                             if (x != x1 || y != y1 || !slope.is(x1 - x0, y1 - y0)) out.plot(x, y);
                         });
-    }
-
-    static void withoutFirstPixel(int x0, int y0, int x1, int y1, Pixels out) {
-        RIGHT.draw(
-                x0,
-                y0,
-                x1,
-                y1,
-                (x, y) -> {
-                    if (x != x0 || y != y0) out.plot(x, y);
-                });
     }
 
     static void shifted(int x0, int y0, int x1, int y1, Pixels out) {
@@ -122,18 +109,6 @@ final class LineMutants {
                 y1,
                 (x, y) -> {
                     if (!gentle || seen.add(y)) out.plot(x, y);
-                });
-    }
-
-    static void oncePerColumn(int x0, int y0, int x1, int y1, Pixels out) {
-        Set<Integer> seen = new HashSet<>();
-        RIGHT.draw(
-                x0,
-                y0,
-                x1,
-                y1,
-                (x, y) -> {
-                    if (seen.add(x)) out.plot(x, y);
                 });
     }
 
@@ -156,10 +131,6 @@ final class LineMutants {
                 (x, y) -> {
                     if (x % 2 == 0) out.plot(x / 2, (int) (y / 2.0 + 0.5));
                 });
-    }
-
-    private static void tiesFromTheFirstEnd(int x0, int y0, int x1, int y1, Pixels out) {
-        RIGHT.draw(-x0, -y0, -x1, -y1, (x, y) -> out.plot(-x, -y));
     }
 
     /** Right, but for the two differences, which are ints. */

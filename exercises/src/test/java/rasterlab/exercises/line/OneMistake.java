@@ -13,6 +13,7 @@ import rasterlab.engine.line.BresenhamLine;
  */
 record OneMistake(String name, int points, String said, LineRasterizer method) {
     private static final LineRasterizer RIGHT = new BresenhamLine();
+    private static final LineRasterizer WITHOUT_FIRST = LineMutants.known("first-pixel-left-out");
 
     static final List<OneMistake> ALL =
             List.of(
@@ -58,10 +59,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             "backwards to the left",
                             94,
                             "from the last end to the first. This shows only on lines to the left",
-                            (x0, y0, x1, y1, out) -> {
-                                if (x1 < x0) RIGHT.draw(x1, y1, x0, y0, out);
-                                else RIGHT.draw(x0, y0, x1, y1, out);
-                            }),
+                            LineMutants.known("always-from-the-left")),
                     moved(
                             "all shifted by one",
                             90,
@@ -103,13 +101,13 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             "ties to the larger",
                             91,
                             "ties go to the larger coordinate",
-                            LineMutants::tiesToTheLarger),
+                            LineMutants.known("ties-to-the-larger")),
                     of(
                             "first missing to the left",
                             96,
                             "the first pixel is missing. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) -> {
-                                if (x1 < x0) LineMutants.withoutFirstPixel(x0, y0, x1, y1, out);
+                                if (x1 < x0) WITHOUT_FIRST.draw(x0, y0, x1, y1, out);
                                 else RIGHT.draw(x0, y0, x1, y1, out);
                             }),
                     of(

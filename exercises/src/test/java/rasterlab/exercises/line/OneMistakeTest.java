@@ -18,6 +18,7 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading.Timing;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.SpeedPoints;
+import rasterlab.exercises.topic.TopicGradings;
 
 /** One mistake is named as what it is, costs about one mistake, and leaves the speed its points. */
 @Tag("slow")
@@ -79,11 +80,11 @@ class OneMistakeTest {
                     if (Math.abs(x1 - x0) > Math.abs(y1 - y0))
                         new PlainBresenham().draw(x0, y0, x1, y1, out);
                 };
-        Timing left = new LineTimings(new Random(5), four).next();
+        Timing left = TopicGradings.named("line").timings(EXERCISE, new Random(5), four).next();
         assertEquals(left.count(), TimedHere.told(left, onlyGentle).count());
         List<Set<String>> more =
                 Stream.concat(four.stream(), Stream.of(Set.of("gentle", "left", "up"))).toList();
-        Timing all = new LineTimings(new Random(5), more).next();
+        Timing all = TopicGradings.named("line").timings(EXERCISE, new Random(5), more).next();
         assertTrue(TimedHere.told(all, onlyGentle).count() < all.count());
     }
 }

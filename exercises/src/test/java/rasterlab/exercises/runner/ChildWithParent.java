@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
-import rasterlab.exercises.line.LineGrading;
 
 /**
  * A judge's process whose child, in no box, is at something endless until this process is killed.
@@ -30,7 +29,7 @@ final class ChildWithParent {
             Compilation compiled = Compilation.of(endless(begun), compiler, LONG);
             StudentRun run = new StudentRun(child, Unscanned.CONTRACT, LONG, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
-            run.call(LineGrading.warmUp(), LineGrading.warmUp().caps());
+            run.call(LongLine.call(), LongLine.call().caps());
         }
     }
 

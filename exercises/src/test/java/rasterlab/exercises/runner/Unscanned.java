@@ -5,12 +5,11 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Wire;
-import rasterlab.exercises.line.LineGrading;
 import rasterlab.exercises.score.Answer;
 
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
-    private static final TopicGrading.Call CALL = LineGrading.warmUp();
+    private static final TopicGrading.Call CALL = LongLine.call();
     static final ContractCalls CONTRACT = ContractCalls.of(LineRasterizer.class);
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
 

@@ -1,21 +1,20 @@
-package rasterlab.exercises.line;
+package rasterlab.exercises.pixels;
 
 import java.util.ArrayList;
-import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.exercises.score.Cause;
 
 /**
- * Finds the few simple mistakes that turn the exact line into what was drawn: of the place, of the
- * order, of the ends and of the ties, and no more than {@value #MOST} together.
+ * Finds the few simple mistakes that turn the exact pixels into what was drawn: of the place, of
+ * the order, of the ends and of the ties, and no more than {@value #MOST} together.
  */
-final class LineMistakes {
+final class PixelMistakes {
     /** The codes of what can be found. */
     static final Set<String> CODES =
             Set.of(
@@ -34,18 +33,18 @@ final class LineMistakes {
 
     private static final int MOST = 2;
 
-    private final Segment segment;
+    private final PixelPath path;
     private final int limit;
     private final boolean cut;
     private final boolean eitherOnTies;
 
     /**
      * @param limit the most pixels that are looked at
-     * @param cut whether the line has more than that
+     * @param cut whether the path has more than that
      * @param eitherOnTies whether either pixel of a tie is right
      */
-    LineMistakes(Segment segment, int limit, boolean cut, boolean eitherOnTies) {
-        this.segment = segment;
+    PixelMistakes(PixelPath path, int limit, boolean cut, boolean eitherOnTies) {
+        this.path = path;
         this.limit = limit;
         this.cut = cut;
         this.eitherOnTies = eitherOnTies;
@@ -55,17 +54,19 @@ final class LineMistakes {
     List<List<Cause>> of(PixelRecording actual) {
         if (actual.size() == 0) return List.of(List.of(Cause.of("nothing")));
         List<List<Cause>> found = new ArrayList<>();
-        Map<Segment, WantedPixels> lines = new HashMap<>();
-        for (LinePlace place : LinePlace.of(segment, actual)) {
+        Map<PixelPath, PixelPath> backward = new IdentityHashMap<>();
+        for (PixelPlace place : PixelPlace.of(path, actual)) {
             PixelRecording back = place.undo(actual);
-            WantedPixels forward = lines.computeIfAbsent(place.line(), WantedPixels::new);
+            PixelPath forward = place.path();
             for (List<Cause> causes : inDirection(forward, back, "first-pixel", "last-pixel"))
                 found.add(with(place.causes(), causes));
-            WantedPixels backward =
-                    lines.computeIfAbsent(place.line().reversed(), WantedPixels::new);
             List<Cause> reversed = with(place.causes(), List.of(Cause.of("reversed")));
-            for (List<Cause> causes : inDirection(backward, back, "last-pixel", "first-pixel"))
-                found.add(with(reversed, causes));
+            for (List<Cause> causes :
+                    inDirection(
+                            backward.computeIfAbsent(forward, PixelPath::reversed),
+                            back,
+                            "last-pixel",
+                            "first-pixel")) found.add(with(reversed, causes));
         }
         int fewest = found.stream().mapToInt(List::size).min().orElse(MOST + 1);
         return fewest > MOST
@@ -75,7 +76,7 @@ final class LineMistakes {
 
     /** Empty where it cannot be explained; one without a cause where it is right. */
     private List<List<Cause>> inDirection(
-            WantedPixels pixels, PixelRecording actual, String first, String last) {
+            PixelPath pixels, PixelRecording actual, String first, String last) {
         int reach = cut ? limit + 1 : limit;
         PixelRecording near = pixels.nearest(actual, reach);
         List<List<Cause>> tied = inTurn(near, actual, first, last);
@@ -90,7 +91,7 @@ final class LineMistakes {
             PixelRecording wanted, PixelRecording actual, String first, String last) {
         boolean cutThere = cut && actual.size() == limit;
         if (cut && !cutThere) return List.of();
-        List<List<Cause>> atEnds = new LineEnds(wanted, actual, cut, first, last).explanations();
+        List<List<Cause>> atEnds = new PixelEnds(wanted, actual, cut, first, last).explanations();
         if (!atEnds.isEmpty()) return atEnds;
         Optional<Cause> again = new Repetition(actual).explains(wanted, cut, first, last);
         return again.map(cause -> List.of(List.of(cause))).orElse(List.of());
@@ -98,8 +99,7 @@ final class LineMistakes {
 
     /** The right pixels, but more than once or in another order. */
     private List<List<Cause>> outOfTurn(PixelRecording actual) {
-        WantedPixels pixels = new WantedPixels(segment);
-        PixelRecording wanted = eitherOnTies ? pixels.nearest(actual, limit) : pixels.exact(limit);
+        PixelRecording wanted = eitherOnTies ? path.nearest(actual, limit) : path.exact(limit);
         PixelSet all = PixelSet.of(wanted);
         PixelSet drawn = PixelSet.of(actual);
         boolean alike =

@@ -1,4 +1,4 @@
-package rasterlab.exercises.line;
+package rasterlab.exercises.pixels;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,51 +6,56 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import rasterlab.contract.Pixels;
-import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 
 /**
- * A line with a mistake, made from the pixels of the right one.
+ * Pixels with a mistake, made from the right ones.
  *
- * @param codes of the mistake, as {@link LineMistakes} has them
+ * @param codes of the mistake, as {@link PixelMistakes} has them
  * @param way plots the line with it
  */
-record LineVariation(Set<String> codes, Way way) {
-    static final LineVariation RIGHT = each(Set.of(), (s, x, y, out) -> out.plot(x, y));
+record PixelVariation(Set<String> codes, Way way) {
+    static final PixelVariation RIGHT = each(Set.of(), (s, x, y, out) -> out.plot(x, y));
 
-    private static final List<LineVariation> ALL = all();
+    private static final List<PixelVariation> ALL = all();
 
-    /** Draws a line from the right pixels. */
+    /** Draws from the right pixels. */
     private interface Way {
-        void plot(Segment s, PixelRecording right, Pixels out);
+        void plot(PixelRecording right, Pixels out);
+    }
+
+    /** The first pixel and the last one. */
+    private record Ends(int x0, int y0, int x1, int y1) {
+        static Ends of(PixelRecording right) {
+            int last = right.size() - 1;
+            return new Ends(right.x(0), right.y(0), right.x(last), right.y(last));
+        }
     }
 
     /** Draws what comes of one right pixel. */
     private interface EachPixel {
-        void plot(Segment s, int x, int y, Pixels out);
+        void plot(Ends s, int x, int y, Pixels out);
     }
 
-    void draw(Segment s, Pixels out) {
-        PixelRecording right = new PixelRecording(LineTiming.STEPS + 1);
-        new PlainBresenham().draw(s.x0(), s.y0(), s.x1(), s.y1(), right);
-        way.plot(s, right, out);
+    void draw(PixelRecording right, Pixels out) {
+        way.plot(right, out);
     }
 
     /** Tries the variation that fitted last before all others. */
     static final class Likely {
-        private LineVariation last = ALL.get(0);
+        private PixelVariation last = ALL.get(0);
 
-        Optional<LineVariation> first(Predicate<LineVariation> fits) {
+        Optional<PixelVariation> first(Predicate<PixelVariation> fits) {
             if (fits.test(last)) return Optional.of(last);
-            Optional<LineVariation> found =
+            Optional<PixelVariation> found =
                     ALL.stream().filter(one -> one != last).filter(fits).findFirst();
             found.ifPresent(one -> last = one);
             return found;
         }
     }
 
-    private static List<LineVariation> all() {
-        List<LineVariation> all = new ArrayList<>();
+    private static List<PixelVariation> all() {
+        List<PixelVariation> all = new ArrayList<>();
         for (int start = -1; start <= 1; start++)
             for (int end = -1; end <= 1; end++)
                 for (boolean straight : new boolean[] {false, true})
@@ -100,16 +105,17 @@ record LineVariation(Set<String> codes, Way way) {
      *
      * @param start −1 where the first pixel is missing, 1 where one comes before it
      * @param end the same of the last
-     * @param straight whether a pixel beyond lies on the longer axis, and not where the line, which
+     * @param straight whether a pixel beyond lies on the longer axis, and not where the path, which
      *     repeats itself after each such length, goes on
      */
-    private static LineVariation atEnds(int start, int end, boolean straight) {
+    private static PixelVariation atEnds(int start, int end, boolean straight) {
         Set<String> codes =
                 start == -end
                         ? Set.of("shifted")
                         : Set.copyOf(both(code(start, "first-pixel"), code(end, "last-pixel")));
         Way way =
-                (s, right, out) -> {
+                (right, out) -> {
+                    Ends s = Ends.of(right);
                     int n = right.size() - 1;
                     if (start > 0)
                         out.plot(
@@ -122,7 +128,7 @@ record LineVariation(Set<String> codes, Way way) {
                                 s.x1() + step(right, 1, s, straight, true),
                                 s.y1() + step(right, 1, s, straight, false));
                 };
-        return new LineVariation(codes, way);
+        return new PixelVariation(codes, way);
     }
 
     private static String code(int amiss, String end) {
@@ -134,20 +140,21 @@ record LineVariation(Set<String> codes, Way way) {
     }
 
     /** In x or y from pixel i − 1 to pixel i; where it is to be straight, along the longer axis. */
-    private static int step(PixelRecording right, int i, Segment s, boolean straight, boolean inX) {
+    private static int step(PixelRecording right, int i, Ends s, boolean straight, boolean inX) {
         boolean steep = Math.abs(s.y1() - s.y0()) > Math.abs(s.x1() - s.x0());
         if (straight && inX == steep) return 0;
         return inX ? right.x(i) - right.x(i - 1) : right.y(i) - right.y(i - 1);
     }
 
-    private static LineVariation moved(String code, EachPixel way) {
+    private static PixelVariation moved(String code, EachPixel way) {
         return each(Set.of(code), way);
     }
 
-    private static LineVariation each(Set<String> codes, EachPixel way) {
-        return new LineVariation(
+    private static PixelVariation each(Set<String> codes, EachPixel way) {
+        return new PixelVariation(
                 codes,
-                (s, right, out) -> {
+                (right, out) -> {
+                    Ends s = Ends.of(right);
                     for (int i = 0; i < right.size(); i++) way.plot(s, right.x(i), right.y(i), out);
                 });
     }

@@ -1,10 +1,10 @@
-package rasterlab.exercises.line;
+package rasterlab.exercises.pixels;
 
 import java.util.HashSet;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 
-/** In which order the pixels of a line are drawn, which a picture of the line does not show. */
+/** The order in which pixels are drawn, which a picture of them does not show. */
 record Turns(PixelRecording wanted, PixelRecording actual) {
     /**
      * Pixels that are drawn again; where each is drawn once and they are the right ones, those out

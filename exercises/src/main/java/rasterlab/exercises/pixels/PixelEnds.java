@@ -1,4 +1,4 @@
-package rasterlab.exercises.line;
+package rasterlab.exercises.pixels;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -8,19 +8,19 @@ import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
 /**
- * Compares what was drawn with a line and finds the mistakes that lie at its ends: a pixel is
+ * Compares what was drawn with a path and finds the mistakes that lie at its ends: a pixel is
  * missing there, or one more comes. A pixel missing at one end with one more at the other is a
- * single mistake, a line that is shifted along itself.
+ * single mistake, a path that is shifted along itself.
  *
- * @param wanted the line; of a cut one with one pixel more than was drawn
- * @param cut whether the line goes on, so that its last end is not seen
+ * @param wanted the path; of a cut one with one pixel more than was drawn
+ * @param cut whether the path goes on, so that its last end is not seen
  * @param first code of the end that is drawn first
  * @param last code of the other
  */
-record LineEnds(
+record PixelEnds(
         PixelRecording wanted, PixelRecording actual, boolean cut, String first, String last) {
     /**
-     * What may be amiss at an end: so many pixels of the line, or of what was drawn, stand alone.
+     * What may be amiss at an end: so many pixels of the path, or of what was drawn, stand alone.
      */
     private enum Amiss {
         NOTHING(0, 0),
@@ -36,7 +36,7 @@ record LineEnds(
         }
     }
 
-    /** The explanations with the fewest mistakes, which are none where the line is right. */
+    /** The explanations with the fewest mistakes, which are none where all is right. */
     List<List<Cause>> explanations() {
         List<List<Cause>> found = new ArrayList<>();
         for (Amiss start : Amiss.values()) {
@@ -73,7 +73,7 @@ record LineEnds(
         return wanted.x(inWanted) == actual.x(inActual) && wanted.y(inWanted) == actual.y(inActual);
     }
 
-    /** Of a line whose last end is not seen: it may as well be shifted along itself. */
+    /** Explains a path whose last end is not seen: it may as well be shifted along itself. */
     private List<List<Cause>> atStart(Amiss start) {
         return switch (start) {
             case NOTHING -> List.of(List.of());

@@ -1,13 +1,9 @@
-package rasterlab.engine.line;
+package rasterlab.engine.raster;
 
 import java.util.Optional;
-import rasterlab.engine.raster.Pixel;
-import rasterlab.engine.raster.PixelDifference;
-import rasterlab.engine.raster.PixelRecording;
-import rasterlab.engine.raster.PixelSet;
 
 /**
- * The pixel, first in the order of drawing, in which a drawn line is not the exact one.
+ * The pixel, first in the order of drawing, in which what is drawn is not what is exact.
  *
  * @param drawn what is drawn in its place, where that is one pixel
  */
@@ -31,7 +27,8 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
         return of(exact, actual, PixelDifference.of(exact, actual));
     }
 
-    static Optional<FirstDifference> of(
+    /** The same where the difference of the sets is known. */
+    public static Optional<FirstDifference> of(
             PixelRecording exact, PixelRecording actual, PixelDifference difference) {
         return difference.isEmpty()
                 ? inOrder(exact, actual)

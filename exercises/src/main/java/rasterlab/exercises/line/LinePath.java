@@ -2,14 +2,15 @@ package rasterlab.exercises.line;
 
 import rasterlab.engine.line.ExactLine;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
+import rasterlab.exercises.pixels.PixelPath;
 
 /**
- * The pixels that an answer is compared with: the exact ones, or on a tie the other candidate where
- * that is tolerated and the answer lit it instead.
+ * The exact pixels of a segment, or on a tie the other candidate where an answer lit it instead.
  */
-final class WantedPixels {
+final class LinePath implements PixelPath {
     private final Segment segment;
     private final long n;
     private final long across;
@@ -17,7 +18,7 @@ final class WantedPixels {
     private PixelRecording known = new PixelRecording(1);
     private int knownLimit;
 
-    WantedPixels(Segment segment) {
+    LinePath(Segment segment) {
         this.segment = segment;
         long dx = Math.abs((long) segment.x1() - segment.x0());
         long dy = Math.abs((long) segment.y1() - segment.y0());
@@ -26,8 +27,23 @@ final class WantedPixels {
         this.across = Math.min(dx, dy);
     }
 
-    /** The first {@code limit} exact pixels. */
-    PixelRecording exact(int limit) {
+    @Override
+    public Pixel first() {
+        return new Pixel(segment.x0(), segment.y0());
+    }
+
+    @Override
+    public Pixel last() {
+        return new Pixel(segment.x1(), segment.y1());
+    }
+
+    @Override
+    public PixelPath between(Pixel from, Pixel to) {
+        return new LinePath(new Segment(from.x(), from.y(), to.x(), to.y()));
+    }
+
+    @Override
+    public PixelRecording exact(int limit) {
         if (limit != knownLimit) {
             known = new ExactLine(segment).record(limit);
             knownLimit = limit;
@@ -35,8 +51,8 @@ final class WantedPixels {
         return known;
     }
 
-    /** The same, with tied pixels as {@code actual} has them. */
-    PixelRecording nearest(PixelRecording actual, int limit) {
+    @Override
+    public PixelRecording nearest(PixelRecording actual, int limit) {
         PixelRecording exact = exact(limit);
         if (!hasTies(exact.size())) return exact;
         PixelSet drawn = PixelSet.of(actual);

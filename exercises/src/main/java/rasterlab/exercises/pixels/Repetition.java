@@ -1,11 +1,11 @@
-package rasterlab.exercises.line;
+package rasterlab.exercises.pixels;
 
 import java.util.Optional;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
-/** Pixels of a line that are drawn several times, one right after the other. */
+/** Pixels of a path that are drawn several times, one right after the other. */
 final class Repetition {
     private final PixelRecording actual;
 
@@ -29,9 +29,9 @@ final class Repetition {
     }
 
     /**
-     * The mistake, if there is one and without it the line is right.
+     * The mistake, if there is one and without it the path is right.
      *
-     * @param wanted the line, of a cut one at least as much as was drawn
+     * @param wanted the path, of a cut one at least as much as was drawn
      */
     Optional<Cause> explains(PixelRecording wanted, boolean cut, String first, String last) {
         boolean fits =

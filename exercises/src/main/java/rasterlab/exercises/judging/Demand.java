@@ -1,0 +1,12 @@
+package rasterlab.exercises.judging;
+
+import rasterlab.exercises.Exercise.Tolerance;
+
+/**
+ * What a case asks of an answer.
+ *
+ * @param mayRefuse whether an IllegalArgumentException is as good as the right answer
+ * @param cut whether only the beginning of the answer is looked at; the method is stopped there
+ * @param items the most items of the right answer that are looked at
+ */
+public record Demand(Tolerance tolerance, boolean mayRefuse, boolean cut, int items) {}

@@ -1,0 +1,8 @@
+package rasterlab.exercises.judging;
+
+/**
+ * An input to time a method on.
+ *
+ * @param part number of the part of the exercise's data that drew it, from 0
+ */
+public record TimedInput<I>(I input, int part) {}

@@ -1,0 +1,20 @@
+package rasterlab.exercises.runner;
+
+import java.util.Map;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.topic.TopicGradings;
+
+/** A call that draws a long line. */
+final class LongLine {
+    private LongLine() {}
+
+    static Call call() {
+        String input = "{\"given\":{\"from\":[0,0],\"to\":[1001,500]}}";
+        Case one = new Case("long-line", Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
+        return TopicGradings.named("line").calls(one, new Tolerance(true), 0).get(0);
+    }
+}
