@@ -8,9 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
@@ -56,10 +59,29 @@ class MutantsTest {
     @ParameterizedTest
     @MethodSource("topics")
     <C, I, O> void eachIsRightOnSomethingElse(Topic<C, I, O> topic) {
+        List<Judged<C>> inputs = inputs(topic).map(input -> Judged.of(topic, input)).toList();
         for (Mutant<C> mutant : topic.mutants())
             assertTrue(
-                    inputs(topic).anyMatch(input -> isRight(topic, mutant, input)),
+                    inputs.stream().anyMatch(input -> input.isRight(method(mutant))),
                     mutant + " is right on nothing");
+    }
+
+    /** An input whose right answer is worked out once, when it is first asked for. */
+    private record Judged<C>(Verdict.Kind right, Supplier<Function<Method<C>, Verdict>> judging) {
+        static <C, I, O> Judged<C> of(Topic<C, I, O> topic, Hazard<I> hazard) {
+            var known = new ArrayList<Function<Method<C>, Verdict>>();
+            return new Judged<>(
+                    MutantsTest.right(hazard),
+                    () -> {
+                        if (known.isEmpty())
+                            known.add(HazardTrial.judging(topic, hazard.input(), AMPLE));
+                        return known.get(0);
+                    });
+        }
+
+        boolean isRight(Method<C> method) {
+            return judging.get().apply(method).kind() == right;
+        }
     }
 
     private static <I> Stream<Hazard<I>> inputs(Topic<?, I, ?> topic) {
@@ -67,11 +89,6 @@ class MutantsTest {
                 topic.workloads().get(0).inputs().stream()
                         .map(input -> new Hazard<>("workload", "Ordinary.", input, Map.of()));
         return Stream.concat(topic.hazards().stream(), smallest);
-    }
-
-    private static <C, I, O> boolean isRight(
-            Topic<C, I, O> topic, Mutant<C> mutant, Hazard<I> hazard) {
-        return HazardTrial.judge(topic, method(mutant), hazard, AMPLE).kind() == right(hazard);
     }
 
     /** To be exact; where no method is, to refuse. */

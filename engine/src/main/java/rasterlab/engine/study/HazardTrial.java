@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
@@ -83,6 +84,17 @@ public final class HazardTrial {
     public static <C, I, O> Verdict judge(
             Topic<C, I, O> topic, Method<C> method, Hazard<I> hazard, Duration wallLimit) {
         return tried(topic, method, hazard.input(), wallLimit).verdict();
+    }
+
+    /**
+     * What methods do with {@code input}, whose right answer is worked out once for all of them.
+     *
+     * @param wallLimit the longest each may take
+     */
+    public static <C, I, O> Function<Method<C>, Verdict> judging(
+            Topic<C, I, O> topic, I input, Duration wallLimit) {
+        Answer<O> answer = Answer.to(topic, input);
+        return method -> judge(topic, method, input, answer, wallLimit);
     }
 
     /**
