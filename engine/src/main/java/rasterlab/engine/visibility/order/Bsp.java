@@ -6,9 +6,23 @@ import rasterlab.contract.PieceSink;
 
 /** Far side, plane, near side, at every node of a tree of planes: {@link BspTree}. */
 final class Bsp implements SteppedOrder {
+    /** The most pieces, against inputs whose cuts would fill the memory. */
+    private static final int MOST_PIECES = 1_000_000;
+
+    private final int mostPieces;
+
+    Bsp() {
+        this(MOST_PIECES);
+    }
+
+    /** One that gives up earlier. */
+    Bsp(int mostPieces) {
+        this.mostPieces = mostPieces;
+    }
+
     @Override
     public OrderWalk walk(Sight sight, PieceSink out, Runnable pulse) {
-        return new Walk(sight, out, pulse);
+        return new Walk(sight, out, mostPieces, pulse);
     }
 
     @Override
@@ -24,10 +38,10 @@ final class Bsp implements SteppedOrder {
         private OrderStep step;
         private List<Cut> cuts = List.of();
 
-        Walk(Sight sight, PieceSink out, Runnable pulse) {
+        Walk(Sight sight, PieceSink out, int mostPieces, Runnable pulse) {
             this.out = out;
             exponent = sight.exponent();
-            tree = new BspTree(sight.facets(), pulse);
+            tree = new BspTree(sight.facets(), mostPieces, pulse);
             tour = tree.tour();
         }
 

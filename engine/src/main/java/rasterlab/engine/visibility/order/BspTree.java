@@ -21,12 +21,10 @@ final class BspTree {
     /** As many polygons are tried for a node's plane; the one that cuts the fewest is taken. */
     private static final int CANDIDATES = 5;
 
-    /** The most pieces, against inputs whose cuts would fill the memory. */
-    private static final int MOST_PIECES = 1_000_000;
-
     private static final Comparator<Facet> LATEST_FIRST =
             Comparator.comparingInt(Facet::polygon).reversed();
 
+    private final int mostPieces;
     private final Runnable pulse;
     private final Node root;
     private long comparisons;
@@ -43,9 +41,11 @@ final class BspTree {
     }
 
     /**
+     * @param mostPieces a list that needs more is refused
      * @param pulse run before each division
      */
-    BspTree(List<Facet> facets, Runnable pulse) {
+    BspTree(List<Facet> facets, int mostPieces, Runnable pulse) {
+        this.mostPieces = mostPieces;
         this.pulse = pulse;
         pieces = facets.size();
         root = facets.isEmpty() ? null : divided(facets);
@@ -76,10 +76,10 @@ final class BspTree {
 
     private void cut(Facet facet, EyePlane plane, Node node) {
         splits++;
-        if (++pieces > MOST_PIECES)
+        if (++pieces > mostPieces)
             throw new IllegalArgumentException(
                     "%d polygons must need at most %d pieces, got %d"
-                            .formatted(pieces - splits, MOST_PIECES, pieces));
+                            .formatted(pieces - splits, mostPieces, pieces));
         List<Facet> both = facet.cut(plane);
         node.near.add(both.get(0));
         node.far.add(both.get(1));
