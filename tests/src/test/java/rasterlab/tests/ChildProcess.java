@@ -20,6 +20,9 @@ import java.util.concurrent.TimeUnit;
  * @param err all of stderr
  */
 public record ChildProcess(int exit, String out, String err) {
+    /** Options of a Java that lives for seconds, in which better compiled code only costs time. */
+    public static final List<String> SHORT_LIVED =
+            List.of("-Xmx400m", "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
 
     /** Runs a command in a folder with changes to the environment (null removes) and no input. */
     public static ChildProcess run(

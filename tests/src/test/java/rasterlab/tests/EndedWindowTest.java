@@ -88,7 +88,7 @@ class EndedWindowTest {
         Process process =
                 new ProcessBuilder(
                                 JavaCommand.of(
-                                        List.of("-Xmx400m"),
+                                        ChildProcess.SHORT_LIVED,
                                         EndedWindow.class.getName(),
                                         List.of(settings().toString())))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)

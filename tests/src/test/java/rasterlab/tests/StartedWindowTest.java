@@ -103,12 +103,10 @@ class StartedWindowTest {
     /** The first windows of a new process. */
     private List<String> opened(Class<?> program, int windows, String... arguments)
             throws Exception {
+        var options = new ArrayList<>(ChildProcess.SHORT_LIVED);
+        options.add("-Drasterlab.settings=" + settings());
         Process process =
-                new ProcessBuilder(
-                                JavaCommand.of(
-                                        List.of("-Xmx400m", "-Drasterlab.settings=" + settings()),
-                                        program.getName(),
-                                        List.of(arguments)))
+                new ProcessBuilder(JavaCommand.of(options, program.getName(), List.of(arguments)))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
         try {

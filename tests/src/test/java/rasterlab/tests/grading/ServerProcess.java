@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import rasterlab.tests.ChildProcess;
 import rasterlab.tests.bench.JavaCommand;
 
 /**
@@ -54,8 +55,7 @@ public record ServerProcess(Process process, URI address, String token, Path log
 
     /** The call of the server on that data folder, with more options. */
     static List<String> command(Path data, String... options) {
-        // It lives for seconds, in which the second compiler would only cost time.
-        var java = new ArrayList<>(List.of("-Xmx400m", "-XX:TieredStopAtLevel=1"));
+        var java = new ArrayList<>(ChildProcess.SHORT_LIVED);
         if (Runtime.version().feature() >= 24) java.add("--enable-native-access=ALL-UNNAMED");
         var arguments = new ArrayList<>(List.of("serve", "--data", data.toString()));
         arguments.addAll(List.of(options));
