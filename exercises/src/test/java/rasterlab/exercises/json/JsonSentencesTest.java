@@ -2,7 +2,6 @@ package rasterlab.exercises.json;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -65,18 +64,7 @@ class JsonSentencesTest {
 
     @Test
     void areSaidAsBefore() {
-        var said = new ArrayList<String>();
-        READERS.forEach(
-                (name, reader) -> {
-                    said.add(name + " of nothing: " + said(reader, "{}"));
-                    for (String value : VALUES)
-                        said.add(
-                                name
-                                        + " of "
-                                        + value
-                                        + ": "
-                                        + said(reader, "{\"f\": " + value + "}"));
-                });
+        List<String> said = SentencesFile.ofField(READERS, VALUES, JsonSentencesTest::said);
         for (String whole : List.of("7", "[]", "{\"g\": 1}", "[{}, {\"g\": 1}]", "[{}, 7]")) {
             said.add("whole " + whole + ": " + said(fields -> "read", whole));
             said.add("array " + whole + ": " + saidOfArray(whole));

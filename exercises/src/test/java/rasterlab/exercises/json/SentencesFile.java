@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.function.BiFunction;
 
 /**
  * Sentences that were said so far. Where one is meant to change, {@code -Drasterlab.golden=write}
@@ -15,6 +18,27 @@ public final class SentencesFile {
             Path.of("src", "test", "resources", "rasterlab", "exercises", "json");
 
     private SentencesFile() {}
+
+    /**
+     * What each reader says of a text without the field {@code f}, and of one with each value in
+     * it: a line each.
+     *
+     * @param readers by their names
+     * @param said reads a text and tells what came of it
+     */
+    public static <R> List<String> ofField(
+            Map<String, R> readers, List<String> values, BiFunction<R, String, String> said) {
+        var lines = new ArrayList<String>();
+        readers.forEach(
+                (name, reader) -> {
+                    lines.add(name + " of nothing: " + said.apply(reader, "{}"));
+                    for (String value : values) {
+                        String json = "{\"f\": " + value + "}";
+                        lines.add(name + " of " + value + ": " + said.apply(reader, json));
+                    }
+                });
+        return lines;
+    }
 
     /** The lines of the file of that name. */
     public static List<String> read(String name, List<String> said) {

@@ -2,7 +2,6 @@ package rasterlab.exercises.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -67,18 +66,7 @@ class PlaceSentencesTest {
 
     @Test
     void areSaidAsBefore() {
-        var said = new ArrayList<String>();
-        READERS.forEach(
-                (name, reader) -> {
-                    said.add(name + " of nothing: " + said(reader, "{}"));
-                    for (String value : VALUES)
-                        said.add(
-                                name
-                                        + " of "
-                                        + value
-                                        + ": "
-                                        + said(reader, "{\"f\": " + value + "}"));
-                });
+        List<String> said = SentencesFile.ofField(READERS, VALUES, PlaceSentencesTest::said);
         for (String whole : List.of("", "{", "{} 7", "{\"f\": 1, \"f\": 2}", "[1"))
             said.add("whole " + whole + ": " + said(place -> "read", whole));
         assertEquals(SentencesFile.read("places.txt", said), said);
