@@ -14,6 +14,7 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 
 /**
  * Writing colours in all models.
@@ -79,10 +80,7 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
                 double[] one = method.convert(colors.model(), given, to);
                 double[] again = method.convert(colors.model(), colors.colour(i), to);
                 SharedAnswer.requireNew(one, given, again);
-                if (one.length != to.size())
-                    throw new IllegalStateException(
-                            "%s has %d numbers, the method gave %d"
-                                    .formatted(to.code(), to.size(), one.length));
+                WrongLength.require(to.size(), one.length, "numbers of " + to.code());
                 System.arraycopy(one, 0, all, i * to.size(), to.size());
             }
             models.put(to, all);

@@ -7,8 +7,16 @@ package rasterlab.engine.study;
 public final class SharedAnswer extends IllegalStateException {
     private static final long serialVersionUID = 1L;
 
-    private SharedAnswer(String message) {
+    private final boolean given;
+
+    private SharedAnswer(boolean given, String message) {
         super(message);
+        this.given = given;
+    }
+
+    /** Whether it is an array that the method was given; else one that it answered before. */
+    public boolean given() {
+        return given;
     }
 
     /**
@@ -20,8 +28,10 @@ public final class SharedAnswer extends IllegalStateException {
      */
     public static void requireNew(Object answer, Object given, Object again) {
         if (answer != null && answer == given)
-            throw new SharedAnswer("its answer is the array that it was given, not a new one");
+            throw new SharedAnswer(
+                    true, "its answer is the array that it was given, not a new one");
         if (answer != null && answer == again)
-            throw new SharedAnswer("its answer is the same array at every call, not a new one");
+            throw new SharedAnswer(
+                    false, "its answer is the same array at every call, not a new one");
     }
 }

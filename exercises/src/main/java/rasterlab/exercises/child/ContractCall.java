@@ -87,13 +87,18 @@ public final class ContractCall {
      * The bytes of what came of a call.
      *
      * @param before the given values as they were
+     * @param held arrays that others hold
      * @throws BoundedBytes.Beyond if there are more than {@code most}
      */
-    byte[] answer(byte[] before, Object[] arguments, Object returned, int most) throws IOException {
+    byte[] answer(byte[] before, List<Object> held, Object[] arguments, Object returned, int most)
+            throws IOException {
         var bytes = new BoundedBytes(most);
         DataOutputStream out = new DataOutputStream(bytes);
         for (Object one : arguments) if (one instanceof Sheet sheet) sheet.writeTo(out);
-        if (returnsValue()) Values.write(method.getReturnType(), returned, out);
+        if (returnsValue()) {
+            Values.write(method.getReturnType(), returned, out);
+            HeldArrays.write(returned, held, out);
+        }
         byte[] after = values(arguments);
         boolean changed = !Arrays.equals(before, after);
         out.writeBoolean(changed);
@@ -154,13 +159,20 @@ public final class ContractCall {
      * Does to the arguments what the method did to those in the child: sends the items to its
      * sinks, writes into its pictures and changes its arrays.
      *
+     * @param arrays that are held here; the answer's come to them
      * @throws IOException if the bytes are no answer
      */
-    public Done replay(DataInputStream in, Object[] arguments) throws IOException {
+    public Done replay(DataInputStream in, Object[] arguments, HeldArrays arrays)
+            throws IOException {
+        List<Object> held = arrays.before(this, arguments);
         int items = 0;
         for (int i = 0; i < arguments.length; i++)
             if (Sheets.isKept(given.get(i))) items += Sheets.replay(given.get(i), in, arguments[i]);
-        Object value = returnsValue() ? Values.read(method.getReturnType(), in) : null;
+        Object value = null;
+        if (returnsValue()) {
+            value = HeldArrays.read(Values.read(method.getReturnType(), in), held, in);
+            arrays.after(this, value);
+        }
         boolean spoilt = in.readBoolean() && !copied(in, arguments);
         return new Done(value, value == null ? items : items + 1, spoilt);
     }

@@ -18,6 +18,7 @@ final class StudentCalls {
 
     private final OutputStream parent;
     private final CappedOutput printed;
+    private final HeldArrays arrays = new HeldArrays();
     private Object student;
     private ContractCalls contract;
     private List<Calling> callings = List.of();
@@ -72,11 +73,13 @@ final class StudentCalls {
     }
 
     private void call(long nonce, DataInputStream in) throws IOException {
+        if (in.readBoolean()) arrays.forget();
         int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
         int mostBytes = Math.min(in.readInt(), Wire.MOST_ANSWER_BYTES);
         ContractCall method = contract.numbered(in.readInt());
         Object[] given = method.readArguments(in, most, Math.min(most, USUAL));
         byte[] before = method.values(given);
+        List<Object> held = arrays.before(method, given);
         Object returned = null;
         try {
             returned = callings.get(method.number()).call(student, given);
@@ -89,7 +92,8 @@ final class StudentCalls {
         int status = isFull(given) ? Wire.CUT : Wire.DONE;
         byte[] answer = new byte[0];
         try {
-            answer = method.answer(before, given, returned, mostBytes);
+            answer = method.answer(before, held, given, returned, mostBytes);
+            arrays.after(method, returned);
         } catch (BoundedBytes.Beyond tooLong) {
             status = Wire.TOO_LONG;
         }

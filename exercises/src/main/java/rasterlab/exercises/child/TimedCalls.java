@@ -66,10 +66,17 @@ final class TimedCalls {
         out.writeLong(sum.count());
         out.writeLong(sum.sum());
         out.writeLong(printed);
+        HeldArrays arrays = new HeldArrays();
         int left = Wire.MOST_ANSWER_BYTES - ROOM;
         for (int i = from; i < to; i++) {
             byte[] answer =
-                    methods[i].answer(before[i], given[i], returned[i], Math.min(left, mostBytes));
+                    methods[i].answer(
+                            before[i],
+                            arrays.before(methods[i], given[i]),
+                            given[i],
+                            returned[i],
+                            Math.min(left, mostBytes));
+            arrays.after(methods[i], returned[i]);
             left -= answer.length + Integer.BYTES;
             Frames.write(out, answer);
         }

@@ -6,7 +6,9 @@ import java.io.IOException;
 import java.lang.reflect.Array;
 import java.lang.reflect.RecordComponent;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 
 /**
@@ -20,11 +22,21 @@ public final class Values {
 
     /** Whether values of that type can be sent. */
     static boolean carries(Class<?> type) {
-        if (type.isArray()) return carries(type.getComponentType());
-        if (type.isRecord())
-            return Stream.of(type.getRecordComponents())
-                    .map(RecordComponent::getType)
-                    .allMatch(Values::carries);
+        return carries(type, List.of());
+    }
+
+    /**
+     * @param around the records that it is in: one within itself would have no end
+     */
+    private static boolean carries(Class<?> type, List<Class<?>> around) {
+        if (type.isArray()) return carries(type.getComponentType(), around);
+        if (type.isRecord()) {
+            List<Class<?>> inner = new ArrayList<>(around);
+            inner.add(type);
+            return !around.contains(type)
+                    && Stream.of(type.getRecordComponents())
+                            .allMatch(part -> carries(part.getType(), inner));
+        }
         return type.isPrimitive() && type != void.class || type.isEnum() || type == String.class;
     }
 
@@ -56,6 +68,12 @@ public final class Values {
             out.writeInt(text.length);
             out.write(text);
         }
+    }
+
+    /** Whether there is null within an array. */
+    public static boolean hasNull(Object value) {
+        return value instanceof Object[] items
+                && Arrays.stream(items).anyMatch(one -> one == null || hasNull(one));
     }
 
     /** Refuses what is too long before a copy of it is made. */

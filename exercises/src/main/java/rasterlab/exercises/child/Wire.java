@@ -20,9 +20,9 @@ public final class Wire {
     public static final int LOAD = 2;
 
     /**
-     * The most items of a sink (int), the most bytes of the answer (int), the number of the method
-     * (int) and what it is given; answered by what came of it as a frame ({@link ContractCall}) and
-     * what was printed.
+     * Whether it is the first call for an input (boolean), the most items of a sink (int), the most
+     * bytes of the answer (int), the number of the method (int) and what it is given; answered by
+     * what came of it as a frame ({@link ContractCall}) and what was printed.
      */
     public static final int CALL = 3;
 

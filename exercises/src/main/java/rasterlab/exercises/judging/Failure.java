@@ -28,7 +28,9 @@ public final class Failure {
             case RETURNED, UNUSABLE ->
                     Finding.of(
                             GradingVerdict.WRONG,
-                            Message.of("answer.unusable", answer.message()),
+                            answer.said().isEmpty()
+                                    ? Message.of("answer.unusable", answer.message())
+                                    : answer.said(),
                             List.of(
                                     List.of(
                                             new Cause(

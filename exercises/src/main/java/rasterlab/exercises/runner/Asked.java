@@ -12,9 +12,12 @@ import java.util.HexFormat;
 import java.util.Optional;
 import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
+import rasterlab.exercises.child.HeldArrays;
+import rasterlab.exercises.child.Values;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Answer.Ending;
+import rasterlab.exercises.score.Message;
 
 /**
  * A student's method as an object of its contract: whoever calls it has the child called, and finds
@@ -58,6 +61,7 @@ final class Asked implements InvocationHandler {
     private final ContractCalls contract;
     private final Sending sending;
     private final MessageDigest told = sha256();
+    private final HeldArrays arrays = new HeldArrays();
     private final StringBuilder printed = new StringBuilder();
     private long items;
     private boolean asked;
@@ -115,13 +119,17 @@ final class Asked implements InvocationHandler {
         ContractCall.Done done;
         try {
             var in = new DataInputStream(new ByteArrayInputStream(reply.answer()));
-            done = call.replay(in, arguments);
+            done = call.replay(in, arguments, arrays);
         } catch (IOException noAnswer) {
             throw new Unanswered(ChildLost.protocol(noAnswer));
         }
         items += done.items();
         if (done.spoilt()) throw ended(Ending.OVERWROTE);
         if (call.returnsValue() && done.value() == null) throw ended(Ending.NULL);
+        if (Values.hasNull(done.value())) {
+            ended = unusable(Message.of("answer.null-within"));
+            throw new Unanswered(null);
+        }
         if (reply.status() == Wire.CUT) throw ended(Ending.CUT);
         return done.value();
     }
@@ -146,6 +154,10 @@ final class Asked implements InvocationHandler {
 
     Answer without(Ending ending, String message) {
         return Answer.without(ending, digest(), Wire.cut(message), Wire.cut(printed.toString()));
+    }
+
+    Answer unusable(Message said) {
+        return Answer.unusable(digest(), said, Wire.cut(printed.toString()));
     }
 
     private String digest() {

@@ -57,7 +57,7 @@ public final class Judge implements Grading, AutoCloseable {
      * source raises by hand.
      */
     public static String version() {
-        return "judge-9 " + AllowList.text();
+        return "judge-10 " + AllowList.text();
     }
 
     /**

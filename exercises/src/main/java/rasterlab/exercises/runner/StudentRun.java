@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.study.InputChanged;
 import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.SharedAnswer;
+import rasterlab.engine.study.WrongLength;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Caps;
 import rasterlab.exercises.TopicGrading.Told;
@@ -14,6 +16,7 @@ import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Message;
 
 /** A loaded class in its running child, called from here one input at a time. */
 final class StudentRun {
@@ -28,6 +31,8 @@ final class StudentRun {
 
     /** Time that the calls made for one input took so far. */
     private Duration spent = Duration.ZERO;
+
+    private boolean first;
 
     /**
      * @param contract of the class, whose methods are called
@@ -87,6 +92,7 @@ final class StudentRun {
      */
     Answer call(TopicGrading.Call call, Caps caps) throws ChildLost, InterruptedException {
         spent = Duration.ZERO;
+        first = true;
         Asked asked = new Asked(contract, (method, arguments) -> send(caps, method, arguments));
         try {
             return asked.with(Answer.Ending.RETURNED, call.recorded(asked.method(), caps.items()));
@@ -94,6 +100,11 @@ final class StudentRun {
             return asked.with(Answer.Ending.CUT, reached.recorded());
         } catch (InputChanged changed) {
             return asked.without(Answer.Ending.OVERWROTE, "");
+        } catch (WrongLength other) {
+            return asked.unusable(Message.of("answer.length", other.got(), other.asked()));
+        } catch (SharedAnswer shared) {
+            String key = shared.given() ? "answer.shared-given" : "answer.shared-before";
+            return asked.unusable(Message.of(key));
         } catch (Asked.Unanswered stopped) {
             Throwable cause = stopped.getCause();
             if (cause instanceof InterruptedException interrupted) throw interrupted;
@@ -113,21 +124,27 @@ final class StudentRun {
                 new Request(
                         Wire.CALL,
                         out -> {
+                            out.writeBoolean(first);
                             // with one item more the topic itself finds its limit reached
                             out.writeInt(caps.items() + 1);
                             out.writeInt(caps.bytes());
                             out.writeInt(method.number());
                             method.writeArguments(arguments, out);
                         });
-        return askWithin(
-                caps.processor().orElse(callLimit),
-                request,
-                (status, in) -> {
-                    if (status != Wire.DONE && status != Wire.CUT && status != Wire.TOO_LONG)
-                        throw new IOException("status " + status + " after a call");
-                    byte[] answer = Frames.read(in, Wire.MOST_ANSWER_BYTES);
-                    return new Asked.Reply(status, answer, Wire.cut(in.readUTF()));
-                });
+        Asked.Reply reply =
+                askWithin(
+                        caps.processor().orElse(callLimit),
+                        request,
+                        (status, in) -> {
+                            if (status != Wire.DONE
+                                    && status != Wire.CUT
+                                    && status != Wire.TOO_LONG)
+                                throw new IOException("status " + status + " after a call");
+                            byte[] answer = Frames.read(in, Wire.MOST_ANSWER_BYTES);
+                            return new Asked.Reply(status, answer, Wire.cut(in.readUTF()));
+                        });
+        first = false;
+        return reply;
     }
 
     /**

@@ -14,6 +14,7 @@ import java.util.stream.Stream;
  *     empty
  * @param line of the source where the exception was thrown, from 1; 0 where none is known
  * @param printed what it printed, cut
+ * @param said why the answer cannot be used, where words of ours tell that
  */
 public record Answer(
         Ending ending,
@@ -23,7 +24,8 @@ public record Answer(
         String exception,
         String message,
         int line,
-        String printed) {
+        String printed,
+        Message said) {
     /** The ways in which a call ends. */
     public enum Ending {
         RETURNED,
@@ -43,17 +45,32 @@ public record Answer(
     /** An answer with an output. */
     public static Answer with(
             Ending ending, Object output, long items, String told, String printed) {
-        return new Answer(ending, Optional.of(output), items, told, "", "", 0, printed);
+        return new Answer(
+                ending, Optional.of(output), items, told, "", "", 0, printed, Message.NONE);
     }
 
     /** An answer without an output. */
     public static Answer without(Ending ending, String told, String message, String printed) {
-        return new Answer(ending, Optional.empty(), 0, told, "", message, 0, printed);
+        return new Answer(ending, Optional.empty(), 0, told, "", message, 0, printed, Message.NONE);
+    }
+
+    /** An answer that cannot be used, for a reason in our own words. */
+    public static Answer unusable(String told, Message said, String printed) {
+        return new Answer(Ending.UNUSABLE, Optional.empty(), 0, told, "", "", 0, printed, said);
     }
 
     /** The end of a method that threw something. */
     public static Answer threw(String exception, String message, int line, String printed) {
-        return new Answer(Ending.THREW, Optional.empty(), 0, "", exception, message, line, printed);
+        return new Answer(
+                Ending.THREW,
+                Optional.empty(),
+                0,
+                "",
+                exception,
+                message,
+                line,
+                printed,
+                Message.NONE);
     }
 
     /** Whether both ended alike and told the same, in the same order. */

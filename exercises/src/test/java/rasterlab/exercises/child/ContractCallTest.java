@@ -6,15 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
-import java.lang.reflect.InvocationHandler;
+import java.io.OutputStream;
 import java.lang.reflect.Modifier;
-import java.lang.reflect.Proxy;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
@@ -22,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.CurveTracer;
+import rasterlab.contract.MatrixFormula;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.PolygonSink;
 import rasterlab.engine.study.Hazard;
@@ -32,7 +32,7 @@ import rasterlab.exercises.Contracts;
 
 /** Whatever a contract's method is given and answers comes over the wire as it is. */
 class ContractCallTest {
-    private static final int MOST = 20_000;
+    private static final int MOST = CalledHere.MOST;
 
     static Stream<Named<Topic<?, ?, ?>>> topics() {
         return Contracts.topics().stream().map(topic -> Named.of(topic.name(), topic));
@@ -44,7 +44,7 @@ class ContractCallTest {
     <C, I, O> void theAnswersOfAllTopicsArriveAsTheyAre(Topic<C, I, O> topic) throws Exception {
         Method<C> method = topic.methods().stream().filter(m -> !m.faulty()).findFirst().get();
         ContractCalls contract = ContractCalls.of(Contracts.of(topic));
-        C remote = remote(contract, method.implementation(), ContractCallTest::called);
+        C remote = CalledHere.remote(contract, method.implementation(), CalledHere.calling());
         for (Hazard<I> hazard : topic.hazards()) {
             assertEquals(
                     outcome(topic, method.implementation(), hazard.input()),
@@ -63,50 +63,6 @@ class ContractCallTest {
         }
     }
 
-    /** Answers a call of a method of the contract. */
-    private interface Answering {
-        Object answer(ContractCall call, Object implementation, Object[] given) throws Throwable;
-    }
-
-    @SuppressWarnings("unchecked") // the proxy is of the contract
-    private static <C> C remote(ContractCalls contract, C implementation, Answering answering) {
-        Class<?> type = contract.contract();
-        InvocationHandler handler =
-                (proxy, method, given) ->
-                        method.isDefault()
-                                ? method.invoke(implementation, given)
-                                : answering.answer(contract.of(method), implementation, given);
-        return (C) Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, handler);
-    }
-
-    private static Object called(ContractCall call, Object implementation, Object[] given)
-            throws Throwable {
-        Object[] there = call.readArguments(in(sent(call, given)), MOST + 1, 10);
-        byte[] before = call.values(there);
-        Object returned = null;
-        try {
-            returned = call.invoke(implementation, there);
-        } catch (Error stopped) {
-            if (Stream.of(there).noneMatch(one -> one instanceof Sheet sheet && sheet.full()))
-                throw stopped;
-        }
-        return replayed(call, call.answer(before, there, returned, Integer.MAX_VALUE), given);
-    }
-
-    private static byte[] sent(ContractCall call, Object[] given) throws IOException {
-        var sent = new ByteArrayOutputStream();
-        call.writeArguments(given, new DataOutputStream(sent));
-        return sent.toByteArray();
-    }
-
-    private static Object replayed(ContractCall call, byte[] answer, Object[] given)
-            throws IOException {
-        DataInputStream in = in(answer);
-        Object value = call.replay(in, given).value();
-        assertEquals(0, in.available(), "bytes are left over");
-        return value;
-    }
-
     /** Calls that were timed answer what the same calls answer one by one. */
     @ParameterizedTest
     @MethodSource("topics")
@@ -118,17 +74,17 @@ class ContractCallTest {
         for (Hazard<I> hazard : topic.hazards()) {
             var payload = new ByteArrayOutputStream();
             List<byte[]> answers = new ArrayList<>();
-            Answering listening =
+            var there = new HeldArrays();
+            var here = new HeldArrays();
+            CalledHere.Answering listening =
                     (call, implementation, given) -> {
                         new DataOutputStream(payload).writeInt(call.number());
-                        payload.write(sent(call, given));
-                        Object[] there = call.readArguments(in(sent(call, given)), MOST + 1, 10);
-                        byte[] before = call.values(there);
-                        Object returned = call.invoke(implementation, there);
-                        answers.add(call.answer(before, there, returned, Integer.MAX_VALUE));
-                        return replayed(call, answers.get(answers.size() - 1), given);
+                        payload.write(CalledHere.sent(call, given));
+                        byte[] answer = CalledHere.called(call, implementation, given, there);
+                        answers.add(answer);
+                        return CalledHere.replayed(call, answer, given, here);
                     };
-            C recorded = remote(contract, method.implementation(), listening);
+            C recorded = CalledHere.remote(contract, method.implementation(), listening);
             try {
                 topic.record(recorded, hazard.input(), MOST);
             } catch (IllegalArgumentException | LimitReached | Error notTimed) {
@@ -160,21 +116,17 @@ class ContractCallTest {
                             return call.invoke(student, arguments);
                         }
                     });
-        var calls = new TimedCalls(contract, callings, in(payload.toByteArray()));
+        var calls = new TimedCalls(contract, callings, CalledHere.in(payload.toByteArray()));
         calls.run(method);
         var told = new ByteArrayOutputStream();
         calls.writeTo(new DataOutputStream(told), 7);
-        DataInputStream in = in(told.toByteArray());
+        DataInputStream in = CalledHere.in(told.toByteArray());
         assertTrue(in.readLong() >= 0, "items");
         in.readLong();
         assertEquals(7, in.readLong(), "printed");
         for (byte[] answer : answers)
             assertArrayEquals(answer, Frames.read(in, Wire.MOST_ANSWER_BYTES));
         assertEquals(0, in.available(), "bytes are left over");
-    }
-
-    private static DataInputStream in(byte[] bytes) {
-        return new DataInputStream(new ByteArrayInputStream(bytes));
     }
 
     @Test
@@ -189,9 +141,17 @@ class ContractCallTest {
             assertThrows(IOException.class, () -> calls.numbered(none));
     }
 
+    /** Could be within itself. */
+    record Node(double number, Node[] next) {}
+
+    /** Takes what has no end. */
+    interface Endless {
+        double sum(Node first);
+    }
+
     @Test
     void anInterfaceThatCannotBeSentIsNoContract() {
-        for (Class<?> none : List.of(Comparable.class, Cloneable.class))
+        for (Class<?> none : List.of(Comparable.class, Cloneable.class, Endless.class))
             assertThrows(IllegalArgumentException.class, () -> ContractCalls.of(none));
     }
 
@@ -202,8 +162,32 @@ class ContractCallTest {
         out.writeBoolean(true);
         out.writeInt(Integer.MAX_VALUE);
         assertThrows(
-                IOException.class, () -> Values.read(double[].class, in(answer.toByteArray())));
-        assertThrows(IOException.class, () -> Values.read(String.class, in(answer.toByteArray())));
+                IOException.class,
+                () -> Values.read(double[].class, CalledHere.in(answer.toByteArray())));
+        assertThrows(
+                IOException.class,
+                () -> Values.read(String.class, CalledHere.in(answer.toByteArray())));
+    }
+
+    /** Rows that are one and the same would be a million million numbers. */
+    @Test
+    void anAnswerIsCountedWhileItIsWritten() {
+        double[][] rows = new double[1_000_000][];
+        Arrays.fill(rows, new double[1_000_000]);
+        ContractCall call = ContractCalls.of(MatrixFormula.class).all().get(0);
+        assertThrows(
+                BoundedBytes.Beyond.class,
+                () ->
+                        call.answer(
+                                new byte[0],
+                                List.of(),
+                                new Object[] {"ID3D", new double[0]},
+                                rows,
+                                Wire.MOST_ANSWER_BYTES));
+        var out = new DataOutputStream(OutputStream.nullOutputStream());
+        assertThrows(
+                BoundedBytes.Beyond.class,
+                () -> Values.write(String.class, "x".repeat(Wire.MOST_FRAME_BYTES + 1), out));
     }
 
     /** Otherwise a student could be given what nobody keeps. */

@@ -51,6 +51,7 @@ final class Unscanned implements AutoCloseable {
                     new Request(
                             Wire.CALL,
                             out -> {
+                                out.writeBoolean(true);
                                 out.writeInt(Wire.MOST_ITEMS);
                                 out.writeInt(Wire.MOST_ANSWER_BYTES);
                                 out.writeInt(0);

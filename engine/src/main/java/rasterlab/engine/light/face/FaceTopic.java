@@ -12,6 +12,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 
 /**
  * Shading a face.
@@ -52,10 +53,7 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     @Override
     public double[] run(FaceShader method, FacePoints points, int limit) {
         double[] shades = method.shade(points.face(), points.weights());
-        if (shades.length != points.weights().length)
-            throw new IllegalStateException(
-                    "%d shares were asked for, got %d"
-                            .formatted(points.weights().length, shades.length));
+        WrongLength.require(points.weights().length, shades.length, "shares");
         return Arrays.copyOf(shades, (int) Math.min(3L * limit, shades.length));
     }
 

@@ -11,6 +11,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 import rasterlab.engine.transform.Images;
 
 /**
@@ -53,10 +54,7 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     @Override
     public Images run(VertexNormals method, Triangles surface, int limit) {
         double[] normals = method.normals(surface.vertices(), surface.triangles());
-        if (normals.length != surface.vertices().length)
-            throw new IllegalStateException(
-                    "%d numbers were asked for, got %d"
-                            .formatted(surface.vertices().length, normals.length));
+        WrongLength.require(surface.vertices().length, normals.length, "numbers");
         return new Images(normals, 3).first(limit);
     }
 

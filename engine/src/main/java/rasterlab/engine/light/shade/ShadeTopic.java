@@ -13,6 +13,7 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 
 /**
  * One light on points of surfaces.
@@ -60,8 +61,7 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
             double[] one = method.intensity(all.get(i));
             SharedAnswer.requireNew(one, null, before);
             before = one;
-            if (one.length != 3)
-                throw new IllegalStateException("3 shares were asked for, got " + one.length);
+            WrongLength.require(3, one.length, "shares");
             System.arraycopy(one, 0, intensities, 3 * i, 3);
         }
         rgb.put(method.reflection(), intensities);

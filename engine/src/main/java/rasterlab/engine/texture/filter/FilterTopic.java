@@ -13,6 +13,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 
 /**
  * Colours of pixels that show a picture.
@@ -76,9 +77,7 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
         if (count < pixels.count())
             footprints = Arrays.copyOf(footprints, count * FilteredPixels.NUMBERS);
         int[] colors = method.colors(pixels.width(), pixels.height(), pixels.argb(), footprints);
-        if (colors.length != count)
-            throw new IllegalStateException(
-                    "%d colours were asked for, got %d".formatted(count, colors.length));
+        WrongLength.require(count, colors.length, "colours");
         var levels = new double[4 * count];
         for (int i = 0; i < count; i++)
             for (int c = 0; c < 4; c++) levels[4 * i + c] = colors[i] >>> 24 - 8 * c & 255;

@@ -14,6 +14,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 import rasterlab.engine.transform.Images;
 
 /**
@@ -64,9 +65,7 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     @Override
     public Images run(TextureMapper method, TexturedSpan span, int limit) {
         double[] st = method.coordinates(span);
-        if (st.length != 2 * span.pixels())
-            throw new IllegalStateException(
-                    "%d numbers were asked for, got %d".formatted(2 * span.pixels(), st.length));
+        WrongLength.require(2 * span.pixels(), st.length, "numbers");
         return new Images(st, 2).first(limit);
     }
 

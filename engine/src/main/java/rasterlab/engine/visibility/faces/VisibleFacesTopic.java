@@ -11,6 +11,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+import rasterlab.engine.study.WrongLength;
 
 /** Faces turned towards the eye, which of one convex body are those that are seen. */
 public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFaces> {
@@ -41,8 +42,9 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
 
     @Override
     public SeenFaces run(VisibleFaces method, Body body, int limit) {
-        var all =
-                new SeenFaces(method.visible(body.xyz(), body.faces(), body.eye(), body.inside()));
+        boolean[] visible = method.visible(body.xyz(), body.faces(), body.eye(), body.inside());
+        WrongLength.require(body.faceCount(), visible.length, "faces");
+        var all = new SeenFaces(visible);
         if (all.size() > limit) throw new LimitReached(limit, all.first(limit));
         return all;
     }
