@@ -30,9 +30,10 @@ public final class PixelAnswers {
      */
     PixelAnswers(ViewedMesh view, double level) {
         width = view.fit().width();
+        var polygon = new ScreenPolygon(view);
         outlines =
                 IntStream.range(0, view.mesh().faceCount())
-                        .mapToObj(face -> new Outline(view, face))
+                        .mapToObj(face -> new Outline(view, polygon, face))
                         .toArray(Outline[]::new);
         double size = 0;
         for (Outline outline : outlines) size = Math.max(size, outline.mostNearness);
@@ -89,8 +90,10 @@ public final class PixelAnswers {
         private final NearnessPlane plane = new NearnessPlane();
         private final boolean edgeOn;
 
-        Outline(ViewedMesh view, int face) {
-            var polygon = new ScreenPolygon(view);
+        /**
+         * @param polygon of the view, to load the face into
+         */
+        Outline(ViewedMesh view, ScreenPolygon polygon, int face) {
             polygon.load(view, face);
             x = IntStream.range(0, polygon.size()).mapToDouble(polygon::x).toArray();
             y = IntStream.range(0, polygon.size()).mapToDouble(polygon::y).toArray();
