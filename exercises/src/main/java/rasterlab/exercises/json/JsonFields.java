@@ -40,6 +40,11 @@ public final class JsonFields {
         return new JsonFields(new Value(place, "", Value.read(place, json)), known);
     }
 
+    /** The fields of an object that is read already. */
+    public static JsonFields of(Phrase place, JsonNode object, String... known) {
+        return new JsonFields(new Value(place, "", object), known);
+    }
+
     /** Reads an array of objects, each of which may have the known fields. */
     public static List<JsonFields> parseArray(String file, String json, String... known) {
         Phrase place = Phrase.quoted(file);

@@ -1,5 +1,6 @@
 package rasterlab.exercises.judging;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -12,8 +13,8 @@ import java.util.function.Function;
  * @param read makes an input of its JSON
  */
 record Drawing<I>(
-        NamedNumbers let, List<List<Template>> turns, Function<String, I> read, int[] drawn) {
-    Drawing(NamedNumbers let, List<List<Template>> turns, Function<String, I> read) {
+        NamedNumbers let, List<List<Template>> turns, Function<JsonNode, I> read, int[] drawn) {
+    Drawing(NamedNumbers let, List<List<Template>> turns, Function<JsonNode, I> read) {
         this(let, turns, read, new int[1]);
     }
 

@@ -34,8 +34,7 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public Caps caps() {
-        return Caps.ofItems(
-                demand.cut() ? demand.items() : topic().mostBeforeEndless(items()));
+        return Caps.ofItems(demand.cut() ? demand.items() : topic().mostBeforeEndless(items()));
     }
 
     /** None where the right method refuses the input. */

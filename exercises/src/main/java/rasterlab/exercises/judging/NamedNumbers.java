@@ -25,6 +25,12 @@ final class NamedNumbers {
 
     private final Phrase place;
     private final Map<String, String> texts = new LinkedHashMap<>();
+    private final Map<String, Sum> sums = new HashMap<>();
+
+    /** A sum that is read once and computed for each input. */
+    private interface Sum {
+        long of(Map<String, Long> known);
+    }
 
     /**
      * @throws CatalogueException if a name is none
@@ -67,40 +73,55 @@ final class NamedNumbers {
      * @throws CatalogueException if it is none, or has a name that is not known
      */
     long sum(String text, Map<String, Long> known) {
-        if (!SUM.matcher(text).matches()) throw wrong("template.sum", text);
-        long sum = 0;
-        Matcher each = SIGNED.matcher(text);
         try {
-            while (each.find()) {
-                long term = product(each.group(2), known);
-                sum = Math.addExact(sum, each.group(1).equals("-") ? -term : term);
-            }
+            return sums.computeIfAbsent(text, this::read).of(known);
         } catch (ArithmeticException beyond) {
             throw wrong("template.sum", text);
+        }
+    }
+
+    private Sum read(String text) {
+        if (!SUM.matcher(text).matches()) throw wrong("template.sum", text);
+        Matcher each = SIGNED.matcher(text);
+        Sum sum = known -> 0;
+        while (each.find()) {
+            Sum before = sum;
+            Sum term = product(each.group(2));
+            sum =
+                    each.group(1).equals("-")
+                            ? known -> Math.subtractExact(before.of(known), term.of(known))
+                            : known -> Math.addExact(before.of(known), term.of(known));
         }
         return sum;
     }
 
-    private long product(String term, Map<String, Long> known) {
+    private Sum product(String term) {
         String[] factors = term.split("[*%]");
-        long product = factor(factors[0], known);
+        Sum product = factor(factors[0]);
         int at = factors[0].length();
         for (int i = 1; i < factors.length; i++) {
-            long next = factor(factors[i], known);
+            Sum before = product;
+            Sum next = factor(factors[i]);
             product =
                     term.charAt(at) == '*'
-                            ? Math.multiplyExact(product, next)
-                            : Math.floorMod(product, next);
+                            ? known -> Math.multiplyExact(before.of(known), next.of(known))
+                            : known -> Math.floorMod(before.of(known), next.of(known));
             at += 1 + factors[i].length();
         }
         return product;
     }
 
-    private long factor(String text, Map<String, Long> known) {
-        if (Character.isDigit(text.charAt(0))) return Long.parseLong(text);
-        Long value = known.get(text);
-        if (value == null) throw wrong("template.unknown", text, String.join(", ", texts.keySet()));
-        return value;
+    private Sum factor(String text) {
+        if (Character.isDigit(text.charAt(0))) {
+            long number = Long.parseLong(text);
+            return known -> number;
+        }
+        return known -> {
+            Long value = known.get(text);
+            if (value == null)
+                throw wrong("template.unknown", text, String.join(", ", texts.keySet()));
+            return value;
+        };
     }
 
     private CatalogueException wrong(String key, Object... arguments) {

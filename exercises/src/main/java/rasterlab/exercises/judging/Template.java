@@ -46,8 +46,8 @@ final class Template {
      * @param named the numbers that stand in it by their names
      * @throws CatalogueException if a range, a sum or a number of times cannot be
      */
-    String draw(Random random, Map<String, Long> named) {
-        return drawn(root, random, named).toString();
+    JsonNode draw(Random random, Map<String, Long> named) {
+        return drawn(root, random, named);
     }
 
     private JsonNode drawn(JsonNode node, Random random, Map<String, Long> named) {

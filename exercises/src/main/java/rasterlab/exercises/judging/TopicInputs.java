@@ -38,6 +38,9 @@ final class TopicInputs<C, I> {
     private final Format<C, I, ?> format;
     private final boolean inOrder;
 
+    /** Of the fields of an input. */
+    private final String[] names;
+
     /**
      * @param inOrder whether all right answers have their items in one order, so that a case may
      *     ask for the first ones
@@ -46,6 +49,7 @@ final class TopicInputs<C, I> {
         this.topic = topic;
         this.format = topic.format();
         this.inOrder = inOrder;
+        this.names = format.input().stream().map(Field::name).toArray(String[]::new);
     }
 
     /**
@@ -106,10 +110,10 @@ final class TopicInputs<C, I> {
     /** One input, or several that are tried one after the other. */
     private List<I> given(Phrase place, JsonFields fields) {
         JsonNode given = fields.tree("given");
-        if (!given.isArray()) return List.of(input(place, fields.json("given")));
+        if (!given.isArray()) return List.of(input(place, given));
         if (given.isEmpty()) throw fields.wrong("given", Phrase.of("template.turns", "[]"));
         List<I> inputs = new ArrayList<>();
-        for (JsonNode one : given) inputs.add(input(place, one.toString()));
+        for (JsonNode one : given) inputs.add(input(place, one));
         return inputs;
     }
 
@@ -153,18 +157,15 @@ final class TopicInputs<C, I> {
         return together;
     }
 
-    private I input(Phrase place, String json) {
+    private I input(Phrase place, JsonNode json) {
         try {
-            return format.open() ? openInput(json) : fields(place, json).input(format);
+            return format.open()
+                    ? openInput(json.toString())
+                    : JsonFields.of(place, json, names).input(format);
         } catch (Misfit misfit) {
             throw new CatalogueException(
                     Phrase.of("field.wrong", place, Phrase.quoted(misfit.getMessage())));
         }
-    }
-
-    private JsonFields fields(Phrase place, String json) {
-        return JsonFields.parse(
-                place, json, format.input().stream().map(Field::name).toArray(String[]::new));
     }
 
     /** The format itself looks at fields by names that are known nowhere else. */
