@@ -70,6 +70,11 @@ public final class Topics {
 
     private Topics() {}
 
+    /** The names of all topics, in the course's order; none is made. */
+    public static List<String> names() {
+        return NAMES;
+    }
+
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
         return NAMES.stream().<Topic<?, ?, ?>>map(Topics::made).toList();

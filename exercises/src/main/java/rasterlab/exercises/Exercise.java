@@ -2,6 +2,7 @@ package rasterlab.exercises;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -26,6 +27,8 @@ import rasterlab.exercises.score.Disclosure;
  * @param caps limits of a call that this exercise states itself
  * @param timed how the inputs to measure speed on are drawn, as JSON
  * @param groups what cases ask for, where several ask for the same
+ * @param breaking what is handed in where the task is to break faulty methods, each of which is a
+ *     case then; empty where a program is to be written
  */
 public record Exercise(
         String id,
@@ -40,7 +43,8 @@ public record Exercise(
         Caps caps,
         Optional<String> timed,
         List<Group> groups,
-        List<Case> cases) {
+        List<Case> cases,
+        Optional<Breaking> breaking) {
     /** In all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
 
@@ -77,7 +81,13 @@ public record Exercise(
                 Caps.NONE,
                 Optional.empty(),
                 List.of(),
-                cases);
+                cases,
+                Optional.empty());
+    }
+
+    /** The form of what is handed in. */
+    public Form form() {
+        return breaking.isPresent() ? Form.BREAK : Form.WRITE;
     }
 
     /** The group that a case belongs to; empty where it stands alone. */
@@ -242,6 +252,38 @@ public record Exercise(
         /** The title in that language, or the English one; the name where there is neither. */
         public String title(String language) {
             return title.getOrDefault(language, title.getOrDefault("en", name));
+        }
+    }
+
+    /** What a student does. */
+    public enum Form {
+        /** Writes a method, in Java. */
+        WRITE,
+        /** Finds inputs on which faulty methods fail, as JSON. */
+        BREAK;
+
+        /** The word for it in data, commands and the HTTP API. */
+        public String code() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /**
+     * What is asked of inputs on which faulty methods fail.
+     *
+     * @param inputs the most that may be handed in together, from 1
+     * @param sizePoints for small ones; the faulty methods share the rest
+     * @param small characters of JSON without white space that earn all of them
+     * @param large characters that earn none of them, more than {@code small}
+     */
+    public record Breaking(int inputs, int sizePoints, int small, int large) {
+        /** The name of the case that pays for small inputs. */
+        public static final String SIZE = "small-input";
+
+        /** The points for inputs of so many characters, before what is left unbroken counts. */
+        public double sizePoints(int characters) {
+            double share = (large - characters) / (double) (large - small);
+            return sizePoints * Math.max(0, Math.min(1, share));
         }
     }
 

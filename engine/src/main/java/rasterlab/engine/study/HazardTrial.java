@@ -107,6 +107,17 @@ public final class HazardTrial {
         return tried(topic, method, input, Answer.to(topic, input), wallLimit);
     }
 
+    /**
+     * The same for many methods, for which the exact answer is worked out once.
+     *
+     * @param wallLimit the longest each may take
+     */
+    public static <C, I, O> Function<Method<C>, Tried<O>> on(
+            Topic<C, I, O> topic, I input, Duration wallLimit) {
+        Answer<O> answer = Answer.to(topic, input);
+        return method -> tried(topic, method, input, answer, wallLimit);
+    }
+
     static <C, I, O> Verdict judge(
             Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
         return tried(topic, method, input, answer, wallLimit).verdict();

@@ -25,6 +25,11 @@ public record Method<C>(String name, About about, C implementation) {
         return name.endsWith("-textbook");
     }
 
+    /** Whether it promises to be right on all inputs that it does not refuse. */
+    public boolean promisesToBeRight() {
+        return about.failures().startsWith(About.NO_FAILURE);
+    }
+
     /**
      * The method in a teacher's words, in English; the lab translates.
      *
@@ -35,5 +40,8 @@ public record Method<C>(String name, About about, C implementation) {
      * @param source author, title or journal, year
      */
     public record About(
-            String formula, String invariant, String cost, String failures, String source) {}
+            String formula, String invariant, String cost, String failures, String source) {
+        /** How {@link #failures} begins where no input is known that is answered wrongly. */
+        private static final String NO_FAILURE = "none known";
+    }
 }

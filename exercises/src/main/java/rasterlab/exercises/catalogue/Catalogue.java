@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 
@@ -18,19 +19,35 @@ import rasterlab.exercises.Exercise;
  * needs no compiling.
  */
 public final class Catalogue {
-    private final Map<String, Entry> exercises;
+    private final Map<String, Supplier<Entry>> exercises;
 
-    private Catalogue(Map<String, Entry> exercises) {
+    private Catalogue(Map<String, Supplier<Entry>> exercises) {
         this.exercises = exercises;
     }
 
     /** An exercise and the files that it was read from. */
     private record Entry(Exercise exercise, Map<String, byte[]> files) {}
 
+    /** Reads an exercise when it is asked for, and once: whoever wants one need not read all. */
+    private static final class Later implements Supplier<Entry> {
+        private final String id;
+        private Entry read;
+
+        Later(String id) {
+            this.id = id;
+        }
+
+        @Override
+        public synchronized Entry get() {
+            if (read == null) read = read(ExerciseFolder.onClassPath(id));
+            return read;
+        }
+    }
+
     /** The exercises that come with the program. */
     public static Catalogue builtIn() {
-        Map<String, Entry> exercises = new LinkedHashMap<>();
-        for (String id : builtInIds()) add(exercises, ExerciseFolder.onClassPath(id));
+        Map<String, Supplier<Entry>> exercises = new LinkedHashMap<>();
+        for (String id : builtInIds()) exercises.put(id, new Later(id));
         return new Catalogue(exercises);
     }
 
@@ -41,16 +58,19 @@ public final class Catalogue {
      * @throws CatalogueException when a folder cannot be read; names file and field
      */
     public Catalogue withFolder(Path folder) {
-        Map<String, Entry> more = new LinkedHashMap<>(exercises);
-        for (Path sub : DiskFiles.subFolders(folder)) add(more, ExerciseFolder.onDisk(sub));
+        Map<String, Supplier<Entry>> more = new LinkedHashMap<>(exercises);
+        for (Path sub : DiskFiles.subFolders(folder)) {
+            Entry entry = read(ExerciseFolder.onDisk(sub));
+            more.put(entry.exercise().id(), () -> entry);
+        }
         return new Catalogue(more);
     }
 
-    private static void add(Map<String, Entry> exercises, ExerciseFolder folder) {
+    private static Entry read(ExerciseFolder folder) {
         Exercise exercise = new ExerciseReader(folder).read();
         Map<String, byte[]> files = new TreeMap<>(folder.read());
         exercise.pictures().forEach((name, picture) -> files.put(name, picture.content()));
-        exercises.put(exercise.id(), new Entry(exercise, files));
+        return new Entry(exercise, files);
     }
 
     /**
@@ -82,7 +102,7 @@ public final class Catalogue {
 
     /** All exercises, the built-in ones first. */
     public List<Exercise> all() {
-        return exercises.values().stream().map(Entry::exercise).toList();
+        return exercises.values().stream().map(Supplier::get).map(Entry::exercise).toList();
     }
 
     /**
@@ -95,13 +115,13 @@ public final class Catalogue {
     }
 
     private Entry entry(String id) {
-        Entry entry = exercises.get(id);
+        Supplier<Entry> entry = exercises.get(id);
         if (entry == null)
             throw new IllegalArgumentException(
                     "no exercise called '"
                             + id
                             + "'; there are "
                             + String.join(", ", exercises.keySet()));
-        return entry;
+        return entry.get();
     }
 }

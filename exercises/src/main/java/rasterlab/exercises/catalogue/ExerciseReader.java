@@ -12,12 +12,14 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Stream;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Shape;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.Exercise.Group;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
@@ -43,6 +45,8 @@ final class ExerciseReader {
     private static final Field<Double> SECONDS =
             Field.required("seconds", Shape.number(Caps.LEAST_SECONDS, Caps.MOST_SECONDS));
 
+    private static final List<String> FORMS = Stream.of(Form.values()).map(Form::code).toList();
+
     private final ExerciseFolder folder;
 
     ExerciseReader(ExerciseFolder folder) {
@@ -58,6 +62,7 @@ final class ExerciseReader {
                 JsonFields.parse(
                         folder.place(file),
                         folder.text(file),
+                        "kind",
                         "topic",
                         "title",
                         "tolerance",
@@ -66,7 +71,10 @@ final class ExerciseReader {
                         "timed",
                         "shapes",
                         "groups",
-                        "cases");
+                        "cases",
+                        "break");
+        if (fields.word("kind", FORMS, FORMS.get(0)).equals(Form.BREAK.code()))
+            return new BreakingReader(folder, fields).read();
         TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
         PointPlan points = points(fields.object("points", "accuracy", "stability", "speed"));
         List<Group> groups = GroupReader.read(fields, topic);
@@ -77,7 +85,7 @@ final class ExerciseReader {
         checkNames(cases);
         checkSum(cases, Kind.ACCURACY, points.accuracy());
         checkSum(cases, Kind.STABILITY, points.stability());
-        Map<String, String> statements = statements();
+        Map<String, String> statements = statements(folder);
         Exercise read =
                 new Exercise(
                         id,
@@ -96,7 +104,8 @@ final class ExerciseReader {
                                 : Exercise.Caps.NONE,
                         fields.has("timed") ? Optional.of(fields.json("timed")) : Optional.empty(),
                         groups,
-                        cases);
+                        cases,
+                        Optional.empty());
         checkItems(read, topic);
         checkTimings(fields, topic, read);
         return read;
@@ -141,7 +150,7 @@ final class ExerciseReader {
         return titles;
     }
 
-    private Map<String, String> statements() {
+    static Map<String, String> statements(ExerciseFolder folder) {
         Map<String, String> statements = new LinkedHashMap<>();
         for (String language : LANGUAGES)
             statements.put(language, folder.text(StatementPictures.file(language)));

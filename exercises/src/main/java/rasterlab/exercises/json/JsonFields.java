@@ -83,6 +83,11 @@ public final class JsonFields {
         return text;
     }
 
+    /** The same; that word where the field is missing. */
+    public String word(String field, List<String> allowed, String otherwise) {
+        return has(field) ? word(field, allowed) : otherwise;
+    }
+
     public int integer(String field, int least, int most) {
         return required(field).integer(least, most);
     }

@@ -112,6 +112,8 @@ public final class Judge implements Grading, AutoCloseable {
             Exercise exercise, String sent, CaseSelection cases, Consumer<CaseReport> progress)
             throws InterruptedException {
         String source = SourceText.withoutMark(sent);
+        if (exercise.breaking().isPresent())
+            return new BreakRun(settings, exercise, launcher, progress).run(source);
         ReportSheet sheet = new ReportSheet(exercise, cases, isolation().name());
         var fault = SourceText.faultOf(source);
         if (fault.isPresent())

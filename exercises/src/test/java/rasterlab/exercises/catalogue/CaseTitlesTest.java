@@ -9,6 +9,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Form;
 
 /** A title stands beside a verdict: "the last pixel is dropped: right" says the opposite. */
 class CaseTitlesTest {
@@ -25,7 +26,7 @@ class CaseTitlesTest {
     void titlesSayWhatIsAsked() {
         assertTrue(MISTAKE.matcher("single point is skipped").find());
         for (Exercise exercise : Catalogue.builtIn().all())
-            for (Case one : exercise.cases())
+            for (Case one : exercise.form() == Form.WRITE ? exercise.cases() : List.<Case>of())
                 for (String language : List.of("en", "ru")) {
                     String title = one.title(language);
                     String asked = title.replace("не перепутаны", "").replace("не уходит вбок", "");

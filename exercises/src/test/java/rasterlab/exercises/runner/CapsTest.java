@@ -127,6 +127,7 @@ class CapsTest {
                 caps,
                 one.timed(),
                 one.groups(),
-                one.cases());
+                one.cases(),
+                one.breaking());
     }
 }

@@ -1,0 +1,154 @@
+package rasterlab.exercises.judging;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import rasterlab.engine.Topics;
+import rasterlab.engine.format.Misfit;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.json.JsonFields;
+import rasterlab.exercises.json.StrictJson;
+import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.Phrase;
+
+/**
+ * What a topic's right and faulty methods and its mutants do with an input that somebody chose. A
+ * faulty one may go on without end or take all memory, so the process that asks must be one that
+ * may be killed.
+ */
+public final class MethodsOnInput<C, I, O> {
+    /** The wall time of one method: much more than any needs for a small input. */
+    private static final Duration LIMIT = Duration.ofSeconds(2);
+
+    private static final About NOTHING = new About("", "", "", "", "");
+
+    private final Topic<C, I, O> topic;
+    private final I input;
+    private Function<Method<C>, HazardTrial.Tried<O>> trial;
+
+    private MethodsOnInput(Topic<C, I, O> topic, I input) {
+        this.topic = topic;
+        this.input = input;
+    }
+
+    /**
+     * An input as {@code ./lab run} takes it.
+     *
+     * @param place what messages call it
+     * @param json an object
+     * @throws CatalogueException if it is no input of the topic; says the place, the value and what
+     *     is allowed
+     */
+    public static MethodsOnInput<?, ?, ?> of(String topic, Phrase place, String json) {
+        return read(Topics.named(topic), place, json);
+    }
+
+    private static <C, I, O> MethodsOnInput<C, I, O> read(
+            Topic<C, I, O> topic, Phrase place, String json) {
+        Format<C, I, O> format = topic.format();
+        try {
+            return new MethodsOnInput<>(topic, JsonFields.parse(place, json).input(format));
+        } catch (Misfit misfit) {
+            throw new CatalogueException(
+                    Phrase.of("field.wrong", place, Phrase.quoted(placed(misfit, format, json))),
+                    misfit);
+        } catch (CatalogueException placed) {
+            throw placed;
+        } catch (IllegalArgumentException refused) {
+            throw new CatalogueException(
+                    Phrase.of("field.wrong", place, Phrase.quoted(refused.getMessage())), refused);
+        }
+    }
+
+    /** The message of a misfit with its place in the JSON. */
+    private static String placed(Misfit misfit, Format<?, ?, ?> format, String json) {
+        byte[] text = json.getBytes(StandardCharsets.UTF_8);
+        try {
+            StrictJson.read(text, text.length, format.input(), format.open());
+            return misfit.getMessage();
+        } catch (Misfit same) {
+            return same.getMessage();
+        }
+    }
+
+    /**
+     * What one method did.
+     *
+     * @param said what is wrong with its answer, or why there is none; nothing where it is exact
+     */
+    public record Tried(String method, Verdict.Kind kind, Message said) {
+        /** Whether it gave an answer that is not exact, or none without saying why. */
+        public boolean failed() {
+            return kind != Verdict.Kind.EXACT && kind != Verdict.Kind.REFUSED;
+        }
+    }
+
+    /** Names of the methods of a topic that an exercise may ask to break. */
+    public static List<String> breakable(String topic) {
+        return List.copyOf(faulty(Topics.named(topic)).keySet());
+    }
+
+    private static <C> Map<String, C> faulty(Topic<C, ?, ?> topic) {
+        Map<String, C> faulty = new LinkedHashMap<>();
+        for (Method<C> one : topic.methods())
+            if (one.faulty()) faulty.put(one.name(), one.implementation());
+        for (Mutant<C> one : topic.mutants()) faulty.put(one.name(), one.implementation());
+        return faulty;
+    }
+
+    /** The methods that promise to be right. */
+    public List<Tried> right() {
+        return topic.methods().stream()
+                .filter(Method::promisesToBeRight)
+                .map(one -> tried(one.name(), one.implementation()))
+                .toList();
+    }
+
+    /**
+     * The faulty methods and mutants of these names, in the topic's order.
+     *
+     * @param names of {@link #breakable}
+     */
+    public List<Tried> faulty(Set<String> names) {
+        List<Tried> tried = new ArrayList<>();
+        faulty(topic)
+                .forEach(
+                        (name, method) -> {
+                            if (names.contains(name)) tried.add(tried(name, method));
+                        });
+        return tried;
+    }
+
+    private Tried tried(String name, C implementation) {
+        var tried =
+                HazardTrial.tried(topic, new Method<>(name, NOTHING, implementation), input, LIMIT);
+        Verdict verdict = tried.verdict();
+        Message said =
+                switch (verdict.kind()) {
+                    case EXACT -> Message.NONE;
+                    case REFUSED -> Message.of("break.refuses", verdict.detail());
+                    case ENDLESS -> Message.of("break.endless");
+                    case CRASHED -> Message.of("break.crashes", verdict.detail());
+                    case DEGRADED, WRONG ->
+                            tried.made()
+                                    .map(
+                                            made ->
+                                                    Leaves.difference(
+                                                            topic, input, tried.exact(), made))
+                                    .orElseGet(() -> Message.of("break.crashes", verdict.detail()));
+                };
+        return new Tried(name, verdict.kind(), said);
+    }
+}
