@@ -258,9 +258,27 @@ public record Exercise(
     /** What a student does. */
     public enum Form {
         /** Writes a method, in Java. */
-        WRITE,
+        WRITE("java", "text/x-java-source"),
         /** Finds inputs on which faulty methods fail, as JSON. */
-        BREAK;
+        BREAK("json", "application/json");
+
+        private final String ending;
+        private final String mediaType;
+
+        Form(String ending, String mediaType) {
+            this.ending = ending;
+            this.mediaType = mediaType;
+        }
+
+        /** How names of files that are handed in end, without the dot. */
+        public String ending() {
+            return ending;
+        }
+
+        /** The media type of what is handed in by HTTP. */
+        public String mediaType() {
+            return mediaType;
+        }
 
         /** The word for it in data, commands and the HTTP API. */
         public String code() {

@@ -13,6 +13,7 @@ import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Map;
+import rasterlab.exercises.Exercise.Form;
 
 /**
  * Talks to a grading server as a student does. Every call ends within some seconds or with the
@@ -43,6 +44,7 @@ final class CourseServer {
     /**
      * Joins a course.
      *
+     * @param form of what is handed in
      * @param key makes repeating the call give the same student; hard to guess
      */
     Account join(String code, String name, String key) throws IOException, InterruptedException {
@@ -72,14 +74,15 @@ final class CourseServer {
     /**
      * Hands in a source.
      *
+     * @param form of what is handed in
      * @param key makes repeating the call give the same submission
      * @return the submission's id
      */
-    String submit(String token, String exercise, String source, String key)
+    String submit(String token, String exercise, Form form, String source, String key)
             throws IOException, InterruptedException {
         HttpRequest request =
                 request("/api/v1/exercises/" + exercise + "/submissions", token)
-                        .header("Content-Type", "text/x-java-source")
+                        .header("Content-Type", form.mediaType())
                         .header("Idempotency-Key", key)
                         .POST(BodyPublishers.ofByteArray(source.getBytes(StandardCharsets.UTF_8)))
                         .build();

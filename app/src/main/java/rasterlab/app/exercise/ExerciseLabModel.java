@@ -283,7 +283,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String about = account.server() + "\n" + exercise.id() + "\n" + source;
         String key = key(about);
         var submitting =
-                new Submitting(new CourseServer(account.server(), patience), account.token());
+                new Submitting(
+                        new CourseServer(account.server(), patience),
+                        account.token(),
+                        exercise.form());
         begin(
                 Work.of(SENDING),
                 tell -> {

@@ -209,7 +209,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
         ExerciseState state = model.state();
         exercise.show(state.exercise().id());
         statement.show(state.exercise(), texts.locale().getLanguage());
-        editor.show(state.exercise().id(), state.source());
+        editor.show(state.exercise().id(), state.exercise().form(), state.source());
         editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
         bar.refresh();
         say(notice, state.joins() ? Notice.of("joining") : state.notice());

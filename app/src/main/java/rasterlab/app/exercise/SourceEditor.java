@@ -33,6 +33,7 @@ import org.fife.ui.rtextarea.RTextScrollPane;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise.Form;
 
 /** The editor of a Java source, with messages at its lines; panels wear it in turn. */
 final class SourceEditor extends JPanel {
@@ -174,7 +175,11 @@ final class SourceEditor extends JPanel {
      *
      * @param id of the exercise
      */
-    void show(String id, String text) {
+    void show(String id, Form form, String text) {
+        area.setSyntaxEditingStyle(
+                form == Form.WRITE
+                        ? SyntaxConstants.SYNTAX_STYLE_JAVA
+                        : SyntaxConstants.SYNTAX_STYLE_JSON);
         refreshing = true;
         if (!id.equals(exercise)) {
             area.setText(text);

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
@@ -33,10 +34,17 @@ final class Submitting {
 
     private final CourseServer server;
     private final String token;
+    private final Form form;
 
+    /** Hands in Java sources. */
     Submitting(CourseServer server, String token) {
+        this(server, token, Form.WRITE);
+    }
+
+    Submitting(CourseServer server, String token, Form form) {
         this.server = server;
         this.token = token;
+        this.form = form;
     }
 
     /**
@@ -45,7 +53,7 @@ final class Submitting {
      */
     Outcome result(String exercise, String source, String key, Follower follower)
             throws IOException, InterruptedException {
-        String id = server.submit(token, exercise, source, key);
+        String id = server.submit(token, exercise, form, source, key);
         for (int left = MOST_BREAKS; !followed(id, follower); left--)
             if (left == 0) throw new IOException("the events of submission " + id + " break off");
         return outcome(source, id);

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
+import rasterlab.exercises.Exercise.Form;
 
 class SourceEditorTest {
     private static final String LONG_LINE = "int x = 1; ".repeat(20) + "\nint y;\n";
@@ -43,7 +44,7 @@ class SourceEditorTest {
         var editor = new SourceEditor(text -> {});
         editor.wear(Texts.of("exercise", Language.ENGLISH));
         editor.setPoints(points);
-        editor.show("line", LONG_LINE);
+        editor.show("line", Form.WRITE, LONG_LINE);
         editor.addNotify();
         width(editor);
         return editor;

@@ -19,6 +19,7 @@ import rasterlab.grader.problem.respondJson
 private data class ExerciseView(
     val id: String,
     val topic: String,
+    val kind: String,
     val title: String,
     val points: PlanView,
     val deadline: String?,
@@ -66,9 +67,13 @@ suspend fun ApplicationCall.respondPicture(
     respondBytes(picture.content(), ContentType.parse(picture.form().mediaType()))
 }
 
-/** The file name that the compiler wants for the starter. */
-fun Exercise.starterFile(): String =
-    (Regex("""\bclass\s+(\w+)""").find(starter())?.groupValues?.get(1) ?: "Starter") + ".java"
+/** The file name that the compiler wants for a starter in Java; of inputs the exercise's. */
+fun Exercise.starterFile(): String {
+    val name = if (form() == Exercise.Form.WRITE) CLASS.find(starter())?.groupValues?.get(1) ?: "Starter" else id()
+    return name + "." + form().ending()
+}
+
+private val CLASS = Regex("""\bclass\s+(\w+)""")
 
 private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
 
@@ -76,6 +81,7 @@ private fun Exercise.view(language: String) =
     ExerciseView(
         id(),
         topic(),
+        form().code(),
         title(language),
         PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
         deadline = null,

@@ -4,6 +4,7 @@ import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.request.contentType
+import rasterlab.exercises.Exercise.Form
 import rasterlab.exercises.Grading
 import rasterlab.exercises.SourceEncoding
 import rasterlab.grader.problem.Rejection
@@ -14,12 +15,12 @@ import rasterlab.grader.problem.utf8
 const val LONGEST_SOURCE_BYTES = Grading.MOST_SOURCE_BYTES
 private const val FORM_EXTRA_BYTES = 16 * 1024
 private const val KOTLIN = "text/x-kotlin"
-private val JAVA_SOURCE = ContentType("text", "x-java-source")
 
-/** The source in the body: alone, or the multipart field `source`. */
-suspend fun ApplicationCall.receiveSource(): String {
+/** What is handed in, in the body: alone, or as the multipart field `source`. */
+suspend fun ApplicationCall.receiveSource(form: Form): String {
     if (request.headers[HttpHeaders.ContentType].orEmpty().startsWith(KOTLIN)) throw Rejection.Kotlin()
-    if (bodyType(JAVA_SOURCE, ContentType.MultiPart.FormData) == JAVA_SOURCE) {
+    val alone = ContentType.parse(form.mediaType())
+    if (bodyType(alone, ContentType.MultiPart.FormData) == alone) {
         return sourceOf(receiveAtMost(LONGEST_SOURCE_BYTES))
     }
     return sourceOf(receiveFields())

@@ -28,7 +28,7 @@ fun Route.submissions(
     post("/exercises/{id}/submissions") {
         val student = call.student()
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        val accepted = intake.accept(student, exercise, call.receiveSource(), call.idempotencyKey())
+        val accepted = intake.accept(student, exercise, call.receiveSource(exercise.form()), call.idempotencyKey())
         queue.ring(accepted.id)
         call.response.header(HttpHeaders.Location, "/api/v1/submissions/${accepted.id}")
         call.respondJson(SubmissionAnswer(accepted.id, accepted.state.code, accepted.position), Accepted)

@@ -113,8 +113,10 @@ private suspend fun ApplicationCall.respondExercise(
         val plan = exercise.points()
         p("plan") {
             +texts.say("exercises.points", plan.total())
-            +" — "
-            +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
+            if (exercise.form() == Exercise.Form.WRITE) {
+                +" — "
+                +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
+            }
         }
         div("columns wide") {
             article("card statement") {
@@ -154,11 +156,14 @@ private fun FlowContent.handIn(
     form("/exercises/${exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
         input(InputType.hidden, name = ONCE) { value = Secrets.newId() }
         label {
-            span { +texts.say("exercise.file") }
-            input(InputType.file, name = "source") { accept = ".java,text/x-java-source" }
+            span { +texts.say("exercise.file.${exercise.form().code()}") }
+            input(InputType.file, name = "source") {
+                accept =
+                    ".${exercise.form().ending()},${exercise.form().mediaType()}"
+            }
         }
         label {
-            span { +texts.say("exercise.paste") }
+            span { +texts.say("exercise.paste.${exercise.form().code()}") }
             textArea(rows = "10") {
                 name = "source"
                 attributes["spellcheck"] = "false"

@@ -103,6 +103,30 @@ class StudentPageTest {
         }
     }
 
+    @Test
+    void inputsThatBreakMethodsArePaidOnTheirPage() throws Exception {
+        try (var browser = Browser.open(profile, "ru")) {
+            join(browser);
+            browser.driver().get(server.address().resolve("/exercises").toString());
+            browser.screenshot("student-exercises");
+            String page = "/exercises/break-clip-segment";
+            browser.driver().get(server.address().resolve(page).toString());
+            assertFitsIntoItsWidth(browser);
+            browser.screenshot("student-exercise-break");
+            browser.element("textarea[name=source]")
+                    .sendKeys("{\"window\": [0, 0, 10, 10], \"segments\": [[-5, 5, 5, 5]]}");
+            browser.element("form[action='" + page + "'] button").click();
+            browser.waiting()
+                    .until(
+                            driver ->
+                                    browser.text("#live")
+                                            .contains("левая сторона окна не отсекает"));
+            assertFitsIntoItsWidth(browser);
+            browser.screenshot("student-result-break");
+            assertNothingWentWrong(browser);
+        }
+    }
+
     private static void join(Browser browser) {
         browser.driver().get(server.address().toString());
         browser.fill("course", code);
