@@ -282,11 +282,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String source = state.source();
         String about = account.server() + "\n" + exercise.id() + "\n" + source;
         String key = key(about);
-        var submitting =
-                new Submitting(
-                        new CourseServer(account.server(), patience),
-                        account.token(),
-                        exercise.form());
+        var server = new CourseServer(account.server(), patience);
+        var submitting = new Submitting(server, account.token(), exercise.form());
         begin(
                 Work.of(SENDING),
                 tell -> {
