@@ -29,6 +29,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param groups what cases ask for, where several ask for the same
  * @param breaking what is handed in where the task is to break faulty methods, each of which is a
  *     case then; empty where a program is to be written
+ * @param evidence what the exercise is proved by
  */
 public record Exercise(
         String id,
@@ -44,7 +45,8 @@ public record Exercise(
         Optional<String> timed,
         List<Group> groups,
         List<Case> cases,
-        Optional<Breaking> breaking) {
+        Optional<Breaking> breaking,
+        Evidence evidence) {
     /** In all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
 
@@ -83,6 +85,40 @@ public record Exercise(
                 List.of(),
                 cases,
                 Optional.empty());
+    }
+
+    /** An exercise whose proof needs nothing of its own. */
+    public Exercise(
+            String id,
+            String topic,
+            Map<String, String> title,
+            Map<String, String> statement,
+            Map<String, Picture> pictures,
+            String starter,
+            String revision,
+            Tolerance tolerance,
+            PointPlan points,
+            Caps caps,
+            Optional<String> timed,
+            List<Group> groups,
+            List<Case> cases,
+            Optional<Breaking> breaking) {
+        this(
+                id,
+                topic,
+                title,
+                statement,
+                pictures,
+                starter,
+                revision,
+                tolerance,
+                points,
+                caps,
+                timed,
+                groups,
+                cases,
+                breaking,
+                Evidence.NONE);
     }
 
     /** The form of what is handed in. */
@@ -174,6 +210,20 @@ public record Exercise(
 
         /** As much as all calls together may take. */
         public static final double MOST_SECONDS = 8;
+    }
+
+    /**
+     * What an exercise is proved by; kept from students.
+     *
+     * @param model source of a right program, as plain as a student writes it
+     * @param notAsked faulty methods and mutants of the topic whose mistake no case asks for
+     */
+    public record Evidence(Optional<String> model, Set<String> notAsked) {
+        static final Evidence NONE = new Evidence(Optional.empty(), Set.of());
+
+        public Evidence {
+            notAsked = Set.copyOf(notAsked);
+        }
     }
 
     /** The most points of each kind, from 0 to 100. */

@@ -36,8 +36,11 @@ public interface TopicGrading {
     /** Codes of the mistakes that this topic can tell, which a group of cases may claim. */
     Set<String> mistakes();
 
-    /** The right method that a student's speed is held against. */
-    Class<?> reference();
+    /**
+     * The right method that a student's speed is held against; empty where each exercise brings its
+     * own, its model solution.
+     */
+    Optional<Class<?>> reference();
 
     /** The unit of the topic's errors, in which an exercise may state a tolerance. */
     default Optional<String> unit() {

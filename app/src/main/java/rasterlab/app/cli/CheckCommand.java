@@ -3,6 +3,7 @@ package rasterlab.app.cli;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.Complaint;
@@ -10,7 +11,6 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
 import rasterlab.exercises.score.CaseReport;
@@ -47,13 +47,15 @@ final class CheckCommand implements Callable<Integer> {
             description = "where pictures of failed cases go; default: check-EXERCISE")
     private Path folder;
 
+    @Mixin private ExercisesOption exercises;
+
     CheckCommand(Console console) {
         this.console = console;
     }
 
     @Override
     public Integer call() {
-        Exercise chosen = chosen();
+        Exercise chosen = exercises.named(exercise, console);
         String source = SourceFile.read(file);
         Path pictures = folder == null ? Path.of("check-" + chosen.id()) : folder;
         WholeFile.requireFolderWritable(pictures);
@@ -65,14 +67,6 @@ final class CheckCommand implements Callable<Integer> {
         if (CasePictureFiles.write(report, pictures) > 0)
             text.say("pictures", pictures.toAbsolutePath().normalize().toString());
         return report.verdict() == GradingVerdict.OK ? ExitCode.DONE : ExitCode.FOUND_WRONG;
-    }
-
-    private Exercise chosen() {
-        try {
-            return Catalogue.builtIn().named(exercise);
-        } catch (IllegalArgumentException e) {
-            throw Complaint.badInput(e.getMessage());
-        }
     }
 
     private Report graded(Exercise chosen, String source) {

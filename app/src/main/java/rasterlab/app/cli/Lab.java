@@ -27,6 +27,7 @@ public final class Lab {
                     "hazards",
                     "render",
                     "opengl",
+                    "exercises",
                     "check",
                     "tour",
                     "grader",
@@ -113,6 +114,7 @@ public final class Lab {
             case "hazards" -> new HazardsCommand(console);
             case "render" -> new RenderCommand(console);
             case "opengl" -> OpenGlCommand.commandLine(console);
+            case "exercises" -> ExercisesCommand.commandLine(console);
             case "check" -> new CheckCommand(console);
             case "tour" -> new TourCommand(console);
             case "grader" -> new GraderCommand(console);

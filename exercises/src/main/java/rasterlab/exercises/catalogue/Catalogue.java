@@ -4,50 +4,56 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.Supplier;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.score.Phrase;
 
 /**
  * The exercises: those that come with the program, and those in an instructor's own folder, which
  * needs no compiling.
  */
 public final class Catalogue {
-    private final Map<String, Supplier<Entry>> exercises;
+    private final Map<String, Entry> exercises;
 
-    private Catalogue(Map<String, Supplier<Entry>> exercises) {
+    private Catalogue(Map<String, Entry> exercises) {
         this.exercises = exercises;
     }
 
-    /** An exercise and the files that it was read from. */
-    private record Entry(Exercise exercise, Map<String, byte[]> files) {}
+    /** An exercise, which is read when it is asked for first. */
+    private static final class Entry {
+        private final ExerciseFolder folder;
+        private Exercise exercise;
 
-    /** Reads an exercise when it is asked for, and once: whoever wants one need not read all. */
-    private static final class Later implements Supplier<Entry> {
-        private final String id;
-        private Entry read;
-
-        Later(String id) {
-            this.id = id;
+        Entry(ExerciseFolder folder) {
+            this.folder = folder;
         }
 
-        @Override
-        public synchronized Entry get() {
-            if (read == null) read = read(ExerciseFolder.onClassPath(id));
-            return read;
+        synchronized Exercise exercise() {
+            if (exercise == null) exercise = new ExerciseReader(folder).read();
+            return exercise;
+        }
+
+        /** Name to content of the files that it is read from. */
+        Map<String, byte[]> files() {
+            Exercise read = exercise();
+            Map<String, byte[]> files = new TreeMap<>(folder.read());
+            read.pictures().forEach((name, picture) -> files.put(name, picture.content()));
+            return files;
         }
     }
 
     /** The exercises that come with the program. */
     public static Catalogue builtIn() {
-        Map<String, Supplier<Entry>> exercises = new LinkedHashMap<>();
-        for (String id : builtInIds()) exercises.put(id, new Later(id));
+        Map<String, Entry> exercises = new LinkedHashMap<>();
+        for (String id : builtInIds()) exercises.put(id, new Entry(ExerciseFolder.onClassPath(id)));
         return new Catalogue(exercises);
     }
 
@@ -58,19 +64,36 @@ public final class Catalogue {
      * @throws CatalogueException when a folder cannot be read; names file and field
      */
     public Catalogue withFolder(Path folder) {
-        Map<String, Supplier<Entry>> more = new LinkedHashMap<>(exercises);
+        Map<String, Entry> more = new LinkedHashMap<>(exercises);
         for (Path sub : DiskFiles.subFolders(folder)) {
-            Entry entry = read(ExerciseFolder.onDisk(sub));
-            more.put(entry.exercise().id(), () -> entry);
+            Entry entry = new Entry(ExerciseFolder.onDisk(sub));
+            more.put(entry.exercise().id(), entry);
         }
         return new Catalogue(more);
     }
 
-    private static Entry read(ExerciseFolder folder) {
-        Exercise exercise = new ExerciseReader(folder).read();
-        Map<String, byte[]> files = new TreeMap<>(folder.read());
-        exercise.pictures().forEach((name, picture) -> files.put(name, picture.content()));
-        return new Entry(exercise, files);
+    /**
+     * What reading a folder came to.
+     *
+     * @param exercise empty where there are faults
+     */
+    public record Reading(Optional<Exercise> exercise, List<CatalogueException> faults) {}
+
+    /** Reads the folder of one exercise, with all that is wrong in it. */
+    public static Reading read(Path folder) {
+        if (!Files.isDirectory(folder))
+            return new Reading(
+                    Optional.empty(),
+                    List.of(
+                            new CatalogueException(
+                                    folder,
+                                    Phrase.of(
+                                            Files.exists(folder)
+                                                    ? "disk.folder-not"
+                                                    : "disk.folder-none"),
+                                    null)));
+        return new ExerciseReader(ExerciseFolder.onDisk(folder.toAbsolutePath().normalize()))
+                .reading();
     }
 
     /**
@@ -100,9 +123,14 @@ public final class Catalogue {
         }
     }
 
+    /** The names of all exercises, the built-in ones first. */
+    public List<String> ids() {
+        return List.copyOf(exercises.keySet());
+    }
+
     /** All exercises, the built-in ones first. */
     public List<Exercise> all() {
-        return exercises.values().stream().map(Supplier::get).map(Entry::exercise).toList();
+        return exercises.values().stream().map(Entry::exercise).toList();
     }
 
     /**
@@ -115,13 +143,13 @@ public final class Catalogue {
     }
 
     private Entry entry(String id) {
-        Supplier<Entry> entry = exercises.get(id);
+        Entry entry = exercises.get(id);
         if (entry == null)
             throw new IllegalArgumentException(
                     "no exercise called '"
                             + id
                             + "'; there are "
                             + String.join(", ", exercises.keySet()));
-        return entry.get();
+        return entry;
     }
 }

@@ -1,8 +1,6 @@
 package rasterlab.exercises.catalogue;
 
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -13,12 +11,17 @@ import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Stream;
+import rasterlab.engine.Topics;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Shape;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Topic;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Evidence;
 import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.Exercise.Group;
 import rasterlab.exercises.Exercise.Kind;
@@ -26,7 +29,6 @@ import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.JsonFields;
-import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -35,8 +37,20 @@ import rasterlab.exercises.topic.TopicGradings;
  */
 final class ExerciseReader {
     private static final List<String> LANGUAGES = List.of("en", "ru");
-    private static final String[] CASE_FIELDS = {
-        "name", "title", "group", "kind", "visibility", "points", "input", "generate"
+    private static final String[] FIELDS = {
+        "topic",
+        "title",
+        "tolerance",
+        "points",
+        "caps",
+        "timed",
+        "shapes",
+        "groups",
+        "cases",
+        "model",
+        "notAsked",
+        "kind",
+        "break"
     };
 
     private static final Field<Double> WORST =
@@ -48,67 +62,113 @@ final class ExerciseReader {
     private static final List<String> FORMS = Stream.of(Form.values()).map(Form::code).toList();
 
     private final ExerciseFolder folder;
+    private final Faults faults = new Faults();
 
     ExerciseReader(ExerciseFolder folder) {
         this.folder = folder;
     }
 
+    /**
+     * @throws CatalogueException naming the first fault
+     */
     Exercise read() {
+        Optional<Exercise> read = tried();
+        faults.requireNone();
+        return read.orElseThrow();
+    }
+
+    /** The exercise and all faults, of which there are none where it can be read. */
+    Catalogue.Reading reading() {
+        Optional<Exercise> read = tried();
+        return new Catalogue.Reading(
+                faults.all().isEmpty() ? read : Optional.empty(), faults.all());
+    }
+
+    /** The exercise, where nothing is wrong with it. */
+    private Optional<Exercise> tried() {
         String id = folder.id();
-        if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
-            throw new CatalogueException(Phrase.of("folder.words", id));
+        faults.checked(
+                () -> {
+                    if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
+                        throw new CatalogueException(Phrase.of("folder.words", id));
+                });
+        return faults.tried(this::fields).flatMap(fields -> tried(id, fields));
+    }
+
+    private JsonFields fields() {
         String file = "exercise.json";
-        JsonFields fields =
-                JsonFields.parse(
-                        folder.place(file),
-                        folder.text(file),
-                        "kind",
-                        "topic",
-                        "title",
-                        "tolerance",
-                        "points",
-                        "caps",
-                        "timed",
-                        "shapes",
-                        "groups",
-                        "cases",
-                        "break");
-        if (fields.word("kind", FORMS, FORMS.get(0)).equals(Form.BREAK.code()))
-            return new BreakingReader(folder, fields).read();
-        TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
-        PointPlan points = points(fields.object("points", "accuracy", "stability", "speed"));
-        List<Group> groups = GroupReader.read(fields, topic);
-        Shapes shapes = Shapes.read(fields);
-        List<Case> cases = new ArrayList<>();
-        for (String caseFile : fields.texts("cases"))
-            cases.addAll(cases(caseFile, topic, GroupReader.names(groups), shapes));
-        checkNames(cases);
-        checkSum(cases, Kind.ACCURACY, points.accuracy());
-        checkSum(cases, Kind.STABILITY, points.stability());
-        Map<String, String> statements = statements(folder);
+        return JsonFields.parse(folder.place(file), folder.text(file), FIELDS);
+    }
+
+    private Optional<Exercise> tried(String id, JsonFields fields) {
+        Optional<String> form = faults.tried(() -> fields.word("kind", FORMS, Form.WRITE.code()));
+        if (form.isEmpty()) return Optional.empty();
+        if (form.get().equals(Form.BREAK.code()))
+            return faults.tried(() -> new BreakingReader(folder, fields).read());
+        return written(id, fields);
+    }
+
+    private Optional<Exercise> written(String id, JsonFields fields) {
+        Optional<TopicGrading> topic =
+                faults.tried(
+                        () -> TopicGradings.named(fields.word("topic", TopicGradings.names())));
+        Optional<PointPlan> points =
+                faults.tried(
+                        () -> points(fields.object("points", "accuracy", "stability", "speed")));
+        List<Group> groups = new GroupReader(faults).read(fields, topic);
+        int before = faults.all().size();
+        List<Case> cases = cases(fields, topic, groups);
+        // without a case that cannot be read the sums say nothing
+        if (before == faults.all().size()) points.ifPresent(plan -> checkSums(cases, plan));
+        Map<String, String> statements = statements();
+        var titles = faults.tried(() -> titles(fields.object("title", "en", "ru")));
+        var pictures = faults.tried(() -> new StatementPictures(folder).read(statements));
+        var starter = faults.tried(() -> folder.text("Starter.java"));
+        var tolerance =
+                topic.flatMap(one -> faults.tried(() -> tolerance(tolerances(fields), one)));
+        var caps = faults.tried(() -> stated(fields));
+        var evidence = topic.flatMap(one -> faults.tried(() -> evidence(fields, one)));
+        var timed =
+                faults.tried(
+                        () ->
+                                fields.has("timed")
+                                        ? Optional.of(fields.json("timed"))
+                                        : Optional.<String>empty());
+        if (!faults.all().isEmpty()) return Optional.empty();
         Exercise read =
                 new Exercise(
                         id,
-                        topic.name(),
-                        titles(fields.object("title", "en", "ru")),
+                        topic.orElseThrow().name(),
+                        titles.orElseThrow(),
                         statements,
-                        new StatementPictures(folder).read(statements),
-                        folder.text("Starter.java"),
+                        pictures.orElseThrow(),
+                        starter.orElseThrow(),
                         Revision.of(folder.read()),
-                        tolerance(
-                                fields.object("tolerance", "eitherPixelOnTies", "worst", "unit"),
-                                topic),
-                        points,
-                        fields.has("caps")
-                                ? caps(fields.object("caps", "items", "bytes", "seconds"))
-                                : Exercise.Caps.NONE,
-                        fields.has("timed") ? Optional.of(fields.json("timed")) : Optional.empty(),
+                        tolerance.orElseThrow(),
+                        points.orElseThrow(),
+                        caps.orElseThrow(),
+                        timed.orElseThrow(),
                         groups,
                         cases,
-                        Optional.empty());
-        checkItems(read, topic);
-        checkTimings(fields, topic, read);
-        return read;
+                        Optional.empty(),
+                        evidence.orElseThrow());
+        faults.checked(() -> checkItems(read, topic.orElseThrow()));
+        faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));
+        return Optional.of(read);
+    }
+
+    private List<Case> cases(JsonFields fields, Optional<TopicGrading> topic, List<Group> groups) {
+        return faults.tried(() -> Shapes.read(fields))
+                .map(
+                        shapes ->
+                                new CaseReader(
+                                                folder,
+                                                faults,
+                                                topic,
+                                                GroupReader.names(groups),
+                                                shapes)
+                                        .read(fields))
+                .orElse(List.of());
     }
 
     /** Asks for inputs to measure speed on, so that a mistake shows before anybody submits. */
@@ -118,6 +178,39 @@ final class ExerciseReader {
         } catch (CatalogueException e) {
             throw fields.wrong("", Phrase.of("field.unusable", e.said()));
         }
+    }
+
+    private static JsonFields tolerances(JsonFields fields) {
+        return fields.object("tolerance", "eitherPixelOnTies", "worst", "unit");
+    }
+
+    private static Caps stated(JsonFields fields) {
+        return fields.has("caps")
+                ? caps(fields.object("caps", "items", "bytes", "seconds"))
+                : Caps.NONE;
+    }
+
+    /** The names of the topic's faulty methods and mutants. */
+    private static List<String> mistakes(String topic) {
+        Topic<?, ?, ?> named = Topics.named(topic);
+        return Stream.concat(
+                        named.methods().stream().filter(Method::faulty).map(Method::name),
+                        named.mutants().stream().map(Mutant::name))
+                .toList();
+    }
+
+    /** A topic without a method of its own to hold speed against asks for a model solution. */
+    private Evidence evidence(JsonFields fields, TopicGrading topic) {
+        Set<String> notAsked =
+                fields.has("notAsked") ? Set.copyOf(fields.texts("notAsked")) : Set.of();
+        List<String> known = mistakes(topic.name());
+        for (String one : notAsked)
+            if (!known.contains(one))
+                throw fields.wrong(
+                        "notAsked", Phrase.of("field.word", String.join(", ", known), one));
+        if (!fields.has("model") && topic.reference().isPresent())
+            return new Evidence(Optional.empty(), notAsked);
+        return new Evidence(Optional.of(folder.text(fields.text("model"))), notAsked);
     }
 
     /** An error is stated with its unit, so that nobody takes pixels for shares. */
@@ -150,10 +243,19 @@ final class ExerciseReader {
         return titles;
     }
 
+    /** The statements, none of which may be missing. */
     static Map<String, String> statements(ExerciseFolder folder) {
         Map<String, String> statements = new LinkedHashMap<>();
         for (String language : LANGUAGES)
             statements.put(language, folder.text(StatementPictures.file(language)));
+        return statements;
+    }
+
+    private Map<String, String> statements() {
+        Map<String, String> statements = new LinkedHashMap<>();
+        for (String language : LANGUAGES)
+            faults.tried(() -> folder.text(StatementPictures.file(language)))
+                    .ifPresent(text -> statements.put(language, text));
         return statements;
     }
 
@@ -169,42 +271,6 @@ final class ExerciseReader {
         return plan;
     }
 
-    private List<Case> cases(String file, TopicGrading topic, List<String> groups, Shapes shapes) {
-        List<Case> cases = new ArrayList<>();
-        for (JsonFields fields :
-                JsonFields.parseArray(folder.place(file), folder.text(file), CASE_FIELDS))
-            cases.add(checked(fields, oneCase(fields, groups, shapes), topic));
-        return cases;
-    }
-
-    private static Case oneCase(JsonFields fields, List<String> groups, Shapes shapes) {
-        String name = name(fields);
-        boolean generated = fields.has("generate");
-        if (generated == fields.has("input"))
-            throw fields.wrong("", Phrase.of("field.either", "input", "generate"));
-        Disclosure visibility =
-                Disclosure.valueOf(
-                        constant(
-                                fields.word(
-                                        "visibility",
-                                        List.of(
-                                                "open",
-                                                "verdict-only",
-                                                "after-deadline",
-                                                "never"))));
-        if (generated && visibility == Disclosure.OPEN)
-            throw fields.wrong("visibility", Phrase.of("field.generated"));
-        return new Case(
-                name,
-                fields.has("title") ? titles(fields.object("title", "en", "ru")) : Map.of(),
-                fields.has("group") ? fields.word("group", groups) : name,
-                Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
-                visibility,
-                fields.integer("points", 0, Exercise.MOST_POINTS),
-                generated ? shapes.given(fields.object("generate")) : fields.json("input"),
-                generated);
-    }
-
     /** Lower-case words with hyphens. */
     static String name(JsonFields fields) {
         String name = fields.text("name");
@@ -213,30 +279,15 @@ final class ExerciseReader {
         return name;
     }
 
-    /** Reads the input as the runner will, so that a mistake shows before anybody submits. */
-    private static Case checked(JsonFields fields, Case one, TopicGrading topic) {
-        try {
-            topic.calls(one, new Tolerance(false), 0);
-            return one;
-        } catch (CatalogueException e) {
-            throw fields.wrong("", Phrase.of("field.unusable", e.said()));
-        }
-    }
-
-    private static String constant(String word) {
-        return word.toUpperCase(Locale.ROOT).replace('-', '_');
-    }
-
-    private void checkNames(List<Case> cases) {
-        Set<String> names = new HashSet<>();
-        for (Case one : cases)
-            if (!names.add(one.name())) throw wrong("cases", Phrase.of("field.twice", one.name()));
+    private void checkSums(List<Case> cases, PointPlan points) {
+        faults.checked(() -> checkSum(cases, Kind.ACCURACY, points.accuracy()));
+        faults.checked(() -> checkSum(cases, Kind.STABILITY, points.stability()));
     }
 
     private void checkSum(List<Case> cases, Kind kind, int planned) {
         int sum = cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
         if (sum != planned)
-            throw wrong("cases", Phrase.of("field.cases." + kindName(kind), sum, planned));
+            throw wrong(folder, "cases", Phrase.of("field.cases." + kindName(kind), sum, planned));
     }
 
     /** A right answer must not be stopped. */
@@ -247,10 +298,12 @@ final class ExerciseReader {
             for (TopicGrading.Call call : topic.calls(one, exercise.tolerance(), 0))
                 if (call.items() > most)
                     throw wrong(
-                            "caps.items", Phrase.of("field.caps", one.name(), call.items(), most));
+                            folder,
+                            "caps.items",
+                            Phrase.of("field.caps", one.name(), call.items(), most));
     }
 
-    private CatalogueException wrong(String field, Phrase reason) {
+    static CatalogueException wrong(ExerciseFolder folder, String field, Phrase reason) {
         return new CatalogueException(
                 Phrase.of(
                         "folder.at",

@@ -3,6 +3,7 @@ package rasterlab.exercises.catalogue;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import rasterlab.exercises.Exercise.Group;
@@ -12,21 +13,33 @@ import rasterlab.exercises.score.Phrase;
 
 /** Reads what the cases of an exercise ask for. */
 final class GroupReader {
-    private GroupReader() {}
+    private final Faults faults;
 
-    static List<Group> read(JsonFields exercise, TopicGrading topic) {
+    GroupReader(Faults faults) {
+        this.faults = faults;
+    }
+
+    /**
+     * @param topic empty where it is not known: then no mistake is looked at
+     */
+    List<Group> read(JsonFields exercise, Optional<TopicGrading> topic) {
         List<Group> groups = new ArrayList<>();
         Set<String> names = new HashSet<>();
-        for (JsonFields fields : exercise.objects("groups", "name", "title", "mistakes")) {
-            String name = ExerciseReader.name(fields);
-            if (!names.add(name)) throw fields.wrong("name", Phrase.of("field.group.twice", name));
-            groups.add(
-                    new Group(
-                            name,
-                            ExerciseReader.titles(fields.object("title", "en", "ru")),
-                            mistakes(fields, topic)));
-        }
+        List<JsonFields> objects =
+                faults.tried(() -> exercise.objects("groups", "name", "title", "mistakes"))
+                        .orElse(List.of());
+        for (JsonFields fields : objects)
+            faults.tried(() -> group(fields, names, topic)).ifPresent(groups::add);
         return groups;
+    }
+
+    private static Group group(JsonFields fields, Set<String> names, Optional<TopicGrading> topic) {
+        String name = ExerciseReader.name(fields);
+        if (!names.add(name)) throw fields.wrong("name", Phrase.of("field.group.twice", name));
+        return new Group(
+                name,
+                ExerciseReader.titles(fields.object("title", "en", "ru")),
+                topic.map(known -> mistakes(fields, known)).orElse(Set.of()));
     }
 
     private static Set<String> mistakes(JsonFields fields, TopicGrading topic) {

@@ -17,20 +17,20 @@ import javax.tools.JavaFileObject;
 import javax.tools.ToolProvider;
 
 /** Compiles one source against the contract, without annotation processing and without files. */
-final class Compiler {
+public final class Compiler {
     private final JavaCompiler javac = ToolProvider.getSystemJavaCompiler();
     private final String contractJar;
 
     /**
      * @param contractJar path of the only jar that the source may see
      */
-    Compiler(String contractJar) {
+    public Compiler(String contractJar) {
         this.contractJar = contractJar;
         if (javac == null) throw new IllegalStateException("this Java has no compiler: not a JDK");
     }
 
     /** The answer's status and payload, without the nonce. */
-    byte[] compile(String source) throws IOException {
+    public byte[] compile(String source) throws IOException {
         DiagnosticCollector<JavaFileObject> found = new DiagnosticCollector<>();
         MemoryFiles files =
                 new MemoryFiles(

@@ -84,7 +84,7 @@ final class KnownMistakes<C, I, O> {
             return demand.cut() ? Optional.of((O) reached.recorded()) : Optional.empty();
         } catch (IllegalArgumentException refused) {
             return Optional.empty();
-        } catch (RuntimeException broken) {
+        } catch (RuntimeException | StackOverflowError broken) {
             LOG.log(System.Logger.Level.DEBUG, "a known faulty method breaks down here", broken);
             return Optional.empty();
         }

@@ -37,8 +37,18 @@ final class Leaves {
 
     static <C, I, O> Leaves of(Format<C, I, O> format, I input, O output) {
         Leaves leaves = new Leaves();
-        leaves.add("", tree(json -> format.write(input, output, json)));
+        leaves.add("", tree(format, input, output));
         return leaves;
+    }
+
+    /** An output as {@code ./lab run} answers it; what is no number stands by its name. */
+    static <C, I, O> JsonNode tree(Format<C, I, O> format, I input, O output) {
+        return tree(json -> format.write(input, output, json));
+    }
+
+    /** An input as a tree. */
+    static <C, I> JsonNode tree(Format<C, I, ?> format, I input) {
+        return tree(json -> format.writeInput(input, json));
     }
 
     /** An input as {@code ./lab run} takes it. */

@@ -59,7 +59,7 @@ final class Template {
         }
         if (!node.isObject()) return node;
         if (node.has("any")) return oneOf(node.get("any"), random, named);
-        if (node.has("times")) return times(node, random, named);
+        if (node.has("times") && node.has("of")) return times(node, random, named);
         ObjectNode object = MAPPER.createObjectNode();
         node.properties().forEach(f -> object.set(f.getKey(), drawn(f.getValue(), random, named)));
         return object;
@@ -73,8 +73,7 @@ final class Template {
     private JsonNode times(JsonNode node, Random random, Map<String, Long> named) {
         JsonNode times = node.get("times");
         int count = times.canConvertToInt() && times.isIntegralNumber() ? times.intValue() : 0;
-        if (count < 1 || count > MOST_TIMES || !node.has("of"))
-            throw wrong("template.times", MOST_TIMES, node);
+        if (count < 1 || count > MOST_TIMES) throw wrong("template.times", MOST_TIMES, node);
         ArrayNode array = MAPPER.createArrayNode();
         for (int left = count; left > 0; left--) array.add(drawn(node.get("of"), random, named));
         return array;

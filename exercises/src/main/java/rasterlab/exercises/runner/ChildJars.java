@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.CompileMain;
 import rasterlab.exercises.child.RunMain;
 import rasterlab.exercises.child.Sheets;
@@ -62,8 +61,8 @@ final class ChildJars implements AutoCloseable {
 
     private static void fill(Path folder) throws IOException {
         Map<String, byte[]> contracts = new TreeMap<>();
-        for (TopicGrading topic : TopicGradings.all())
-            contracts.putAll(ClassFiles.closure(topic.contract(), CONTRACTS));
+        for (Class<?> contract : TopicGradings.contracts())
+            contracts.putAll(ClassFiles.closure(contract, CONTRACTS));
         for (Class<?> kind : Sheets.kinds()) contracts.putAll(ClassFiles.closure(kind, CONTRACTS));
         write(folder.resolve(CONTRACT), contracts);
         Map<String, byte[]> harness = new TreeMap<>();

@@ -3,7 +3,6 @@ package rasterlab.exercises.runner;
 import java.security.SecureRandom;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -41,6 +40,7 @@ final class GradingRun {
     private final Consumer<CaseReport> progress;
     private final ReportSheet sheet;
     private final SpeedMemory memory;
+    private final Models models;
     private boolean tried;
     private boolean again;
 
@@ -51,7 +51,8 @@ final class GradingRun {
             CaseSelection selection,
             Consumer<CaseReport> progress,
             ReportSheet sheet,
-            SpeedMemory memory) {
+            SpeedMemory memory,
+            Models models) {
         this.settings = settings;
         this.exercise = exercise;
         this.topic = TopicGradings.named(exercise.topic());
@@ -61,6 +62,7 @@ final class GradingRun {
         this.progress = progress;
         this.sheet = sheet;
         this.memory = memory;
+        this.models = models;
     }
 
     /**
@@ -89,34 +91,16 @@ final class GradingRun {
                         .check(compiled.classes(), name, source);
         if (!checked.refusals().isEmpty())
             return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
-        try (Student student =
-                        new Student(
-                                children,
-                                settings,
-                                contract,
-                                exercise.caps(),
-                                checked.entry(),
-                                compiled.classes(),
-                                again);
-                Student reference = reference(children)) {
-            return tried(student, reference);
+        try (Student student = student(checked.entry(), compiled.classes(), children)) {
+            return tried(student, children);
         }
     }
 
-    private Student reference(Children children) {
-        Class<?> method = topic.reference();
-        String own = method.getPackageName().replace('.', '/') + '/';
-        Map<String, byte[]> classes = new LinkedHashMap<>();
-        ClassFiles.closure(method, own)
-                .forEach(
-                        (resource, bytes) ->
-                                classes.put(
-                                        resource.replace(".class", "").replace('/', '.'), bytes));
-        return new Student(
-                children, settings, contract, exercise.caps(), method.getName(), classes, again);
+    private Student student(String entry, Map<String, byte[]> classes, Children children) {
+        return new Student(children, settings, contract, exercise.caps(), entry, classes, again);
     }
 
-    private Report tried(Student student, Student reference)
+    private Report tried(Student student, Children children)
             throws ChildLost, InterruptedException {
         CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student);
         Marking marking = new Marking(exercise);
@@ -133,7 +117,7 @@ final class GradingRun {
         SpeedTrial.Outcome speed =
                 student.over().isPresent() || !aboveFloor(reports)
                         ? SpeedTrial.Outcome.none(tooInaccurate())
-                        : speed(student, reference, cases.repeated(), marking);
+                        : speed(student, children, cases.repeated(), marking);
         CaseReport speedReport = report(speed);
         progress.accept(speedReport);
         List<Diagnostic> said = new ArrayList<>();
@@ -208,20 +192,15 @@ final class GradingRun {
 
     /** A method that is stopped while it is timed loses the points for speed only. */
     private SpeedTrial.Outcome speed(
-            Student student, Student reference, List<Call> before, Marking marking)
+            Student student, Children children, List<Call> before, Marking marking)
             throws ChildLost, InterruptedException {
         try {
-            return new SpeedTrial(
-                            contract,
-                            exercise.caps(),
-                            topic.timings(exercise, new SecureRandom(), marking.uncharged()),
-                            topic::inOwnWords,
-                            student,
-                            reference,
-                            before,
-                            marking.charged(),
-                            settings.patience())
-                    .measure();
+            Optional<Models.Model> model = models.of(exercise, topic, children, settings);
+            if (model.isEmpty()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
+            try (Student reference =
+                    student(model.get().entry(), model.get().classes(), children)) {
+                return measured(student, reference, before, marking);
+            }
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
             return SpeedTrial.Outcome.none(
@@ -229,5 +208,21 @@ final class GradingRun {
                             ? SpeedTrial.UNSETTLED
                             : Message.of(topic.inOwnWords("speed.stopped")).and(lost.said()));
         }
+    }
+
+    private SpeedTrial.Outcome measured(
+            Student student, Student reference, List<Call> before, Marking marking)
+            throws ChildLost, InterruptedException {
+        return new SpeedTrial(
+                        contract,
+                        exercise.caps(),
+                        topic.timings(exercise, new SecureRandom(), marking.uncharged()),
+                        topic::inOwnWords,
+                        student,
+                        reference,
+                        before,
+                        marking.charged(),
+                        settings.patience())
+                .measure();
     }
 }

@@ -31,6 +31,7 @@ public final class Judge implements Grading, AutoCloseable {
     private final Children children;
     private final SpeedMemory memory;
     private final Compiling compiling;
+    private final Models models = new Models();
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
 
@@ -129,7 +130,8 @@ public final class Judge implements Grading, AutoCloseable {
                             if (told.add(report.name())) progress.accept(report);
                         },
                         sheet,
-                        memory);
+                        memory,
+                        models);
         try {
             return withRetry(run, sheet);
         } finally {

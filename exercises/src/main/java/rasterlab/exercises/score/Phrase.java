@@ -19,6 +19,13 @@ public record Phrase(String key, List<Object> arguments) {
         return new Phrase(key, List.of(arguments));
     }
 
+    /** A message of one sentence; a longer one in English. */
+    public static Phrase of(Message message) {
+        if (message.sentences().size() != 1) return quoted(message.in("en"));
+        Message.Sentence one = message.sentences().get(0);
+        return new Phrase(one.key(), List.copyOf(one.arguments()));
+    }
+
     /** What somebody else says, in the language it is in. */
     public static Phrase quoted(String text) {
         return of("quoted", text);

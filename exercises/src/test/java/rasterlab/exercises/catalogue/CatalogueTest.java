@@ -162,9 +162,9 @@ class CatalogueTest {
     void anUnknownNameListsTheKnown() {
         Exception e =
                 assertThrows(
-                        IllegalArgumentException.class, () -> Catalogue.builtIn().named("circle"));
+                        IllegalArgumentException.class, () -> Catalogue.builtIn().named("square"));
         assertEquals(
-                "no exercise called 'circle'; there are " + String.join(", ", builtIn()),
+                "no exercise called 'square'; there are " + String.join(", ", builtIn()),
                 e.getMessage());
         assertTrue(builtIn().contains("line-bresenham"));
     }

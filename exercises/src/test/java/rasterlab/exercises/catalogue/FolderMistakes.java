@@ -45,7 +45,7 @@ final class FolderMistakes {
                         json,
                         "\"line\"",
                         "\"lines\"",
-                        "field 'topic' must be one of line, point-in-triangle, clip-segment, shade-face, got 'lines'"),
+                        "field 'topic' must be one of line, circle, ellipse, fill, "),
                 argumentSet(
                         "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
                 argumentSet(

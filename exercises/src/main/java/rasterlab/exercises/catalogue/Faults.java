@@ -1,0 +1,39 @@
+package rasterlab.exercises.catalogue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import rasterlab.exercises.CatalogueException;
+
+/** Keeps what is wrong in a folder, so that reading goes on to what is wrong elsewhere. */
+final class Faults {
+    private final List<CatalogueException> found = new ArrayList<>();
+
+    /** What is read; empty where it cannot be, which is kept. */
+    <T> Optional<T> tried(Supplier<T> reading) {
+        try {
+            return Optional.of(reading.get());
+        } catch (CatalogueException fault) {
+            found.add(fault);
+            return Optional.empty();
+        }
+    }
+
+    void checked(Runnable check) {
+        tried(
+                () -> {
+                    check.run();
+                    return true;
+                });
+    }
+
+    /** All, in the order in which they were found. */
+    List<CatalogueException> all() {
+        return List.copyOf(found);
+    }
+
+    void requireNone() {
+        if (!found.isEmpty()) throw found.get(0);
+    }
+}

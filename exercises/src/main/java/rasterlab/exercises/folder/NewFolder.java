@@ -1,0 +1,143 @@
+package rasterlab.exercises.folder;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.judging.InputJson;
+import rasterlab.exercises.topic.TopicGradings;
+
+/**
+ * Makes the files of an exercise to begin with: inputs from the topic's hazards, texts and sources
+ * with what is still to be written.
+ */
+public final class NewFolder {
+    private static final JsonMapper MAPPER = new JsonMapper();
+    private static final int ACCURACY = 75;
+    private static final int STABILITY = 15;
+    private static final int SPEED = 10;
+    private static final int MOST_OPEN = 3;
+    private static final int MOST_HIDDEN = 3;
+
+    private final Topic<?, ?, ?> topic;
+    private final TopicGrading grading;
+    private final List<String> hazards;
+
+    private NewFolder(String topic) {
+        this.topic = Topics.named(topic);
+        this.grading = TopicGradings.named(topic);
+        this.hazards = answered(this.topic);
+    }
+
+    /**
+     * Name to text of each file.
+     *
+     * @param topic one of {@link TopicGradings#names}
+     */
+    public static Map<String, String> files(String topic) {
+        return new NewFolder(topic).files();
+    }
+
+    private Map<String, String> files() {
+        Map<String, String> files = new LinkedHashMap<>();
+        files.put("exercise.json", exercise().toPrettyString() + "\n");
+        files.put("cases.json", open().toPrettyString() + "\n");
+        files.put("hidden-cases.json", hidden().toPrettyString() + "\n");
+        files.put("statement.en.md", NewTexts.english(grading.contract()));
+        files.put("statement.ru.md", NewTexts.russian(grading.contract()));
+        files.put("Starter.java", NewTexts.source(grading.contract(), "MyMethod"));
+        files.put("Model.java", NewTexts.source(grading.contract(), "Model"));
+        return files;
+    }
+
+    /** Names of the hazards that a right method answers. */
+    private static <I> List<String> answered(Topic<?, I, ?> topic) {
+        return topic.hazards().stream()
+                .filter(one -> one.recorded().containsValue(Verdict.Kind.EXACT))
+                .map(Hazard::name)
+                .toList();
+    }
+
+    private ObjectNode exercise() {
+        ObjectNode root = MAPPER.createObjectNode();
+        root.put("topic", topic.name());
+        root.set("title", both("TITLE", "НАЗВАНИЕ"));
+        root.set("tolerance", MAPPER.createObjectNode());
+        root.putObject("points")
+                .put("accuracy", ACCURACY)
+                .put("stability", STABILITY)
+                .put("speed", SPEED);
+        root.putObject("timed").put("count", 20).set("given", given());
+        root.putArray("groups")
+                .addObject()
+                .put("name", "ordinary")
+                .set("title", both("ordinary inputs", "обычные данные"));
+        root.putArray("cases").add("cases.json").add("hidden-cases.json");
+        root.put("model", "Model.java");
+        return root;
+    }
+
+    private static ObjectNode both(String english, String russian) {
+        return MAPPER.createObjectNode().put("en", english).put("ru", russian);
+    }
+
+    /** An input as JSON, whose numbers are to be made ranges. */
+    private JsonNode given() {
+        return hazards.stream()
+                .map(name -> InputJson.of(topic, name))
+                .filter(one -> !one.isEmpty())
+                .findFirst()
+                .orElse(MAPPER.createObjectNode());
+    }
+
+    private ArrayNode open() {
+        List<String> names = hazards.subList(0, Math.min(MOST_OPEN, hazards.size()));
+        return cases(names, "accuracy", "open", ACCURACY - hiddenAccuracy());
+    }
+
+    private int hiddenAccuracy() {
+        return ACCURACY / 2;
+    }
+
+    private ArrayNode hidden() {
+        int from = Math.min(MOST_OPEN, Math.max(0, hazards.size() - 1));
+        List<String> names = hazards.subList(from, Math.min(from + MOST_HIDDEN, hazards.size()));
+        ArrayNode cases = MAPPER.createArrayNode();
+        ObjectNode drawn = MAPPER.createObjectNode();
+        drawn.put("name", "random-inputs");
+        drawn.set("title", both("random inputs", "случайные данные"));
+        drawn.put("group", "ordinary")
+                .put("kind", "accuracy")
+                .put("visibility", "verdict-only")
+                .put("points", hiddenAccuracy());
+        drawn.putObject("generate").put("count", 1).set("given", given());
+        cases.add(drawn);
+        cases.addAll(cases(names, "stability", "verdict-only", STABILITY));
+        return cases;
+    }
+
+    private static ArrayNode cases(
+            List<String> hazards, String kind, String visibility, int points) {
+        ArrayNode cases = MAPPER.createArrayNode();
+        int left = points;
+        for (int i = 0; i < hazards.size(); i++) {
+            int share = left / (hazards.size() - i);
+            left -= share;
+            String name = visibility.equals("open") ? hazards.get(i) : "hidden-" + hazards.get(i);
+            ObjectNode one = cases.addObject();
+            one.put("name", name);
+            one.set("title", both(name.replace('-', ' '), "ВХОД " + name));
+            one.put("kind", kind).put("visibility", visibility).put("points", share);
+            one.putObject("input").put("hazard", hazards.get(i));
+        }
+        return cases;
+    }
+}

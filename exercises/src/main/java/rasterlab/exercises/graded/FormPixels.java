@@ -1,0 +1,54 @@
+package rasterlab.exercises.graded;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.stream.Stream;
+import rasterlab.engine.raster.Pixel;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelSet;
+import rasterlab.exercises.drawing.PixelPictures;
+import rasterlab.exercises.score.CasePicture;
+
+/**
+ * Draws the pixels of an answer as a grid: those it lists as {@code pixels}, or those of a {@code
+ * picture} that are not as they were given.
+ */
+final class FormPixels {
+    private final JsonNode input;
+
+    FormPixels(JsonNode input) {
+        this.input = input;
+    }
+
+    /** None where the answers have no pixels, or the same ones. */
+    List<CasePicture> pictures(JsonNode exact, JsonNode actual) {
+        PixelRecording right = pixels(exact);
+        PixelRecording mine = pixels(actual);
+        PixelDifference difference = PixelDifference.of(right, mine);
+        return Stream.of(difference.missing(), difference.extra())
+                .filter(set -> !set.isEmpty())
+                .findFirst()
+                .map(
+                        set ->
+                                PixelPictures.of(
+                                        difference, PixelSet.EMPTY, new Pixel(set.x(0), set.y(0))))
+                .orElse(List.of());
+    }
+
+    private PixelRecording pixels(JsonNode answer) {
+        var recording = new PixelRecording(Integer.MAX_VALUE);
+        for (JsonNode one : answer.path("pixels"))
+            recording.plot(one.get(0).asInt(), one.get(1).asInt());
+        JsonNode given = input.path("picture");
+        JsonNode picture = answer.path("picture");
+        for (int y = 0; y < Math.min(given.size(), picture.size()); y++)
+            plotChanged(y, given.get(y).asText(), picture.get(y).asText(), recording);
+        return recording;
+    }
+
+    private static void plotChanged(int y, String before, String after, PixelRecording into) {
+        for (int x = 0; x < Math.min(before.length(), after.length()); x++)
+            if (before.charAt(x) != after.charAt(x)) into.plot(x, y);
+    }
+}

@@ -1,0 +1,77 @@
+package rasterlab.exercises.proving;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.PointPlan;
+import rasterlab.exercises.score.Phrase;
+
+/**
+ * What was found about an exercise.
+ *
+ * @param seed drew the generated cases
+ * @param starter what the starter earns; empty where no judge was asked
+ * @param model what the model solution earns; empty where there is none, or no judge was asked
+ */
+public record Proof(
+        Exercise exercise,
+        long seed,
+        List<RightMethod> right,
+        List<Kill> kills,
+        Optional<SourcePoints> starter,
+        Optional<SourcePoints> model) {
+    /** Of 100: more means that the starter does part of the work. */
+    public static final int STARTER_AT_MOST = 10;
+
+    public Proof {
+        right = List.copyOf(right);
+        kills = List.copyOf(kills);
+    }
+
+    /** All that speaks against the exercise; nothing where it is proved. */
+    public List<Phrase> faults() {
+        List<Phrase> faults = new ArrayList<>();
+        if (right.stream().noneMatch(RightMethod::isFull)) faults.add(Phrase.of("proof.no-right"));
+        for (RightMethod one : right)
+            if (one.errs())
+                faults.add(Phrase.of("proof.right", one.name(), String.join(", ", one.failed())));
+        for (Kill one : kills) {
+            if (one.asked() && !one.isRejected())
+                faults.add(Phrase.of("proof.passes", one.mistake()));
+            else if (one.asked() && !one.isNamed())
+                faults.add(Phrase.of("proof.unnamed", one.mistake()));
+            if (!one.asked() && one.isRejected() && one.isNamed() && isListed(one))
+                faults.add(Phrase.of("proof.asked", one.mistake()));
+        }
+        starter.ifPresent(points -> addStarter(points, faults));
+        model.ifPresent(points -> addModel(points, faults));
+        return faults;
+    }
+
+    private boolean isListed(Kill one) {
+        return exercise.evidence().notAsked().contains(one.mistake());
+    }
+
+    private static void addStarter(SourcePoints starter, List<Phrase> faults) {
+        if (!starter.why().isEmpty())
+            faults.add(Phrase.of("proof.not-accepted", "Starter.java", starter.why()));
+        else if (starter.withoutSpeed() > STARTER_AT_MOST)
+            faults.add(Phrase.of("proof.starter", starter.withoutSpeed(), STARTER_AT_MOST));
+    }
+
+    private void addModel(SourcePoints model, List<Phrase> faults) {
+        PointPlan plan = exercise.points();
+        if (!model.why().isEmpty())
+            faults.add(Phrase.of("proof.not-accepted", "Model.java", model.why()));
+        else if (model.points().accuracy() < plan.accuracy()
+                || model.points().stability() < plan.stability())
+            faults.add(
+                    Phrase.of(
+                            "proof.model",
+                            model.points().accuracy(),
+                            plan.accuracy(),
+                            model.points().stability(),
+                            plan.stability()));
+    }
+}

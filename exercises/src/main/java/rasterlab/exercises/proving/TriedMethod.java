@@ -1,0 +1,132 @@
+package rasterlab.exercises.proving;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import rasterlab.engine.study.InputChanged;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Cause;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+
+/** Tries a method of this program on all cases, in this process, and keeps what came of them. */
+final class TriedMethod {
+    private static final String REFUSAL = IllegalArgumentException.class.getName();
+
+    private final Exercise exercise;
+    private final Marking marking;
+
+    private TriedMethod(Exercise exercise, Marking marking) {
+        this.exercise = exercise;
+        this.marking = marking;
+    }
+
+    /**
+     * @param method of the topic's contract
+     * @param seed draws the generated cases
+     */
+    static TriedMethod on(Exercise exercise, TopicGrading grading, Object method, long seed) {
+        Marking marking = new Marking(exercise);
+        for (Case one : exercise.cases()) {
+            List<TriedCall> calls = new ArrayList<>();
+            for (TopicGrading.Call call : grading.calls(one, exercise.tolerance(), seed))
+                calls.add(TriedCall.answered(call, answer(call, method)));
+            marking.put(TriedCase.tried(one, calls));
+        }
+        return new TriedMethod(exercise, marking);
+    }
+
+    private static Answer answer(TopicGrading.Call call, Object method) {
+        try {
+            return Answer.with(
+                    Answer.Ending.RETURNED, call.recorded(method, call.caps().items()), 1, "", "");
+        } catch (LimitReached reached) {
+            return Answer.with(Answer.Ending.CUT, reached.recorded(), 1, "", "");
+        } catch (InputChanged changed) {
+            return Answer.without(Answer.Ending.OVERWROTE, "", "", "");
+        } catch (RuntimeException | StackOverflowError thrown) {
+            return Answer.threw(thrown.getClass().getName(), "" + thrown.getMessage(), 0, "");
+        }
+    }
+
+    /** Names of the cases that pay nothing. */
+    List<String> failed() {
+        List<String> paying = marking.paying();
+        return exercise.cases().stream()
+                .map(Case::name)
+                .filter(name -> !paying.contains(name))
+                .toList();
+    }
+
+    int points(Kind kind) {
+        List<String> names =
+                exercise.cases().stream()
+                        .filter(one -> one.kind() == kind)
+                        .map(Case::name)
+                        .toList();
+        return marking.reports().stream()
+                .filter(one -> names.contains(one.name()))
+                .mapToInt(CaseReport::points)
+                .sum();
+    }
+
+    /**
+     * Names of the cases in which a wrong answer is told to be a mistake.
+     *
+     * @param codes by which the mistake may be told
+     */
+    List<String> naming(Set<String> codes) {
+        return marking.cases().stream()
+                .filter(one -> findings(one).anyMatch(finding -> isNamed(finding, codes)))
+                .map(one -> one.one().name())
+                .toList();
+    }
+
+    private static boolean isNamed(Finding finding, Set<String> codes) {
+        return finding.explanations().stream()
+                .flatMap(causes -> Cause.codes(causes).stream())
+                .anyMatch(codes::contains);
+    }
+
+    /** Whether it gave a wrong answer, so that its mistake could be told by that. */
+    boolean answeredWrong() {
+        return marking.cases().stream()
+                .flatMap(TriedMethod::findings)
+                .anyMatch(finding -> finding.verdict() == GradingVerdict.WRONG);
+    }
+
+    /** Names of the cases in which all that is not right is a refusal. */
+    List<String> refused() {
+        List<String> failed = failed();
+        return marking.cases().stream()
+                .filter(
+                        one ->
+                                one.calls().stream()
+                                        .filter(call -> !call.finding().right())
+                                        .allMatch(TriedMethod::isRefused))
+                .map(one -> one.one().name())
+                .filter(failed::contains)
+                .toList();
+    }
+
+    private static boolean isRefused(TriedCall call) {
+        return call.answer()
+                .filter(one -> one.ending() == Answer.Ending.THREW)
+                .filter(one -> one.exception().equals(REFUSAL))
+                .isPresent();
+    }
+
+    private static Stream<Finding> findings(TriedCase tried) {
+        return tried.calls().stream().map(TriedCall::finding).filter(one -> !one.right());
+    }
+}

@@ -1,0 +1,8 @@
+import rasterlab.contract.CircleRasterizer;
+import rasterlab.contract.Pixels;
+
+/** Draws a circle. So far it draws nothing. */
+public class MyCircle implements CircleRasterizer {
+    @Override
+    public void draw(int centreX, int centreY, int radius, Pixels out) {}
+}

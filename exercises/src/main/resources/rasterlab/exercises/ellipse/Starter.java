@@ -1,0 +1,8 @@
+import rasterlab.contract.EllipseRasterizer;
+import rasterlab.contract.Pixels;
+
+/** Draws an ellipse. So far it draws nothing. */
+public class MyEllipse implements EllipseRasterizer {
+    @Override
+    public void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {}
+}

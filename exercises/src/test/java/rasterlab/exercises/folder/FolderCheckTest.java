@@ -1,0 +1,124 @@
+package rasterlab.exercises.folder;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** All that is wrong in an exercise's folder is told at once, with file, place and reason. */
+class FolderCheckTest {
+    @TempDir Path parent;
+    private Path folder;
+
+    @BeforeEach
+    void begin() throws IOException {
+        folder = Files.createDirectory(parent.resolve("my-polygon"));
+        for (Map.Entry<String, String> file : NewFolder.files("point-in-polygon").entrySet())
+            Files.writeString(folder.resolve(file.getKey()), file.getValue());
+    }
+
+    private void change(String file, String from, String to) throws IOException {
+        String text = Files.readString(folder.resolve(file));
+        assertTrue(text.contains(from), text);
+        Files.writeString(folder.resolve(file), text.replace(from, to));
+    }
+
+    private List<String> faults() {
+        return FolderCheck.faults(folder).stream().map(one -> one.in("en")).toList();
+    }
+
+    @ParameterizedTest(name = "{2} is not told")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "exercise.json | \"accuracy\" : 75 | \"accuracy\" : 74 | must add up to 100",
+                "exercise.json | \"accuracy\" : 75 | \"accuracy\" : -5 | field 'accuracy' must be a whole number",
+                "exercise.json | \"topic\" : \"point-in-polygon\" | \"topic\" : \"points\" | field 'topic'",
+                "exercise.json | \"ru\" : \"НАЗВАНИЕ\" | \"de\" : \"TITEL\" | field 'title'",
+                "exercise.json | \"tolerance\" : { } | \"tolerance\" : {\"worst\": 1} | field 'unit' is missing",
+                "exercise.json | \"count\" : 20 | \"count\" : 0 | count",
+                "exercise.json | \"Model.java\" | \"None.java\" | None.java",
+                "exercise.json | \"tolerance\" | \"tolerances\" | field 'tolerances'",
+                "exercise.json | { | [ | is not JSON",
+                "cases.json | \"points\" : 12 | \"points\" : 11 | accuracy cases have 74",
+                "cases.json | \"points\" : 12 | \"points\" : 1.5 | 'points'",
+                "cases.json | no-corner-at-the-ray | last-edge | two cases are called 'last-edge'",
+                "cases.json | \"hazard\" : \"last-edge\" | \"hazard\" : \"none\" | hazard",
+                "cases.json | \"kind\" : \"accuracy\" | \"kind\" : \"speed\" | 'kind'",
+                "hidden-cases.json | \"group\" : \"ordinary\" | \"group\" : \"other\" | 'group'",
+                "statement.en.md | $x^2 + y^2 = r^2$ | $\\unheard{x}$ | statement.en.md: formula",
+                "Starter.java | return false | return 0 | Starter.java:7",
+                "Starter.java | public class | class | Starter.java",
+                "Model.java | return false | return new java.io.File(\"x\").exists() | Model.java:7"
+            })
+    void oneFaultIsTold(String file, String from, String to, String told) throws IOException {
+        change(file, from, to);
+        List<String> faults = faults();
+        assertTrue(faults.stream().anyMatch(one -> one.contains(told)), faults.toString());
+        assertTrue(faults.stream().allMatch(one -> one.contains("my-polygon")), faults.toString());
+    }
+
+    @ParameterizedTest(name = "that {0} is missing is not told")
+    @CsvSource({
+        "exercise.json",
+        "cases.json",
+        "statement.en.md",
+        "statement.ru.md",
+        "Starter.java",
+        "Model.java"
+    })
+    void aMissingFileIsTold(String file) throws IOException {
+        Files.delete(folder.resolve(file));
+        List<String> faults = faults();
+        assertEquals(1, faults.size(), faults.toString());
+        assertTrue(faults.get(0).contains(file), faults.toString());
+    }
+
+    @Test
+    @DisplayName("only the first of several faults is told")
+    void allFaultsAreToldAtOnce() throws IOException {
+        change("exercise.json", "\"accuracy\" : 75", "\"accuracy\" : 74");
+        change("exercise.json", "\"НАЗВАНИЕ\"", "\"\"");
+        change("cases.json", "\"hazard\" : \"last-edge\"", "\"hazard\" : \"none\"");
+        Files.delete(folder.resolve("statement.ru.md"));
+        Files.delete(folder.resolve("Starter.java"));
+        List<String> faults = faults();
+        assertEquals(5, faults.size(), faults.toString());
+    }
+
+    @Test
+    void theSourcesOfAReadableFolderAreBothLookedAt() throws IOException {
+        change("Starter.java", "return false", "return");
+        change("Model.java", "return false", "return");
+        change("statement.ru.md", "$x^2 + y^2 = r^2$", "$\\nothing$");
+        List<String> faults = faults();
+        assertEquals(3, faults.size(), faults.toString());
+    }
+
+    @Test
+    @DisplayName("a fault is told in English in Russian")
+    void faultsAreToldInRussian() throws IOException {
+        change("exercise.json", "\"accuracy\" : 75", "\"accuracy\" : 74");
+        String said = FolderCheck.faults(folder).get(0).in("ru");
+        assertTrue(said.contains("в сумме"), said);
+    }
+
+    @Test
+    void aMissingFolderIsTold() {
+        assertEquals(
+                List.of(parent.resolve("none") + ": no such folder"),
+                FolderCheck.faults(parent.resolve("none")).stream()
+                        .map(one -> one.in("en"))
+                        .toList());
+    }
+}

@@ -1,0 +1,31 @@
+package rasterlab.exercises.folder;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.topic.TopicGradings;
+
+/** The folder that an exercise begins with is one that the server takes, whatever the topic. */
+class NewFolderTest {
+    @TempDir Path parent;
+
+    static List<String> topics() {
+        return TopicGradings.names().stream().filter(topic -> !topic.equals("line")).toList();
+    }
+
+    @ParameterizedTest(name = "a new folder of topic {0} is not valid")
+    @MethodSource("topics")
+    void aNewFolderIsValid(String topic) throws IOException {
+        Path folder = Files.createDirectory(parent.resolve("new-one"));
+        for (Map.Entry<String, String> file : NewFolder.files(topic).entrySet())
+            Files.writeString(folder.resolve(file.getKey()), file.getValue());
+        assertEquals(List.of(), FolderCheck.faults(folder));
+    }
+}
