@@ -58,8 +58,9 @@ final class BreakRun {
 
     /**
      * @param sent a JSON object, or an array of them
+     * @throws ChildLost when the process that tries the methods failed: our fault
      */
-    Report run(String sent) throws InterruptedException {
+    Report run(String sent) throws ChildLost, InterruptedException {
         HandedInputs inputs;
         try {
             inputs = HandedInputs.of(exercise.topic(), sent, rules.inputs());
@@ -85,7 +86,7 @@ final class BreakRun {
     /**
      * @param number of the input, from 1; 0 for an only one
      */
-    private void tryOut(String input, int number) throws InterruptedException {
+    private void tryOut(String input, int number) throws ChildLost, InterruptedException {
         Message which = number == 0 ? Message.NONE : Message.of("break.by", number);
         List<String> names = exercise.cases().stream().map(Case::name).toList();
         if (child == null)
@@ -98,8 +99,10 @@ final class BreakRun {
         } catch (ChildLost lost) {
             child.close();
             child = null;
-            if (lost.reason() != ChildLost.Reason.TIME && lost.reason() != ChildLost.Reason.MEMORY)
-                throw new IllegalStateException(lost);
+            boolean large =
+                    lost.reason() == ChildLost.Reason.TIME
+                            || lost.reason() == ChildLost.Reason.MEMORY;
+            if (!large || lost.isIdle()) throw lost;
             said.add(new Diagnostic(0, 0, Message.of("break.too-large").and(which)));
         }
     }

@@ -113,27 +113,22 @@ public final class Judge implements Grading, AutoCloseable {
             Exercise exercise, String sent, CaseSelection cases, Consumer<CaseReport> progress)
             throws InterruptedException {
         String source = SourceText.withoutMark(sent);
-        if (exercise.breaking().isPresent())
-            return new BreakRun(settings, exercise, launcher, progress).run(source);
         ReportSheet sheet = new ReportSheet(exercise, cases, isolation().name());
+        Set<String> told = new HashSet<>();
+        Consumer<CaseReport> once =
+                report -> {
+                    if (told.add(report.name())) progress.accept(report);
+                };
+        if (exercise.breaking().isPresent())
+            return withRetry(
+                    () -> new BreakRun(settings, exercise, launcher, once).run(source), sheet);
         var fault = SourceText.faultOf(source);
         if (fault.isPresent())
             return sheet.rejected(fault.get().verdict(), List.of(fault.get().diagnostic()));
-        Set<String> told = new HashSet<>();
         GradingRun run =
-                new GradingRun(
-                        settings,
-                        exercise,
-                        source,
-                        cases,
-                        report -> {
-                            if (told.add(report.name())) progress.accept(report);
-                        },
-                        sheet,
-                        memory,
-                        models);
+                new GradingRun(settings, exercise, source, cases, once, sheet, memory, models);
         try {
-            return withRetry(run, sheet);
+            return withRetry(() -> run.run(children, compiling), sheet);
         } finally {
             refill();
         }
@@ -148,11 +143,16 @@ public final class Judge implements Grading, AutoCloseable {
         }
     }
 
-    private Report withRetry(GradingRun run, ReportSheet sheet) throws InterruptedException {
+    /** One try to grade. */
+    private interface Attempt {
+        Report report() throws ChildLost, InterruptedException;
+    }
+
+    private Report withRetry(Attempt attempt, ReportSheet sheet) throws InterruptedException {
         Message reason = Message.NONE;
         for (int left = TRIES; left > 0; left--) {
             try {
-                return run.run(children, compiling);
+                return attempt.report();
             } catch (ChildLost lost) {
                 reason = Message.of("internal.child").and(lost.said());
             } catch (UncheckedIOException cannotStart) {
