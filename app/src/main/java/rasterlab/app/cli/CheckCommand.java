@@ -23,12 +23,13 @@ import rasterlab.exercises.score.Report;
         mixinStandardHelpOptions = true,
         description = {
             "Says what the grading server would say to a solution: public cases only.",
-            "A failed case is drawn as text: # right, + extra, - missing pixels."
+            "A failed case is drawn as text: # right, + extra, - missing pixels.",
+            "An exercise of kind break takes JSON inputs, on which it tries the faulty methods."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:every public case is right",
-            "1:a case is not right, or the source was not accepted",
+            "1:a case is not right, or what was handed in was not accepted",
             "2:no such exercise, or the file cannot be read, or pictures cannot be written",
         },
         footer = {"", "Example: ./lab check line-bresenham Bresenham.java"})
@@ -38,7 +39,10 @@ final class CheckCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "EXERCISE", description = "such as line-bresenham")
     private String exercise;
 
-    @Parameters(index = "1", paramLabel = "FILE", description = "your Java source")
+    @Parameters(
+            index = "1",
+            paramLabel = "FILE",
+            description = "your Java source; for an exercise of kind break your inputs as JSON")
     private Path file;
 
     @Option(

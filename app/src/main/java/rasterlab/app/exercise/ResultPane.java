@@ -19,6 +19,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
 
@@ -72,8 +73,6 @@ final class ResultPane extends JPanel {
         open = Controls.button("open", texts, () -> openChosen(onFailure));
         reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
         guide.getAccessibleContext().setAccessibleName(texts.text("guide.name"));
-        guide.setText(texts.text("guide"));
-        guide.setCaretPosition(0);
         guideScroll.setBorder(null);
         guideScroll.setName("guide.scroll");
         head = new ResultHead(texts, cancel);
@@ -123,6 +122,11 @@ final class ResultPane extends JPanel {
                 new Dimension(viewLabel.getPreferredSize().width, view.getPreferredSize().height));
     }
 
+    private void showGuide(Exercise.Form form) {
+        guide.setText(texts.text(form == Exercise.Form.BREAK ? "guide.break" : "guide"));
+        guide.setCaretPosition(0);
+    }
+
     /**
      * @param untried what is shown before there is a result
      */
@@ -133,6 +137,7 @@ final class ResultPane extends JPanel {
         boolean another = !state.exercise().id().equals(exercise);
         boolean other = another || !outcome.equals(shown);
         boolean begins = !another && outcome.isEmpty();
+        if (another) showGuide(state.exercise().form());
         exercise = state.exercise().id();
         shown = outcome;
         Optional<String> chosen = toChoose(begins);

@@ -27,6 +27,8 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
@@ -83,6 +85,36 @@ class ResultGuideTest {
                     show(made.get(), Work.NONE, Optional.of(outcome(GradingVerdict.OK)));
                     assertFalse(named(made.get(), "guide.scroll").isVisible(), "still there");
                     assertTrue(named(made.get(), "case.picture").isVisible());
+                    made.get().close();
+                });
+    }
+
+    @ParameterizedTest(name = "speaks of a program where inputs are handed in: {0}, type of {1}")
+    @CsvSource({
+        "ENGLISH, 14, 780, 340, compiles",
+        "RUSSIAN, 14, 780, 340, компилирует",
+        "RUSSIAN, 19, 1200, 560, компилирует"
+    })
+    void saysThatInputsAreHandedInWhereMethodsAreToBeBroken(
+            Language language, double type, int width, int height, String compiles)
+            throws Exception {
+        Exercise breaking = Catalogue.builtIn().named("break-line");
+        var made = new AtomicReference<ResultPane>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    ShownResult.install(LabTheme.LIGHT, type);
+                    made.set(pane(language, FAILURES::add));
+                    show(made.get(), breaking, Work.NONE, Optional.empty());
+                });
+        OffscreenPainter.paint(made.get(), width, height);
+        EventQueue.invokeAndWait(
+                () -> {
+                    assertWhole(made.get(), language);
+                    var guide = (JTextArea) named(made.get(), "guide");
+                    assertTrue(guide.getText().contains("JSON"), guide.getText());
+                    assertFalse(guide.getText().contains(compiles), guide.getText());
+                    show(made.get(), Work.NONE, Optional.empty());
+                    assertTrue(guide.getText().contains(compiles), guide.getText());
                     made.get().close();
                 });
     }

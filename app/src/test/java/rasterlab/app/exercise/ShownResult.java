@@ -66,10 +66,14 @@ final class ShownResult {
     }
 
     static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {
+        show(pane, EXERCISE, work, outcome);
+    }
+
+    static void show(ResultPane pane, Exercise exercise, Work work, Optional<Outcome> outcome) {
         pane.show(
                 new ExerciseState(
-                        EXERCISE,
-                        EXERCISE.starter(),
+                        exercise,
+                        exercise.starter(),
                         List.of(),
                         outcome,
                         work,
@@ -77,7 +81,7 @@ final class ShownResult {
                         Notice.NONE,
                         Optional.empty(),
                         JoinAnswer.NONE),
-                TriedCase.untried(EXERCISE));
+                TriedCase.untried(exercise));
     }
 
     /** No points, every case judged alike. */
