@@ -1,6 +1,7 @@
 package rasterlab.app.line;
 
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.Misfit;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.json.JsonFields;
@@ -17,6 +18,10 @@ public final class LineInput {
     public static Segment read(String json) {
         var format = new LineTopic().format();
         String[] known = format.input().stream().map(Field::name).toArray(String[]::new);
-        return JsonFields.parse("input", json, known).input(format);
+        try {
+            return JsonFields.parse("input", json, known).input(format);
+        } catch (Misfit misfit) {
+            throw new IllegalArgumentException(misfit.reason(), misfit);
+        }
     }
 }
