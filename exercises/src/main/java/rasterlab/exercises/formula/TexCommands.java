@@ -38,6 +38,11 @@ final class TexCommands {
 
     private static final Set<String> ESCAPED = words("{ } | # $ % & _");
 
+    static {
+        // the library knows its macros only once its formulas are loaded
+        new TeXFormula();
+    }
+
     private TexCommands() {}
 
     private static Set<String> words(String text) {
