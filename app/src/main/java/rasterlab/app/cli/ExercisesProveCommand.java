@@ -68,10 +68,7 @@ final class ExercisesProveCommand implements Callable<Integer> {
 
     private List<Exercise> chosen() {
         Catalogue catalogue = exercises.catalogue(console);
-        if (ids.isEmpty())
-            return catalogue.all().stream()
-                    .filter(one -> one.form() == Exercise.Form.WRITE)
-                    .toList();
+        if (ids.isEmpty()) return catalogue.all();
         return ids.stream().map(id -> ExercisesOption.named(id, catalogue)).toList();
     }
 

@@ -24,6 +24,9 @@ public record Proof(
     /** Of 100: more means that the starter does part of the work. */
     public static final int STARTER_AT_MOST = 10;
 
+    /** The same of one that is an input: any input shows some mistakes. */
+    public static final int STARTING_INPUT_AT_MOST = 50;
+
     public Proof {
         right = List.copyOf(right);
         kills = List.copyOf(kills);
@@ -44,7 +47,9 @@ public record Proof(
             if (!one.asked() && one.isRejected() && one.isNamed() && isListed(one))
                 faults.add(Phrase.of("proof.asked", one.mistake()));
         }
-        starter.ifPresent(points -> addStarter(points, faults));
+        int most =
+                exercise.form() == Exercise.Form.BREAK ? STARTING_INPUT_AT_MOST : STARTER_AT_MOST;
+        starter.ifPresent(points -> addStarter(points, most, faults));
         model.ifPresent(points -> addModel(points, faults));
         return faults;
     }
@@ -53,11 +58,15 @@ public record Proof(
         return exercise.evidence().notAsked().contains(one.mistake());
     }
 
-    private static void addStarter(SourcePoints starter, List<Phrase> faults) {
+    private void addStarter(SourcePoints starter, int most, List<Phrase> faults) {
         if (!starter.why().isEmpty())
-            faults.add(Phrase.of("proof.not-accepted", "Starter.java", starter.why()));
-        else if (starter.withoutSpeed() > STARTER_AT_MOST)
-            faults.add(Phrase.of("proof.starter", starter.withoutSpeed(), STARTER_AT_MOST));
+            faults.add(
+                    Phrase.of(
+                            "proof.not-accepted",
+                            "Starter." + exercise.form().ending(),
+                            starter.why()));
+        else if (starter.withoutSpeed() > most)
+            faults.add(Phrase.of("proof.starter", starter.withoutSpeed(), most));
     }
 
     private void addModel(SourcePoints model, List<Phrase> faults) {

@@ -38,6 +38,7 @@ public final class Proving {
 
     /** The proof without the exercise's sources. */
     public static Proof of(Exercise exercise, long seed) {
+        if (exercise.form() == Exercise.Form.BREAK) return BreakProving.of(exercise, seed);
         Proving proving = new Proving(exercise, seed);
         return new Proof(
                 exercise,
