@@ -19,7 +19,7 @@ import rasterlab.engine.study.Verdict;
 class VandalTest {
     private static final Duration AMPLE = Duration.ofMinutes(2);
 
-    /** What is in them before does not matter. */
+    /** Topics whose contracts hand out arrays to fill, in which nothing is read before. */
     private static final Set<String> WITH_ARRAYS_TO_FILL = Set.of("depth-buffer");
 
     /** Their contracts hand out numbers and values of numbers. */

@@ -208,12 +208,12 @@ public record Exercise(
         /** The least processor time that a system tells apart well enough. */
         public static final double LEAST_SECONDS = 0.05;
 
-        /** As much as all calls together may take. */
+        /** The most that can be stated: all calls together may take no more. */
         public static final double MOST_SECONDS = 8;
     }
 
     /**
-     * What an exercise is proved by; kept from students.
+     * Holds what an exercise is proved by; students do not see it.
      *
      * @param model source of a right program, as plain as a student writes it
      * @param notAsked faulty methods and mutants of the topic whose mistake no case asks for
@@ -305,7 +305,7 @@ public record Exercise(
         }
     }
 
-    /** What a student does. */
+    /** The task of a student, which decides what is handed in. */
     public enum Form {
         /** Writes a method, in Java. */
         WRITE("java", "text/x-java-source"),
@@ -337,7 +337,7 @@ public record Exercise(
     }
 
     /**
-     * What is asked of inputs on which faulty methods fail.
+     * The rules for inputs on which faulty methods fail.
      *
      * @param inputs the most that may be handed in together, from 1
      * @param sizePoints for small ones; the faulty methods share the rest

@@ -32,7 +32,7 @@ public final class CommandInput implements ValueSink {
         return of(out -> format.writeInput(input, out));
     }
 
-    /** Those fields as one JSON object, whose zeros have no sign. */
+    /** Writes those fields as one JSON object, whose zeros have no sign. */
     public static String of(Written fields) {
         return new CommandInput(false).object(fields);
     }

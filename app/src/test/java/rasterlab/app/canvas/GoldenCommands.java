@@ -23,7 +23,7 @@ public final class GoldenCommands {
     /** A number that is not whole, since its digits differ between versions of Java. */
     private static final Pattern FRACTION = Pattern.compile("-?\\d+\\.\\d+(?:E-?\\d+)?");
 
-    /** Of a longer command its checksum is kept. */
+    /** The most characters of a command that is kept whole; of a longer one the checksum is. */
     private static final int WHOLE = 400;
 
     private GoldenCommands() {}

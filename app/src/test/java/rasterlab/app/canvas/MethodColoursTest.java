@@ -47,7 +47,7 @@ class MethodColoursTest {
                     Renderer.visibilities(), LabRooms.card("hidden-surfaces").colours());
         }
 
-        /** As many without colours of their own as the palette has. */
+        /** Makes as many methods without colours of their own as the palette has colours. */
         static Together palette() {
             return new Together(
                     IntStream.range(0, 17).mapToObj(i -> "method " + i).toList(),

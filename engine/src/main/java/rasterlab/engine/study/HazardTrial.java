@@ -87,14 +87,13 @@ public final class HazardTrial {
     }
 
     /**
-     * What methods do with {@code input}, whose right answer is worked out once for all of them.
+     * Judges methods on {@code input}, whose right answer is worked out once for all of them.
      *
      * @param wallLimit the longest each may take
      */
     public static <C, I, O> Function<Method<C>, Verdict> judging(
             Topic<C, I, O> topic, I input, Duration wallLimit) {
-        Answer<O> answer = Answer.to(topic, input);
-        return method -> judge(topic, method, input, answer, wallLimit);
+        return trying(topic, input, wallLimit).andThen(Tried::verdict);
     }
 
     /**
@@ -108,11 +107,11 @@ public final class HazardTrial {
     }
 
     /**
-     * The same for many methods, for which the exact answer is worked out once.
+     * Tries methods on {@code input}, whose right answer is worked out once for all of them.
      *
      * @param wallLimit the longest each may take
      */
-    public static <C, I, O> Function<Method<C>, Tried<O>> on(
+    public static <C, I, O> Function<Method<C>, Tried<O>> trying(
             Topic<C, I, O> topic, I input, Duration wallLimit) {
         Answer<O> answer = Answer.to(topic, input);
         return method -> tried(topic, method, input, answer, wallLimit);

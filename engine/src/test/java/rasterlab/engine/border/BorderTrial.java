@@ -9,20 +9,12 @@ import rasterlab.engine.study.Method;
 
 /** Tries every method of a topic that promises to be right on inputs made of border numbers. */
 final class BorderTrial<C, I, O> {
-    /** A promise without exception, or within the range that the rest of the text states. */
-    private static final String PROMISE = "none known";
-
     private final Border<C, I, O> border;
     private int inputs;
     private int answers;
 
     BorderTrial(Border<C, I, O> border) {
         this.border = border;
-    }
-
-    /** Whether the method says that it fails nowhere, or nowhere in its range. */
-    static boolean promises(Method<?> method) {
-        return method.about().failures().startsWith(PROMISE);
     }
 
     /** The right answer of one input, cut as a topic cuts it. */
@@ -35,7 +27,8 @@ final class BorderTrial<C, I, O> {
      */
     List<String> failures(long seed, int count) {
         var methods = new ArrayList<Method<C>>();
-        for (Method<C> method : border.topic().methods()) if (promises(method)) methods.add(method);
+        for (Method<C> method : border.topic().methods())
+            if (method.promisesToBeRight()) methods.add(method);
         var found = new ArrayList<String>();
         for (long at = seed; at < seed + count && !methods.isEmpty(); at++) {
             Draws draws = Draws.random(at);
@@ -59,7 +52,8 @@ final class BorderTrial<C, I, O> {
 
     /** Whether half of the inputs and a quarter of the answers were there to be judged at all. */
     boolean meant(int count) {
-        long promising = border.topic().methods().stream().filter(BorderTrial::promises).count();
+        long promising =
+                border.topic().methods().stream().filter(Method::promisesToBeRight).count();
         return 2L * inputs >= count && 4L * answers >= inputs * promising;
     }
 

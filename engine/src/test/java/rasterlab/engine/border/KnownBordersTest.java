@@ -62,7 +62,7 @@ class KnownBordersTest {
     }
 
     private static <C> List<Method<C>> promising(List<Method<C>> methods) {
-        return methods.stream().filter(BorderTrial::promises).toList();
+        return methods.stream().filter(Method::promisesToBeRight).toList();
     }
 
     private static Arguments clip(

@@ -36,6 +36,8 @@ public final class MethodsOnInput<C, I, O> {
 
     private final Topic<C, I, O> topic;
     private final I input;
+
+    /** Made when the first method is tried: the exact answer may take long. */
     private Function<Method<C>, HazardTrial.Tried<O>> trial;
 
     private MethodsOnInput(Topic<C, I, O> topic, I input) {
@@ -132,8 +134,8 @@ public final class MethodsOnInput<C, I, O> {
     }
 
     private Tried tried(String name, C implementation) {
-        var tried =
-                HazardTrial.tried(topic, new Method<>(name, NOTHING, implementation), input, LIMIT);
+        if (trial == null) trial = HazardTrial.trying(topic, input, LIMIT);
+        HazardTrial.Tried<O> tried = trial.apply(new Method<>(name, NOTHING, implementation));
         Verdict verdict = tried.verdict();
         Message said =
                 switch (verdict.kind()) {

@@ -20,7 +20,7 @@ import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Tries a method of this program on all cases, in this process, and keeps what came of them. */
-final class TriedMethod {
+public final class TriedMethod {
     private static final String REFUSAL = IllegalArgumentException.class.getName();
 
     private final Exercise exercise;
@@ -32,10 +32,13 @@ final class TriedMethod {
     }
 
     /**
+     * Tries a method on the exercise's cases.
+     *
      * @param method of the topic's contract
      * @param seed draws the generated cases
      */
-    static TriedMethod on(Exercise exercise, TopicGrading grading, Object method, long seed) {
+    public static TriedMethod on(
+            Exercise exercise, TopicGrading grading, Object method, long seed) {
         Marking marking = new Marking(exercise);
         for (Case one : exercise.cases()) {
             List<TriedCall> calls = new ArrayList<>();
@@ -46,7 +49,8 @@ final class TriedMethod {
         return new TriedMethod(exercise, marking);
     }
 
-    private static Answer answer(TopicGrading.Call call, Object method) {
+    /** What a method of this program answers, or how it ends. */
+    public static Answer answer(TopicGrading.Call call, Object method) {
         try {
             return Answer.with(
                     Answer.Ending.RETURNED, call.recorded(method, call.caps().items()), 1, "", "");
@@ -57,6 +61,11 @@ final class TriedMethod {
         } catch (RuntimeException | StackOverflowError thrown) {
             return Answer.threw(thrown.getClass().getName(), "" + thrown.getMessage(), 0, "");
         }
+    }
+
+    /** All that came of the cases, and what they pay. */
+    public Marking marking() {
+        return marking;
     }
 
     /** Names of the cases that pay nothing. */

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -14,8 +13,6 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.Topics;
-import rasterlab.engine.study.InputChanged;
-import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
@@ -25,8 +22,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
-import rasterlab.exercises.marking.TriedCase;
-import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -76,7 +72,9 @@ class TopicExercisesTest {
                 JsonNode scene = new JsonMapper().readTree(call.scene());
                 String name = scene.get("method").asText();
                 Object method = topic.method(name).implementation();
-                assertTrue(call.check(answer(call, method)).right(), one.name() + ": " + name);
+                assertTrue(
+                        call.check(TriedMethod.answer(call, method)).right(),
+                        one.name() + ": " + name);
             }
     }
 
@@ -104,27 +102,7 @@ class TopicExercisesTest {
     private static Tried tried(String id, Object method, long seed) {
         Exercise exercise = Catalogue.builtIn().named(id);
         TopicGrading grading = TopicGradings.named(exercise.topic());
-        Marking marking = new Marking(exercise);
-        for (Case one : exercise.cases()) {
-            List<TriedCall> calls = new ArrayList<>();
-            for (TopicGrading.Call call : grading.calls(one, exercise.tolerance(), seed))
-                calls.add(TriedCall.answered(call, answer(call, method)));
-            marking.put(TriedCase.tried(one, calls));
-        }
-        return new Tried(exercise, marking);
-    }
-
-    private static Answer answer(TopicGrading.Call call, Object method) {
-        try {
-            return Answer.with(
-                    Answer.Ending.RETURNED, call.recorded(method, call.caps().items()), 1, "", "");
-        } catch (LimitReached reached) {
-            return Answer.with(Answer.Ending.CUT, reached.recorded(), 1, "", "");
-        } catch (InputChanged changed) {
-            return Answer.without(Answer.Ending.OVERWROTE, "", "", "");
-        } catch (RuntimeException thrown) {
-            return Answer.threw(thrown.getClass().getName(), "" + thrown.getMessage(), 0, "");
-        }
+        return new Tried(exercise, TriedMethod.on(exercise, grading, method, seed).marking());
     }
 
     private static Object reference(String id) throws ReflectiveOperationException {

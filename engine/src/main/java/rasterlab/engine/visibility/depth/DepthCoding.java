@@ -46,7 +46,7 @@ public interface DepthCoding extends DepthFormat {
          */
         void row(double base, double perPixel, int from, int to, int[] codes);
 
-        /** What the buffer holds for a code: a whole number or a float. */
+        /** Returns the number that the buffer holds for a code: a whole one or a float. */
         double stored(int code);
 
         /** The depth z that a code stands for; infinite at a far plane that is. */
