@@ -4,10 +4,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import rasterlab.exercises.score.Phrase;
 
-/** A picture of a statement, in its file's own form. */
+/** A picture of a statement: a file as it is, or one that is drawn by what a file tells. */
 public final class Picture {
     /** What a picture's file can be. */
     public enum Form {
@@ -47,11 +48,26 @@ public final class Picture {
     };
 
     private final Form form;
-    private final byte[] content;
+    private final String file;
+    private final byte[] kept;
+    private final Supplier<byte[]> content;
 
-    private Picture(Form form, byte[] content) {
+    private Picture(Form form, String file, byte[] kept, Supplier<byte[]> content) {
         this.form = form;
-        this.content = content.clone();
+        this.file = file;
+        this.kept = kept;
+        this.content = content;
+    }
+
+    /**
+     * A picture that is drawn when it is asked for first.
+     *
+     * @param file name of the file that tells what is drawn
+     * @param kept its content
+     * @param png draws it
+     */
+    public static Picture drawn(String file, byte[] kept, Supplier<byte[]> png) {
+        return new Picture(Form.PNG, file, kept.clone(), new Once(png));
     }
 
     /** The endings of files that can be pictures. */
@@ -75,15 +91,41 @@ public final class Picture {
                                                         file)));
         if (!form.begins(content))
             throw new CatalogueException(Phrase.of("picture.form", file, form));
-        return new Picture(form, content);
+        byte[] own = content.clone();
+        return new Picture(form, file, own, () -> own);
     }
 
     public Form form() {
         return form;
     }
 
-    /** A copy of the file. */
+    /** A copy of what is shown. */
     public byte[] content() {
-        return content.clone();
+        return content.get().clone();
+    }
+
+    /** Name of the file in the exercise's folder that it comes from. */
+    public String file() {
+        return file;
+    }
+
+    /** A copy of that file. */
+    public byte[] kept() {
+        return kept.clone();
+    }
+
+    private static final class Once implements Supplier<byte[]> {
+        private final Supplier<byte[]> make;
+        private byte[] made;
+
+        Once(Supplier<byte[]> make) {
+            this.make = make;
+        }
+
+        @Override
+        public synchronized byte[] get() {
+            if (made == null) made = make.get();
+            return made;
+        }
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.exercises;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
@@ -126,6 +127,12 @@ public interface TopicGrading {
         default boolean isRightWith(String mistake) {
             return true;
         }
+
+        /** The input as {@code ./lab run} takes it. */
+        JsonNode input();
+
+        /** The right answer as {@code ./lab run} gives it. */
+        JsonNode exact();
 
         /** The input in words, as an example of where a cause is seen. */
         Message example();

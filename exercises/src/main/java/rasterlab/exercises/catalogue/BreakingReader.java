@@ -74,7 +74,7 @@ final class BreakingReader {
                 topic,
                 ExerciseReader.titles(fields.object("title", "en", "ru")),
                 statements,
-                new StatementPictures(folder).read(statements),
+                new StatementPictures(folder, topic).read(statements),
                 folder.text(STARTER),
                 Revision.of(folder.read()),
                 new Tolerance(false),

@@ -45,7 +45,7 @@ public final class Catalogue {
         Map<String, byte[]> files() {
             Exercise read = exercise();
             Map<String, byte[]> files = new TreeMap<>(folder.read());
-            read.pictures().forEach((name, picture) -> files.put(name, picture.content()));
+            read.pictures().values().forEach(one -> files.put(one.file(), one.kept()));
             return files;
         }
     }

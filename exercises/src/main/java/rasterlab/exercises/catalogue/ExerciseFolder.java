@@ -94,6 +94,15 @@ final class ExerciseFolder {
         return bytes(file);
     }
 
+    /** Whether there is such a file that can be opened; what opens it tells why there is none. */
+    boolean has(String file) {
+        try (InputStream in = opener.open(file)) {
+            return in != null;
+        } catch (IOException | CatalogueException none) {
+            return false;
+        }
+    }
+
     private byte[] bytes(String file) {
         try (InputStream in = opener.open(file)) {
             byte[] bytes = in.readNBytes(MOST_BYTES + 1);

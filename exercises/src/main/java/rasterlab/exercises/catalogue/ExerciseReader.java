@@ -122,7 +122,13 @@ final class ExerciseReader {
         if (before == faults.all().size()) points.ifPresent(plan -> checkSums(cases, plan));
         Map<String, String> statements = statements();
         var titles = faults.tried(() -> titles(fields.object("title", "en", "ru")));
-        var pictures = faults.tried(() -> new StatementPictures(folder).read(statements));
+        var pictures =
+                topic.flatMap(
+                        one ->
+                                faults.tried(
+                                        () ->
+                                                new StatementPictures(folder, one.name())
+                                                        .read(statements)));
         var starter = faults.tried(() -> folder.text("Starter.java"));
         var tolerance =
                 topic.flatMap(one -> faults.tried(() -> tolerance(tolerances(fields), one)));

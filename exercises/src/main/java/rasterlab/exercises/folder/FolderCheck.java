@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Picture;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.formula.FormulaFaults;
 import rasterlab.exercises.runner.SourceCheck;
@@ -33,6 +34,7 @@ public final class FolderCheck {
         Catalogue.Reading read = Catalogue.read(folder);
         read.faults().stream().map(CatalogueException::said).forEach(check.faults::add);
         read.exercise().ifPresent(check::checkFormulas);
+        read.exercise().ifPresent(check::checkPictures);
         read.exercise()
                 .filter(one -> one.form() == Exercise.Form.WRITE)
                 .ifPresent(check::checkSources);
@@ -52,6 +54,19 @@ public final class FolderCheck {
                                                 one.source(),
                                                 Phrase.of(one.mistake())));
                         });
+    }
+
+    /** Draws the pictures that are drawn, for an input may have no right answer. */
+    private void checkPictures(Exercise exercise) {
+        for (Picture one : exercise.pictures().values())
+            try {
+                one.content();
+            } catch (IllegalArgumentException refused) {
+                add(
+                        one.file(),
+                        Phrase.of(
+                                "picture.broken", one.file(), Phrase.quoted(refused.getMessage())));
+            }
     }
 
     private void checkSources(Exercise exercise) {

@@ -29,6 +29,7 @@ final class FormFigures {
         else polygon(window).ifPresent(given::add);
         for (String shape : List.of("polygon", "triangle"))
             polygon(input.path(shape)).ifPresent(given::add);
+        segments(input.path("segments"), given);
         if (!input.has("inside")) points(input.path("points"), given);
         return given;
     }
@@ -38,12 +39,19 @@ final class FormFigures {
         List<PlaneFigure> figures = new ArrayList<>();
         for (JsonNode one : answer.path("polygons")) polygon(one).ifPresent(figures::add);
         for (JsonNode one : answer.path("triangles")) triangle(one).ifPresent(figures::add);
+        segments(answer.path("segments"), figures);
         points(answer.path("points"), figures);
         JsonNode inside = answer.path("inside");
         JsonNode points = input.path("points");
         for (int i = 0; i < Math.min(inside.size(), points.size()); i++)
             if (inside.get(i).booleanValue()) point(points.get(i)).ifPresent(figures::add);
         return figures;
+    }
+
+    private static void segments(JsonNode segments, List<PlaneFigure> into) {
+        for (JsonNode one : segments)
+            if (one.size() == 4)
+                into.add(PlaneFigure.segment(at(one, 0), at(one, 1), at(one, 2), at(one, 3)));
     }
 
     private static void points(JsonNode points, List<PlaneFigure> into) {

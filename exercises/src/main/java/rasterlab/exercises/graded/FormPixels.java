@@ -36,6 +36,11 @@ final class FormPixels {
                 .orElse(List.of());
     }
 
+    /** The pixels of an answer, each once. */
+    PixelSet lit(JsonNode answer) {
+        return PixelSet.of(pixels(answer));
+    }
+
     private PixelRecording pixels(JsonNode answer) {
         var recording = new PixelRecording(Integer.MAX_VALUE);
         for (JsonNode one : answer.path("pixels"))

@@ -1,5 +1,6 @@
 package rasterlab.exercises.judging;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -84,6 +85,16 @@ final class InputCall<C, I, O> implements Call {
         if (!said.sentences().containsAll(further.sentences())) said = said.and(further);
         return new Finding(
                 GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
+    }
+
+    @Override
+    public JsonNode input() {
+        return grading.json(input);
+    }
+
+    @Override
+    public JsonNode exact() {
+        return grading.json(input, topic().exact(input, demand.items()));
     }
 
     private KnownMistakes<C, I, O> known() {

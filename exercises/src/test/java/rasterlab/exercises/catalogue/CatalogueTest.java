@@ -1,5 +1,6 @@
 package rasterlab.exercises.catalogue;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -99,6 +100,42 @@ class CatalogueTest {
                 Arrays.equals(
                         before.pictures().get("segment.svg").content(),
                         after.pictures().get("segment.svg").content()));
+    }
+
+    @Test
+    void aPictureIsDrawnFromAnInputOfTheFolder() throws IOException {
+        Path input = mine.resolve("window.json");
+        Files.writeString(input, "{\"given\": {\"from\": [0, 0], \"to\": [5, 3]}}");
+        change("statement.en.md", "segment.svg", "window.png");
+        Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
+        Picture drawn = before.pictures().get("window.png");
+        assertEquals(Picture.Form.PNG, drawn.form());
+        assertTrue(drawn.content().length > 100, "a picture of a segment");
+        Exercise kept =
+                Catalogue.kept("my-line", Catalogue.builtIn().withFolder(folder).files("my-line"));
+        assertArrayEquals(drawn.content(), kept.pictures().get("window.png").content());
+        Files.writeString(input, "{\"given\": {\"from\": [0, 0], \"to\": [9, 1]}}");
+        Exercise after = Catalogue.builtIn().withFolder(folder).named("my-line");
+        assertEquals(before.revision(), after.revision());
+        assertFalse(Arrays.equals(drawn.content(), after.pictures().get("window.png").content()));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "{\"given\": {\"from\": [0, 0]}} | window.json",
+                "{\"hazard\": \"none\"} | must be one of",
+                "[] | window.json"
+            })
+    void anInputThatTellsOfNoPictureIsNamed(String input, String told) throws IOException {
+        Files.writeString(mine.resolve("window.json"), input);
+        change("statement.ru.md", "segment.svg", "window.png");
+        CatalogueException refused =
+                assertThrows(
+                        CatalogueException.class, () -> Catalogue.builtIn().withFolder(folder));
+        String message = refused.getMessage();
+        assertTrue(message.contains("statement.ru.md") && message.contains(told), message);
     }
 
     @Test

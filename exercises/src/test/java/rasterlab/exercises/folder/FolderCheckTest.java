@@ -106,6 +106,16 @@ class FolderCheckTest {
     }
 
     @Test
+    void aPictureOfAnInputThatCannotBeReadIsTold() throws IOException {
+        Files.writeString(folder.resolve("example.json"), "{\"given\": {\"polygon\": 7}}");
+        Files.writeString(
+                folder.resolve("statement.en.md"), "# Title\n\n![an example](example.png)\n");
+        List<String> faults = faults();
+        assertEquals(1, faults.size(), faults.toString());
+        assertTrue(faults.get(0).contains("example.json"), faults.toString());
+    }
+
+    @Test
     @DisplayName("a fault is told in English in Russian")
     void faultsAreToldInRussian() throws IOException {
         change("exercise.json", "\"accuracy\" : 75", "\"accuracy\" : 74");
