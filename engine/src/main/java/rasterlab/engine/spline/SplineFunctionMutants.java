@@ -60,7 +60,41 @@ final class SplineFunctionMutants {
                 new Mutant<>(
                         "knots-in-float",
                         "far-from-zero",
-                        (x, y, ends) -> RIGHT.coefficients(inFloat(x), inFloat(y), ends)));
+                        (x, y, ends) -> RIGHT.coefficients(inFloat(x), inFloat(y), ends)),
+                new Mutant<>("powers-of-x", "three-knots", SplineFunctionMutants::ofX),
+                new Mutant<>("highest-power-first", "two-knots", SplineFunctionMutants::backwards),
+                new Mutant<>(
+                        "natural-is-level",
+                        "overshoot",
+                        (x, y, ends) ->
+                                RIGHT.coefficients(
+                                        x,
+                                        y,
+                                        ends.kind() == SplineEnds.Kind.NATURAL
+                                                ? SplineEnds.slopes(0, 0)
+                                                : ends)));
+    }
+
+    /** The coefficients of 1, x, x², x³ where those of s = x − x[i] are asked for. */
+    private static double[] ofX(double[] x, double[] y, SplineEnds ends) {
+        double[] all = RIGHT.coefficients(x, y, ends);
+        for (int i = 0; i < all.length; i += 4) {
+            double knot = x[i / 4];
+            double b = all[i + 1];
+            double c = all[i + 2];
+            double d = all[i + 3];
+            all[i] -= knot * (b - knot * (c - knot * d));
+            all[i + 1] = b - knot * (2 * c - 3 * d * knot);
+            all[i + 2] = c - 3 * d * knot;
+        }
+        return all;
+    }
+
+    private static double[] backwards(double[] x, double[] y, SplineEnds ends) {
+        double[] right = RIGHT.coefficients(x, y, ends);
+        var backwards = new double[right.length];
+        for (int i = 0; i < right.length; i++) backwards[i] = right[i / 4 * 4 + 3 - i % 4];
+        return backwards;
     }
 
     /** Knots at equal distances where all are finite and in order. */
