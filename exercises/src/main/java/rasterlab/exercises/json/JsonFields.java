@@ -2,7 +2,6 @@ package rasterlab.exercises.json;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -78,9 +77,7 @@ public final class JsonFields {
 
     /** One of the allowed words. */
     public String word(String field, List<String> allowed) {
-        String text = text(field);
-        if (!allowed.contains(text)) throw object.at(field).notOneOf(allowed, text);
-        return text;
+        return required(field).read(in -> in.word(allowed));
     }
 
     /** The same; that word where the field is missing. */
@@ -136,11 +133,7 @@ public final class JsonFields {
     }
 
     private Given given(List<Field<?>> fields) {
-        try {
-            return new PlacedValues<>(object).openObject(fields);
-        } catch (IOException e) {
-            throw new AssertionError("reading from memory failed", e);
-        }
+        return object.read(in -> in.openObject(fields));
     }
 
     /** An exception that names this place and the field; with no field this place alone. */

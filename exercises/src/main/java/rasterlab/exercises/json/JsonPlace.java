@@ -6,10 +6,12 @@ import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.format.ValueSource;
 import rasterlab.exercises.score.Phrase;
 
 /**
@@ -76,12 +78,19 @@ public abstract class JsonPlace<P extends JsonPlace<P>> {
 
     /** Passes if this is an object in which only the known fields occur; none given: any. */
     protected final void requireObject(String... known) {
-        if (!node.isObject()) throw wrong(Phrase.of("field.object", shown()));
+        if (!node.isObject()) throw Expected.AnObject.noObject(this);
         for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
             String name = names.next();
-            if (known.length > 0 && !List.of(known).contains(name))
-                throw unknown(name).wrong(Phrase.of("field.unknown", listed(known)));
+            if (known.length > 0 && !List.of(known).contains(name)) throw unknown(name, known);
         }
+    }
+
+    final RuntimeException unknown(String name, String... known) {
+        return unknown(name).wrong(Phrase.of("field.unknown", listed(known)));
+    }
+
+    final JsonNode node() {
+        return node;
     }
 
     public final boolean has(String field) {
@@ -133,60 +142,53 @@ public abstract class JsonPlace<P extends JsonPlace<P>> {
 
     /** The members of this array. */
     public final List<P> members() {
-        if (!node.isArray()) throw wrong(Phrase.of("field.array", shown()));
+        if (!node.isArray()) throw Expected.Items.noArray(this);
         List<P> members = new ArrayList<>();
-        for (JsonNode each : node) members.add(member(members.size(), each));
+        for (int i = 0; i < node.size(); i++) members.add(member(i));
         return members;
     }
 
+    final P member(int index) {
+        return member(index, node.get(index));
+    }
+
+    final P number(int index) {
+        return number(index, node.get(index));
+    }
+
+    /** Whether this is a text with more than blanks. */
+    final boolean saysSomething() {
+        return node.isTextual() && !node.textValue().isBlank();
+    }
+
     public final String text() {
-        if (!node.isTextual() || node.textValue().isBlank())
-            throw wrong(Phrase.of("field.text", shown()));
-        return node.textValue();
+        return read(in -> in.text("a text", 0, Integer.MAX_VALUE));
     }
 
     public final boolean flag() {
-        if (!node.isBoolean()) throw wrong(Phrase.of("field.flag", shown()));
-        return node.booleanValue();
+        return read(ValueSource::flag);
     }
 
     public final int integer(int least, int most) {
-        if (!node.isIntegralNumber()
-                || !node.canConvertToInt()
-                || node.intValue() < least
-                || node.intValue() > most)
-            throw wrong(
-                    least == most
-                            ? Phrase.of("field.only", least, shown())
-                            : Phrase.of("field.whole", least, most, shown()));
-        return node.intValue();
-    }
-
-    /** So many whole numbers; two are a point. */
-    protected final int[] integers(int count) {
-        if (!node.isArray() || node.size() != count)
-            throw wrong(
-                    count == 2
-                            ? Phrase.of("field.point", shown())
-                            : Phrase.of("field.wholes", count, shown()));
-        var numbers = new int[count];
-        for (int i = 0; i < count; i++)
-            numbers[i] = number(i, node.get(i)).integer(Integer.MIN_VALUE, Integer.MAX_VALUE);
-        return numbers;
-    }
-
-    /** A refusal of a word. */
-    protected final IllegalArgumentException notOneOf(List<String> allowed, String word) {
-        return wrong(Phrase.of("field.word", String.join(", ", allowed), word));
+        return read(in -> in.whole(least, most));
     }
 
     public final double number(double least, double most) {
-        double value = node.isNumber() ? node.doubleValue() : Double.NaN;
-        if (!(value >= least && value <= most))
-            throw wrong(
-                    Phrase.of(
-                            "field.number", String.valueOf(least), String.valueOf(most), shown()));
-        return value;
+        return read(in -> in.numberFrom(least, most));
+    }
+
+    /** What is read of this value. */
+    protected final <T> T read(Reading<T> reading) {
+        try {
+            return reading.of(StrictJson.at(this));
+        } catch (IOException e) {
+            throw new AssertionError("reading from memory failed", e);
+        }
+    }
+
+    /** Reads a value by its shape. */
+    protected interface Reading<T> {
+        T of(ValueSource in) throws IOException;
     }
 
     /**

@@ -6,11 +6,11 @@ import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.json.JsonReadFeature;
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 import rasterlab.engine.format.Doubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
@@ -19,10 +19,11 @@ import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSource;
 
 /**
- * Reads one JSON object field by field and accepts nothing that was not asked for: no unknown or
- * repeated field, no other type, no wrong length, nothing behind the object.
+ * Reads JSON value by value and accepts nothing that was not asked for: no unknown or repeated
+ * field, no other type, no wrong length, nothing behind the whole.
  *
- * <p>Every complaint names the place as a JSON pointer (RFC 6901), the value and what is allowed.
+ * <p>What it reads is the text of an input, or the tree of a file of people. Every refusal names
+ * the place, the value and what is allowed; how, depends on which of them it is.
  */
 public final class StrictJson implements ValueSource {
     /** The most characters of one name, text or number that is read, to be complained about. */
@@ -45,15 +46,18 @@ public final class StrictJson implements ValueSource {
      */
     private static final int LONGEST_NUMBER = 1000;
 
-    private static final int LONGEST_QUOTE = 40;
+    private static final Expected ANY_NUMBER =
+            new Expected.Number(-Double.MAX_VALUE, Double.MAX_VALUE);
 
-    private static final String NUMBERS = "numbers";
-    private static final String WHOLES = "whole numbers";
+    private static final Expected ANY_WHOLE =
+            new Expected.Whole(Integer.MIN_VALUE, Integer.MAX_VALUE, true);
 
     private final JsonParser parser;
+    private final Refusals refusals;
 
-    private StrictJson(JsonParser parser) {
+    private StrictJson(JsonParser parser, Refusals refusals) {
         this.parser = parser;
+        this.refusals = refusals;
     }
 
     /**
@@ -66,30 +70,50 @@ public final class StrictJson implements ValueSource {
      */
     public static Given read(byte[] text, int length, List<Field<?>> fields, boolean open) {
         try (JsonParser parser = FACTORY.createParser(text, 0, length)) {
-            return new StrictJson(parser).whole(text, length, fields, open);
+            return read(parser, text, length, fields, open);
         } catch (IOException e) {
             throw new AssertionError("reading from memory failed", e);
         }
     }
 
-    private Given whole(byte[] text, int length, List<Field<?>> fields, boolean open)
+    private static Given read(
+            JsonParser parser, byte[] text, int length, List<Field<?>> fields, boolean open)
             throws IOException {
         try {
-            return whole(fields, open);
+            return whole(parser, fields, open);
         } catch (JacksonException e) {
             throw new NotJson(text, length).misfit(e, parser.currentLocation());
         }
     }
 
-    private Given whole(List<Field<?>> fields, boolean open) throws IOException {
+    private static Given whole(JsonParser parser, List<Field<?>> fields, boolean open)
+            throws IOException {
+        var refusals = new InputRefusals(parser);
         if (parser.nextToken() == null)
-            throw new Misfit("the input is empty; expected " + anObjectWith(fields));
-        Given given = object(open, fields);
+            throw new Misfit(
+                    "the input is empty; expected " + new Expected.AnObject(fields).words());
+        Given given = new StrictJson(parser, refusals).object(open, fields);
         if (parser.nextToken() != null)
             throw new Misfit(
                     NotJson.place(parser.currentTokenLocation()),
-                    quoted() + " follows the object; expected nothing more");
+                    refusals.quoted() + " follows the object; expected nothing more");
         return given;
+    }
+
+    /** Reads the value at a place of a file of people, which refuses in words of its own. */
+    static StrictJson at(JsonPlace<?> place) throws IOException {
+        return at(place, place.node());
+    }
+
+    /**
+     * Reads the value at a place.
+     *
+     * @param value the place's own, or one with its fields in another order
+     */
+    static StrictJson at(JsonPlace<?> place, JsonNode value) throws IOException {
+        JsonParser parser = value.traverse();
+        parser.nextToken();
+        return new StrictJson(parser, new PlaceRefusals(place, parser));
     }
 
     @Override
@@ -103,20 +127,23 @@ public final class StrictJson implements ValueSource {
     }
 
     private Given object(boolean open, List<Field<?>> fields) throws IOException {
-        if (!startsObject()) throw expected(anObjectWith(fields));
-        var given = new Given(path());
+        if (!startsObject()) throw refusals.other(new Expected.AnObject(fields));
+        return refusals.object(this, fields).fields(open, fields);
+    }
+
+    private Given fields(boolean open, List<Field<?>> fields) throws IOException {
+        var given = new Given(refusals.pointer());
         while (parser.nextToken() == JsonToken.FIELD_NAME) {
             String name = parser.currentName();
             Field<?> field = named(name, fields);
-            if (field == null && !open)
-                throw misfit("unknown field; allowed are " + sorted(fields));
+            if (field == null && !open) throw refusals.unknown(fields);
             if (given.has(name)) throw misfit("the field is given twice");
             parser.nextToken();
             if (field != null) given.put(field, field.shape().read(this));
             else passOver(given, name);
         }
         for (Field<?> field : fields)
-            if (field.required() && !given.has(field)) throw given.misfit(field.name(), "missing");
+            if (field.required() && !given.has(field)) throw refusals.missing(given, field);
         return given;
     }
 
@@ -128,19 +155,6 @@ public final class StrictJson implements ValueSource {
     private void passOver(Given given, String name) throws IOException {
         given.putUnknown(name);
         parser.skipChildren();
-    }
-
-    private static String anObjectWith(List<Field<?>> fields) {
-        String required =
-                fields.stream()
-                        .filter(Field::required)
-                        .map(Field::name)
-                        .collect(Collectors.joining(", "));
-        return "a JSON object with " + (required.isEmpty() ? sorted(fields) : required);
-    }
-
-    private static String sorted(List<Field<?>> fields) {
-        return fields.stream().map(Field::name).sorted().collect(Collectors.joining(", "));
     }
 
     @Override
@@ -166,49 +180,51 @@ public final class StrictJson implements ValueSource {
     @Override
     public <T> List<T> list(String what, Shape<T> item, int least, int most) throws IOException {
         var values = new ArrayList<T>();
-        startArray(what, least, most);
-        while (hasNext(what, values.size(), least, most)) values.add(item.read(this));
+        var items = new Expected.Items(what, "", least, most);
+        startArray(items, least, most);
+        while (hasNext(items, values.size(), least, most)) values.add(item.read(this));
         return values;
     }
 
     @Override
     public double[] numbers(int least, int most) throws IOException {
         var values = new Doubles();
-        addNumbers(values, least, most);
+        addNumbers(values, new Expected.Items("numbers", "", least, most), least, most);
         return values.toArray();
     }
 
-    private void addNumbers(Doubles values, int least, int most) throws IOException {
-        startArray(NUMBERS, least, most);
-        for (int size = 0; hasNext(NUMBERS, size, least, most); size++) values.add(number());
+    private void addNumbers(Doubles values, Expected numbers, int least, int most)
+            throws IOException {
+        startArray(numbers, least, most);
+        for (int size = 0; hasNext(numbers, size, least, most); size++) values.add(number());
     }
 
     @Override
     public double[] points(int dimension, int least, int most) throws IOException {
         var values = new Doubles();
-        String what = "points of " + dimension + " numbers each";
-        startArray(what, least, most);
-        for (int size = 0; hasNext(what, size, least, most); size++)
-            addNumbers(values, dimension, dimension);
+        String each = " of " + dimension + " numbers each";
+        var points = new Expected.Items("points", each, least, most);
+        var point = new Expected.Items("numbers", "", dimension, dimension);
+        startArray(points, least, most);
+        for (int size = 0; hasNext(points, size, least, most); size++)
+            addNumbers(values, point, dimension, dimension);
         return values.toArray();
     }
 
     @Override
     public int[] wholes(int count) throws IOException {
         var values = new int[count];
-        startArray(WHOLES, count, count);
-        for (int size = 0; hasNext(WHOLES, size, count, count); size++)
-            values[size] = whole(Integer.MIN_VALUE, Integer.MAX_VALUE);
+        var wholes = new Expected.Wholes(count);
+        startArray(wholes, count, count);
+        for (int size = 0; hasNext(wholes, size, count, count); size++)
+            values[size] = whole(Integer.MIN_VALUE, Integer.MAX_VALUE, ANY_WHOLE);
         return values;
     }
 
-    private void startArray(String what, int least, int most) throws IOException {
-        if (!startsArray()) throw expected(anArray(what, least, most));
-    }
-
-    private static String anArray(String what, int least, int most) {
-        String count = least == most ? "" + least : least + " to " + most;
-        return "an array of " + count + " " + what;
+    private void startArray(Expected array, int least, int most) throws IOException {
+        if (!startsArray()) throw refusals.other(array);
+        int length = refusals.length();
+        if (length >= 0 && (length < least || length > most)) throw refusals.other(array);
     }
 
     /**
@@ -216,120 +232,99 @@ public final class StrictJson implements ValueSource {
      *
      * @param size how many values were read
      */
-    private boolean hasNext(String what, int size, int least, int most) throws IOException {
+    private boolean hasNext(Expected array, int size, int least, int most) throws IOException {
         if (parser.nextToken() == JsonToken.END_ARRAY) {
             if (size >= least) return false;
-            throw misfit("only " + size + " values; expected " + anArray(what, least, most));
+            throw misfit("only " + size + " values; expected " + array.words());
         }
         if (size < most) return true;
-        String beyond = path();
-        throw new Misfit(
-                shortened(beyond.substring(0, beyond.lastIndexOf('/'))),
-                "more than " + most + " values; expected " + anArray(what, least, most));
+        throw refusals.misfitOfArray("more than " + most + " values; expected " + array.words());
     }
 
     @Override
     public double number() throws IOException {
-        return number("a number from -1.7976931348623157E308 to 1.7976931348623157E308");
+        return number(ANY_NUMBER);
     }
 
-    private double number(String allowed) throws IOException {
+    private double number(Expected allowed) throws IOException {
         requireNumber(allowed);
         double value = Double.parseDouble(parser.getText());
-        if (!Double.isFinite(value)) throw expected(allowed);
+        if (!Double.isFinite(value)) throw refusals.other(allowed);
         return value;
     }
 
-    /** {@inheritDoc} A number is whole however it is written: 1, 1.0 and 1e0 are the same. */
+    /**
+     * {@inheritDoc} In an input a number is whole however it is written: 1, 1.0 and 1e0 are the
+     * same.
+     */
     @Override
     public int whole(int least, int most) throws IOException {
-        String allowed = "a whole number from " + least + " to " + most;
+        return whole(least, most, new Expected.Whole(least, most, false));
+    }
+
+    private int whole(int least, int most, Expected allowed) throws IOException {
         requireNumber(allowed);
+        if (refusals.strict() && parser.currentToken() != JsonToken.VALUE_NUMBER_INT)
+            throw refusals.other(allowed);
         int value = whole(allowed);
-        if (value < least || value > most) throw expected(allowed);
+        if (value < least || value > most) throw refusals.other(allowed);
         return value;
     }
 
-    private int whole(String allowed) throws IOException {
+    private int whole(Expected allowed) throws IOException {
         try {
             return new BigDecimal(parser.getText()).intValueExact();
         } catch (ArithmeticException | NumberFormatException notWhole) {
-            throw expected(allowed);
+            throw refusals.other(allowed);
         }
     }
 
-    private void requireNumber(String allowed) throws IOException {
-        if (!parser.currentToken().isNumeric()) throw expected(allowed);
+    private void requireNumber(Expected allowed) throws IOException {
+        if (!parser.currentToken().isNumeric()) throw refusals.other(allowed);
         if (parser.getTextLength() > LONGEST_NUMBER)
-            throw expected(allowed + " in at most " + LONGEST_NUMBER + " characters");
+            throw refusals.other(new Expected.Shorter(allowed, LONGEST_NUMBER));
     }
 
     @Override
     public boolean flag() throws IOException {
-        if (!parser.currentToken().isBoolean()) throw expected("true or false");
+        if (!parser.currentToken().isBoolean()) throw refusals.other(new Expected.Flag());
         return parser.getBooleanValue();
     }
 
     @Override
     public String word(List<String> allowed) throws IOException {
         if (!startsText() || !allowed.contains(parser.getText()))
-            throw expected("one of " + String.join(", ", allowed));
+            throw refusals.other(new Expected.Word(allowed));
         return parser.getText();
     }
 
     @Override
     public String text(String expected, int least, int most) throws IOException {
-        if (!startsText()) throw expected(expected);
+        if (!startsText()) throw refusals.other(new Expected.Text(expected));
         String text = parser.getText();
-        if (text.length() < least || text.length() > most) throw expected(expected);
+        if (text.length() < least || text.length() > most || refusals.strict() && text.isBlank())
+            throw refusals.other(new Expected.Text(expected));
         return text;
     }
 
     @Override
     public double numberFrom(double least, double most) throws IOException {
-        String allowed = "a number from " + least + " to " + most;
+        var allowed = new Expected.Number(least, most);
         double value = number(allowed);
-        if (!(value >= least && value <= most)) throw expected(allowed);
+        if (!(value >= least && value <= most)) throw refusals.other(allowed);
         return value;
     }
 
     @Override
     public double numberAbove(double least, double most) throws IOException {
-        String allowed = "a number above " + least + ", up to " + most;
+        var allowed = new Expected.NumberAbove(least, most);
         double value = number(allowed);
-        if (!(value > least && value <= most)) throw expected(allowed);
+        if (!(value > least && value <= most)) throw refusals.other(allowed);
         return value;
-    }
-
-    private Misfit expected(String what) throws IOException {
-        return misfit("expected " + what + ", got " + quoted());
     }
 
     @Override
     public Misfit misfit(String reason) {
-        return new Misfit(pointer(), reason);
-    }
-
-    private String pointer() {
-        String path = path();
-        return path.isEmpty() ? "/" : shortened(path);
-    }
-
-    /** The JSON pointer of the value that the input stands on. */
-    private String path() {
-        return parser.getParsingContext().pathAsPointer().toString();
-    }
-
-    private String quoted() throws IOException {
-        return switch (parser.currentToken()) {
-            case START_OBJECT, END_OBJECT -> "an object";
-            case START_ARRAY, END_ARRAY -> "an array";
-            case VALUE_STRING -> "the string \"" + shortened(parser.getText()) + "\"";
-            default -> shortened(parser.getText());
-        };
-    }
-
-    private static String shortened(String text) {
-        return text.length() <= LONGEST_QUOTE ? text : text.substring(0, LONGEST_QUOTE) + "…";
+        return refusals.misfit(reason);
     }
 }

@@ -1,10 +1,11 @@
 /**
  * Reads JSON strictly, with messages that name the place.
  *
- * <p>A topic's input is read by {@link rasterlab.exercises.json.StrictJson} as its format says,
- * however long it is; files of people, of which each refusal tells the place in words of the file's
- * own, by a {@link rasterlab.exercises.json.JsonPlace}. Both follow the same fields of the format.
- * They are two since a tree of a million points takes six times as long as the stream and more than
- * 200 MiB, while a file of people is read field by field in any order.
+ * <p>{@link rasterlab.exercises.json.StrictJson} is the one reader of values. It reads the text of
+ * a topic's input as its format says, however long it is; and each value of a file of people, whose
+ * fields are asked for one by one at a {@link rasterlab.exercises.json.JsonPlace} of its tree.
+ * {@link rasterlab.exercises.json.Expected} says what is allowed, {@link
+ * rasterlab.exercises.json.Refusals} in which way the rest is refused. An input has no tree: one of
+ * a million points takes four times as long as the text and more than 200 MiB.
  */
 package rasterlab.exercises.json;
