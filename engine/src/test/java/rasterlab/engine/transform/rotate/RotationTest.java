@@ -102,6 +102,39 @@ class RotationTest {
                 () -> name + " by " + turns.degrees() + "° " + seed + ": " + deviation);
     }
 
+    @ParameterizedTest(name = "{0} drifts more than its contract allows")
+    @ValueSource(strings = {"direct", "buneman", "orthonormal", "quaternion", "total-angle"})
+    void roundingDriftsNoFartherThanTheContractSays(String name) {
+        long seed = 2005;
+        var random = new Random(seed);
+        for (int i = 0; i < ANGLES; i++) {
+            int times = 1 << random.nextInt(14);
+            double[] point = random.doubles(2, -1, 1).toArray();
+            var turns = new Turns(random.nextDouble(-720, 720), times, point);
+            assertDrifts(true, name, turns, "seed " + seed);
+        }
+        assertDrifts(true, name, new Turns(33.3, 1_000_000, new double[] {60, 80}), "");
+    }
+
+    @ParameterizedTest(name = "{0} passes for a rotation in doubles")
+    @ValueSource(strings = {"float", "table"})
+    void whatIsLessExactDriftsFarther(String name) {
+        assertDrifts(false, name, new Turns(12.3, 1_000, new double[] {60, 80}), "");
+    }
+
+    private static void assertDrifts(boolean within, String name, Turns turns, String seed) {
+        var method = TOPIC.method(name).implementation();
+        Deviation deviation =
+                TOPIC.compare(turns, TOPIC.exact(turns, 9), TOPIC.record(method, turns, 9));
+        double allowed = (turns.times() + 4) * PlaneRotation.DRIFT;
+        assertEquals(
+                within,
+                deviation.worst() <= allowed,
+                () ->
+                        "%s by %s° × %d %s: %s"
+                                .formatted(name, turns.degrees(), turns.times(), seed, deviation));
+    }
+
     @Test
     void accumulatedOrientationsKeepTheRadius() {
         for (String name : List.of("orthonormal", "quaternion")) {
