@@ -48,9 +48,9 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     public List<TopicCard<LightLabModel>> cards() {
         return List.of(
                 lit("color", "", Set.of("formula")),
-                lit("shade", "shade.", Set.of("phong", "blinn-phong")),
-                lit("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
-                lit(
+                body("shade", "shade.", Set.of("phong", "blinn-phong")),
+                body("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
+                body(
                         "vertex-normals",
                         "normals.",
                         Set.of("plain-textbook", "plain", "area", "angle")),
@@ -76,6 +76,13 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                 (lab, input, method) -> lab.unlike(input.input(), method),
                                 drawnBy::contains,
                                 LightLabModel::tell)));
+    }
+
+    /** A topic whose inputs are shown as bodies, which are made of hazards by their names. */
+    private TopicCard<LightLabModel> body(String topic, String part, Set<String> drawnBy) {
+        TopicCard<LightLabModel> lit = lit(topic, part, drawnBy);
+        return new TopicCard<>(
+                topic, this, lit.texts(), LightColours.OWN, lit.way().hazardsAlone());
     }
 
     private TopicCard<LightLabModel> row(String topic) {

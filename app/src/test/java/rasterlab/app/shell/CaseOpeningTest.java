@@ -27,7 +27,15 @@ import rasterlab.exercises.topic.TopicGradings;
 /** Cases of exercises, as their tabs show them. */
 class CaseOpeningTest {
     /** Topics of exercises whose lab knows hazards by their names and shows no other input. */
-    private static final Set<String> HAZARDS_ALONE = Set.of("view", "rotate-axis");
+    private static final Set<String> HAZARDS_ALONE =
+            Set.of(
+                    "view",
+                    "rotate-axis",
+                    "shade",
+                    "shade-face",
+                    "vertex-normals",
+                    "texture-mapping",
+                    "texture-filter");
 
     /** Draws the generated cases. */
     private static final long SEED = 7;

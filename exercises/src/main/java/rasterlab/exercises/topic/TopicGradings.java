@@ -35,6 +35,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.graded.AnyGrading;
 import rasterlab.exercises.graded.ClipGrading;
 import rasterlab.exercises.graded.FaceGrading;
+import rasterlab.exercises.graded.ShadeGrading;
 import rasterlab.exercises.graded.TriangleGrading;
 import rasterlab.exercises.line.LineGrading;
 
@@ -92,6 +93,7 @@ public final class TopicGradings {
             case "line" -> new LineGrading();
             case "point-in-triangle" -> new TriangleGrading();
             case "clip-segment" -> new ClipGrading();
+            case "shade" -> new ShadeGrading();
             case "shade-face" -> new FaceGrading();
             default -> AnyGrading.of(Topics.named(name), contract(name));
         };

@@ -12,6 +12,7 @@ import rasterlab.engine.study.Mutant;
 /** Points shaded with one mistake. */
 final class ShadeMutants {
     private static final FormulaShader RIGHT = new FormulaShader(Reflection.PHONG);
+    private static final FormulaShader HALF_WAY = new FormulaShader(Reflection.BLINN_PHONG);
 
     private ShadeMutants() {}
 
@@ -52,6 +53,7 @@ final class ShadeMutants {
                         "own-ambient-not-weakened",
                         "own-ambient-and-distance",
                         ShadeMutants::ambientAnyway),
+                new Mutant<>("half-vector", "facing", HALF_WAY::intensity),
                 new Mutant<>(
                         "array-shared",
                         "light-behind",

@@ -1,0 +1,33 @@
+package rasterlab.exercises.graded;
+
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.PointShader;
+import rasterlab.contract.Reflection;
+import rasterlab.engine.light.shade.LitPoints;
+import rasterlab.engine.light.shade.ShadeTopic;
+import rasterlab.engine.light.shade.Shades;
+import rasterlab.exercises.judging.ByTopic;
+import rasterlab.exercises.judging.Demand;
+import rasterlab.exercises.score.CasePicture;
+
+/**
+ * Grades the topic {@code shade}; shows the three shares of each point in a table. The topic's
+ * exact answer has all specular terms, of which an answer is held against its own.
+ */
+public final class ShadeGrading extends ByTopic<PointShader, LitPoints, Shades> {
+    public ShadeGrading() {
+        super(new ShadeTopic(), PointShader.class);
+    }
+
+    @Override
+    protected Shades right(LitPoints input, Shades actual, Demand demand) {
+        Reflection own = actual.rgb().keySet().iterator().next();
+        return new Shades(Map.of(own, super.right(input, actual, demand).rgb().get(own)));
+    }
+
+    @Override
+    protected List<CasePicture> pictures(LitPoints input, Shades exact, Shades actual) {
+        return new FormPictures(json(input), json(input, exact), json(input, actual)).drawn();
+    }
+}
