@@ -30,8 +30,7 @@ final class CasePictureFiles {
             if (pictures.isEmpty()) continue;
             if (files == 0) WholeFile.requireFolder(folder);
             String start = judged.name();
-            for (CasePicture one : pictures)
-                WholeFile.write(folder.resolve(start + "-" + one.kind() + ".png"), one.png());
+            for (CasePicture one : pictures) WholeFile.write(place(folder, judged, one), one.png());
             files += pictures.size();
             if (!judged.scene().isEmpty()) {
                 byte[] scene = judged.scene().getBytes(StandardCharsets.UTF_8);
@@ -40,5 +39,10 @@ final class CasePictureFiles {
             }
         }
         return files;
+    }
+
+    /** The file of a case's picture. */
+    static Path place(Path folder, CaseReport judged, CasePicture picture) {
+        return folder.resolve(judged.name() + "-" + picture.kind() + ".png");
     }
 }

@@ -1,5 +1,7 @@
 package rasterlab.app.cli;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -11,6 +13,7 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
 import rasterlab.exercises.score.CaseReport;
@@ -51,6 +54,11 @@ final class CheckCommand implements Callable<Integer> {
             description = "where pictures of failed cases go; default: check-EXERCISE")
     private Path folder;
 
+    @Option(
+            names = "--json",
+            description = "prints one JSON object, with the fields that the server's answer has")
+    private boolean json;
+
     @Mixin private ExercisesOption exercises;
 
     CheckCommand(Console console) {
@@ -58,19 +66,38 @@ final class CheckCommand implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() {
+    public Integer call() throws IOException {
         Exercise chosen = exercises.named(exercise, console);
         String source = SourceFile.read(file);
         Path pictures = folder == null ? Path.of("check-" + chosen.id()) : folder;
         WholeFile.requireFolderWritable(pictures);
         Report report = graded(chosen, source);
+        if (json) writeJson(chosen, report, pictures);
+        else print(chosen, report, pictures);
+        return report.verdict() == GradingVerdict.OK ? ExitCode.DONE : ExitCode.FOUND_WRONG;
+    }
+
+    private void print(Exercise chosen, Report report, Path pictures) {
         var text =
                 new ReportText(
                         console.out(), console.language().texts(), file.getFileName().toString());
         text.print(chosen, report);
         if (CasePictureFiles.write(report, pictures) > 0)
             text.say("pictures", pictures.toAbsolutePath().normalize().toString());
-        return report.verdict() == GradingVerdict.OK ? ExitCode.DONE : ExitCode.FOUND_WRONG;
+    }
+
+    private void writeJson(Exercise chosen, Report report, Path pictures) throws IOException {
+        CasePictureFiles.write(report, pictures);
+        JsonGenerator out = PrettyJson.to(console.out());
+        PublishedReport.of(
+                        chosen,
+                        report,
+                        language(),
+                        (judged, picture) ->
+                                CasePictureFiles.place(pictures, judged, picture).toUri() + "")
+                .write(out);
+        out.writeRaw('\n');
+        out.close();
     }
 
     private Report graded(Exercise chosen, String source) {

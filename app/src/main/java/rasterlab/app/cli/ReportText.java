@@ -94,7 +94,7 @@ final class ReportText {
         return List.of(
                 exercise.caseTitle(judged.name(), language()),
                 judged.verdict().word(language()),
-                judged.points() + "/" + judged.of(),
+                CaseReport.pointsOf(judged.points(), judged.of()),
                 judged.message(language()));
     }
 

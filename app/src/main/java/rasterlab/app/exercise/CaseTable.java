@@ -21,6 +21,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** The cases of a result, one in each row. */
@@ -258,7 +259,10 @@ final class CaseTable extends JTable {
             return switch (column) {
                 case 0 -> VerdictLook.sign(one.verdict());
                 case 1 -> titles.apply(one.name());
-                case 2 -> one.verdict().isEmpty() ? one.of() : one.points() + "/" + one.of();
+                case 2 ->
+                        one.verdict().isEmpty()
+                                ? one.of()
+                                : CaseReport.pointsOf(one.points(), one.of());
                 default -> inWords(one.verdict());
             };
         }

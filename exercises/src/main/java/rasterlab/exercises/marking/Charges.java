@@ -3,7 +3,9 @@ package rasterlab.exercises.marking;
 import static java.util.stream.Collectors.toUnmodifiableSet;
 
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.exercises.Exercise;
@@ -11,14 +13,16 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Group;
 
 /**
- * The mistakes that a group of cases pays for, so that no other case has to: a mistake that the
- * cases named after it did not meet is paid for wherever it is met.
+ * The mistakes that a group of cases pays for, so that no other case has to. A mistake that the
+ * cases named after it did not meet is paid for wherever it is met, or by the first case that meets
+ * it, which stands in for them.
  */
 final class Charges {
     private final Exercise exercise;
     private final Set<String> charged;
+    private final Map<String, String> standIns = new HashMap<>();
 
-    Charges(Exercise exercise, Collection<TriedCase> cases) {
+    private Charges(Exercise exercise, Collection<TriedCase> cases) {
         this.exercise = exercise;
         this.charged =
                 cases.stream()
@@ -30,6 +34,36 @@ final class Charges {
                                                 .flatMap(known -> known.get(0).stream())
                                                 .filter(claimedBy(tried.one())::contains))
                         .collect(toUnmodifiableSet());
+    }
+
+    /** Charges by which a mistake that its own cases did not meet is paid wherever it is met. */
+    static Charges wherever(Exercise exercise, Collection<TriedCase> cases) {
+        return new Charges(exercise, cases);
+    }
+
+    /** Charges by which a mistake that its own cases did not meet is paid by the first other. */
+    static Charges once(Exercise exercise, Collection<TriedCase> cases) {
+        Charges charges = new Charges(exercise, cases);
+        Map<String, String> standIns = new HashMap<>();
+        for (TriedCase tried : cases)
+            for (TriedCall call : charges.counted(tried))
+                charges.metAlone(call)
+                        .forEach(mistake -> standIns.putIfAbsent(mistake, tried.one().name()));
+        charges.standIns.putAll(standIns);
+        return charges;
+    }
+
+    /** Mistakes with cases of their own that explain the call for certain, and were not charged. */
+    private List<String> metAlone(TriedCall call) {
+        List<List<String>> known = call.explanations();
+        if (known.size() != 1) return List.of();
+        return known.get(0).stream()
+                .filter(mistake -> !charged.contains(mistake))
+                .filter(
+                        mistake ->
+                                exercise.groups().stream()
+                                        .anyMatch(group -> group.mistakes().contains(mistake)))
+                .toList();
     }
 
     Set<String> charged() {
@@ -71,7 +105,14 @@ final class Charges {
         Set<String> claimed = claimedBy(one);
         return call.drewSomething()
                 && call.explanations().stream()
-                        .filter(charged::containsAll)
-                        .anyMatch(known -> known.stream().noneMatch(claimed::contains));
+                        .filter(known -> known.stream().allMatch(this::isPaid))
+                        .anyMatch(known -> known.stream().noneMatch(claimed::contains))
+                && call.explanations().stream()
+                        .flatMap(List::stream)
+                        .noneMatch(mistake -> one.name().equals(standIns.get(mistake)));
+    }
+
+    private boolean isPaid(String mistake) {
+        return charged.contains(mistake) || standIns.containsKey(mistake);
     }
 }

@@ -14,7 +14,6 @@ import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.marking.TriedCase;
 import rasterlab.exercises.score.Answer;
-import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -78,14 +77,10 @@ public final class TriedMethod {
     }
 
     int points(Kind kind) {
-        List<String> names =
-                exercise.cases().stream()
-                        .filter(one -> one.kind() == kind)
-                        .map(Case::name)
-                        .toList();
-        return marking.reports().stream()
-                .filter(one -> names.contains(one.name()))
-                .mapToInt(CaseReport::points)
+        List<String> paying = marking.paying();
+        return exercise.cases().stream()
+                .filter(one -> one.kind() == kind && paying.contains(one.name()))
+                .mapToInt(Case::points)
                 .sum();
     }
 

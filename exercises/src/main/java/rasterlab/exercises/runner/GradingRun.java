@@ -115,7 +115,7 @@ final class GradingRun {
         differing.forEach(marking::put);
         List<CaseReport> reports = marking.reports();
         SpeedTrial.Outcome speed =
-                student.over().isPresent() || !aboveFloor(reports)
+                student.over().isPresent() || !aboveFloor(reports, marking.withheld())
                         ? SpeedTrial.Outcome.none(tooInaccurate())
                         : speed(student, children, cases.repeated(), marking);
         CaseReport speedReport = report(speed);
@@ -126,7 +126,7 @@ final class GradingRun {
         if (!shared.isEmpty()) said.add(new Diagnostic(0, 0, shared));
         said.addAll(cases.printed());
         double nanos = speed.unsettled() ? 0 : speed.nanosPerPixel();
-        return sheet.graded(reports, speedReport, said, nanos);
+        return sheet.graded(reports, marking.withheld(), speedReport, said, nanos);
     }
 
     /** The first case tells why the method cannot be loaded. */
@@ -177,7 +177,7 @@ final class GradingRun {
         return Message.of("speed.floor", Math.round(100 * SpeedPoints.ACCURACY_FLOOR));
     }
 
-    private boolean aboveFloor(List<CaseReport> reports) {
+    private boolean aboveFloor(List<CaseReport> reports, List<Case> withheld) {
         List<String> accuracy =
                 exercise.cases().stream()
                         .filter(one -> one.kind() == Kind.ACCURACY)
@@ -185,7 +185,9 @@ final class GradingRun {
                         .toList();
         List<CaseReport> counted =
                 reports.stream().filter(one -> accuracy.contains(one.name())).toList();
-        int earned = counted.stream().mapToInt(CaseReport::points).sum();
+        int earned =
+                counted.stream().mapToInt(CaseReport::points).sum()
+                        - ReportSheet.sum(withheld, Kind.ACCURACY);
         int possible = counted.stream().mapToInt(CaseReport::of).sum();
         return earned >= SpeedPoints.ACCURACY_FLOOR * possible;
     }

@@ -58,7 +58,7 @@ public final class Judge implements Grading, AutoCloseable {
      * source raises by hand.
      */
     public static String version() {
-        return "judge-10 " + AllowList.text();
+        return "judge-11 " + AllowList.text();
     }
 
     /**

@@ -1,7 +1,10 @@
 package rasterlab.exercises.runner;
 
+import static java.util.stream.Collectors.joining;
+
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
@@ -36,10 +39,20 @@ final class ReportSheet {
         return new Report(verdict, new Points(0, 0, 0, possible), List.of(), reasons, isolation, 0);
     }
 
+    /**
+     * The report of what was tried.
+     *
+     * @param withheld cases whose points do not count
+     */
     Report graded(
-            List<CaseReport> cases, CaseReport speed, List<Diagnostic> printed, double nanos) {
+            List<CaseReport> cases,
+            List<Case> withheld,
+            CaseReport speed,
+            List<Diagnostic> printed,
+            double nanos) {
         List<CaseReport> all = new ArrayList<>(cases);
         all.add(speed);
+        lineOn(withheld).ifPresent(all::add);
         GradingVerdict verdict =
                 cases.stream()
                         .map(CaseReport::verdict)
@@ -49,8 +62,8 @@ final class ReportSheet {
                         .orElse(GradingVerdict.OK);
         Points points =
                 new Points(
-                        earned(cases, Kind.ACCURACY),
-                        earned(cases, Kind.STABILITY),
+                        earned(cases, Kind.ACCURACY) - sum(withheld, Kind.ACCURACY),
+                        earned(cases, Kind.STABILITY) - sum(withheld, Kind.STABILITY),
                         speed.points(),
                         possible);
         return new Report(verdict, points, all, printed, isolation, nanos);
@@ -66,5 +79,28 @@ final class ReportSheet {
                 .filter(one -> names.contains(one.name()))
                 .mapToInt(CaseReport::points)
                 .sum();
+    }
+
+    static int sum(List<Case> cases, Kind kind) {
+        return cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
+    }
+
+    private Optional<CaseReport> lineOn(List<Case> withheld) {
+        int points = withheld.stream().mapToInt(Case::points).sum();
+        return points == 0
+                ? Optional.empty()
+                : Optional.of(
+                        CaseReport.withheld(points, kinds(withheld, "en"), kinds(withheld, "ru")));
+    }
+
+    private String kinds(List<Case> cases, String language) {
+        return cases.stream()
+                .map(
+                        one ->
+                                exercise.group(one)
+                                        .map(group -> group.title(language))
+                                        .orElse(one.title(language)))
+                .distinct()
+                .collect(joining("; "));
     }
 }

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
  * One judged case.
  *
  * @param name lower-case with hyphens; what mistake it catches
- * @param points earned, 0 to {@code of}
+ * @param points earned, 0 to {@code of}; below 0 in the line that takes points off
  * @param said why points were lost, and of speed what was measured; else nothing
  * @param pictures of a wrong case whose answer can be drawn, each of another kind; else none
  * @param scene the case as a scene file (JSON) that the lab opens; empty where the case is hidden
@@ -29,6 +29,9 @@ public record CaseReport(
     /** The name of the line on speed, which is no case of the exercise. */
     static final String SPEED = "speed";
 
+    /** The name of the line that takes off what public cases do not pay. */
+    private static final String WITHHELD = "withheld";
+
     private static final Pattern NUMBERED = Pattern.compile(HIDDEN + " (\\d+)");
 
     public CaseReport {
@@ -42,6 +45,30 @@ public record CaseReport(
         return name.equals(HIDDEN);
     }
 
+    /**
+     * The line that takes points of public cases off, since most hidden inputs of their kind are
+     * wrong: right on what everybody sees is no solution yet.
+     *
+     * @param points that are not paid
+     * @param kinds of inputs, in English and in Russian
+     */
+    public static CaseReport withheld(int points, String kinds, String russianKinds) {
+        return new CaseReport(
+                WITHHELD,
+                Disclosure.VERDICT_ONLY,
+                GradingVerdict.WRONG,
+                -points,
+                0,
+                Message.of("group.hidden", kinds, russianKinds),
+                List.of(),
+                "");
+    }
+
+    /** Its points of those that can be earned there, or what is taken off alone. */
+    public static String pointsOf(int points, int of) {
+        return points < 0 ? "−" + -points : points + "/" + of;
+    }
+
     /** Tells a case without a name of its own from others of the same result. */
     public static String hidden(int number) {
         return HIDDEN + " " + number;
@@ -52,7 +79,7 @@ public record CaseReport(
         Matcher numbered = NUMBERED.matcher(name);
         if (numbered.matches())
             return Optional.of(Message.of("case.hidden.of", numbered.group(1)).in(language));
-        return name.equals(HIDDEN) || name.equals(SPEED)
+        return List.of(HIDDEN, SPEED, WITHHELD).contains(name)
                 ? Optional.of(Message.of("case." + name).in(language))
                 : Optional.empty();
     }
@@ -75,6 +102,7 @@ public record CaseReport(
     /** The same with what the student may not see taken out. */
     public CaseReport forStudent(boolean afterDeadline) {
         if (visibility == Disclosure.OPEN
+                || name.equals(WITHHELD)
                 || visibility == Disclosure.AFTER_DEADLINE && afterDeadline) return this;
         String shown = visibility == Disclosure.NEVER ? HIDDEN : name;
         return new CaseReport(shown, visibility, verdict, points, of, hint(), List.of(), "");

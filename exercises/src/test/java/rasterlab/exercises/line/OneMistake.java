@@ -88,7 +88,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                                             (x, y) -> out.plot(x, y0 + Math.abs(y - y0)))),
                     of(
                             "no sign in x",
-                            90,
+                            88,
                             "it goes the wrong way in x: left and right are exchanged. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) ->
                                     RIGHT.draw(
@@ -104,7 +104,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             LineMutants.known("ties-to-the-larger")),
                     of(
                             "first missing to the left",
-                            96,
+                            94,
                             "the first pixel is missing. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) -> {
                                 if (x1 < x0) WITHOUT_FIRST.draw(x0, y0, x1, y1, out);

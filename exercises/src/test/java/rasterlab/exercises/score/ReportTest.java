@@ -54,6 +54,15 @@ class ReportTest {
         assertEquals(3, cut.of());
     }
 
+    @Test
+    void whatDoesNotCountIsToldToItsStudentWithTheReason() {
+        CaseReport line = CaseReport.withheld(3, "steep lines", "крутые отрезки");
+        assertEquals(line, line.forStudent(false));
+        assertTrue(line.message("en").endsWith(": steep lines"), line.message("en"));
+        assertTrue(line.message("ru").endsWith(": крутые отрезки"), line.message("ru"));
+        assertEquals("−3", CaseReport.pointsOf(line.points(), line.of()));
+    }
+
     @ParameterizedTest
     @CsvSource({
         "1.0, 10",

@@ -38,7 +38,7 @@ suspend fun ServerSSESession.follow(
         place = newPlace
         if (now.cases.size < told) told = 0
         now.cases.drop(told).forEachIndexed { index, case ->
-            send(Json.encodeToString(case), event = "case", id = (told + index).toString())
+            send(Json.encodeToString(CaseAsPublished, case), event = "case", id = (told + index).toString())
         }
         told = now.cases.size
         if (now.verdict != null) send(Json.encodeToString(now), event = "done")

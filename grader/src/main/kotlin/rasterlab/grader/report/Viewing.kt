@@ -6,22 +6,22 @@ package rasterlab.grader.report
 
 import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
+import rasterlab.exercises.published.PublishedCase
+import rasterlab.exercises.published.PublishedDiagnostic
+import rasterlab.exercises.published.PublishedPart
+import rasterlab.exercises.published.PublishedPoints
 import rasterlab.exercises.score.CaseReport
-import rasterlab.exercises.score.PicturePart
-import rasterlab.exercises.score.PixelRows
-import rasterlab.exercises.score.PublishedVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Recorded
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
-import java.util.Optional
-import kotlin.jvm.optionals.getOrNull
 
 /**
  * @param revision of the exercise that it was or will be graded against
@@ -37,9 +37,15 @@ data class SubmissionView(
     val state: String,
     val position: Int,
     val verdict: String?,
-    val points: PointsView?,
-    val cases: List<CaseView>,
-    val diagnostics: List<DiagnosticView>,
+    @Serializable(with = PointsAsPublished::class) val points: PublishedPoints?,
+    val cases: List<
+        @Serializable(with = CaseAsPublished::class)
+        PublishedCase,
+    >,
+    val diagnostics: List<
+        @Serializable(with = DiagnosticAsPublished::class)
+        PublishedDiagnostic,
+    >,
     val isolation: String?,
     val receivedAt: String,
     val gradedAt: String?,
@@ -51,71 +57,24 @@ class GradedAgainst(
     val current: Boolean,
 )
 
-@Serializable
-data class PointsView(
-    val accuracy: Int,
-    val stability: Int,
-    val speed: Int,
-    val total: Int,
-    val of: Int,
-)
-
-/**
- * @param run false where the method was stopped before the case's turn came: `verdict` is `no_result` then
- * @param place in the answer that the message tells in words, as a path of its JSON; null where it tells none
- */
-@Serializable
-data class CaseView(
-    val name: String,
-    val title: String,
-    val visibility: String,
-    val run: Boolean,
-    val verdict: String,
-    val points: Int,
-    val of: Int,
-    val message: String,
-    val place: String?,
-    val pictures: List<PictureView>,
-    val scene: JsonElement?,
-)
-
-/**
- * @param kind of the picture; whoever does not know it shows the picture under this name
- * @param url where the PNG is
- * @param text tells people who do not see it what is there, in their language; of a grid of pixels its rows
- * @param part which pixels of a grid these are; null where it is no grid, and where an older server drew it
- */
-@Serializable
-data class PictureView(
-    val kind: String,
-    val url: String,
-    val text: String,
-    @Serializable(with = PartAsJson::class) val part: PicturePart?,
-) {
-    /** The rows of characters alone; none where it is no grid of pixels. */
-    fun rows(): List<String> = PixelRows.of(text, Optional.ofNullable(part))
-}
-
-/** As the part itself writes it. */
-private object PartAsJson : KSerializer<PicturePart> {
+/** A part of a published report in our JSON, as it writes itself. */
+abstract class AsPublished<T : PublishedPart> : KSerializer<T> {
     private val json = JsonElement.serializer()
     override val descriptor = json.descriptor
 
     override fun serialize(
         encoder: Encoder,
-        value: PicturePart,
-    ) = encoder.encodeSerializableValue(json, Json.parseToJsonElement(value.data()))
+        value: T,
+    ) = encoder.encodeSerializableValue(json, Json.parseToJsonElement(value.json()))
 
-    override fun deserialize(decoder: Decoder): PicturePart =
-        PicturePart.ofData(decoder.decodeSerializableValue(json).toString()).orElseThrow()
+    override fun deserialize(decoder: Decoder): T = throw SerializationException("a report is written, not read")
 }
 
-@Serializable
-data class DiagnosticView(
-    val line: Int,
-    val column: Int,
-    val message: String,
-)
+object PointsAsPublished : AsPublished<PublishedPoints>()
+
+object CaseAsPublished : AsPublished<PublishedCase>()
+
+object DiagnosticAsPublished : AsPublished<PublishedDiagnostic>()
 
 /** What is left of a report for these eyes. Deadlines cannot be set yet, so none has passed. */
 fun Report.seenBy(who: Identity): Report = if (who is Identity.Student) forStudent(false) else this
@@ -149,9 +108,9 @@ fun Submission.view(
         (if (report == null) state else State.DONE).code,
         if (report == null) position else 0,
         report?.verdict()?.code(),
-        report?.points()?.let { PointsView(it.accuracy(), it.stability(), it.speed(), it.total(), it.of()) },
+        report?.points()?.let(PublishedPoints::of),
         cases.map { it.view(id, language, title(it.name())) },
-        report?.diagnostics().orEmpty().map { DiagnosticView(it.line(), it.column(), it.message(language)) },
+        report?.diagnostics().orEmpty().map { PublishedDiagnostic.of(it, language) },
         report?.isolation(),
         receivedAt.text(),
         recorded?.gradedAt?.text(),
@@ -162,25 +121,7 @@ fun CaseReport.view(
     submission: String,
     language: String,
     title: String,
-): CaseView {
+): PublishedCase {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
-    val pictures =
-        pictures().map {
-            PictureView(it.kind(), "$folder/${it.kind()}.png", it.text().`in`(language), it.part().getOrNull())
-        }
-    val verdict = PublishedVerdict.of(verdict())
-    val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)
-    return CaseView(
-        name(),
-        title,
-        visibility().code(),
-        verdict.run(),
-        verdict.code(),
-        points(),
-        of(),
-        message(language),
-        place().getOrNull(),
-        pictures,
-        scene,
-    )
+    return PublishedCase.of(this, language, title) { "$folder/${it.kind()}.png" }
 }

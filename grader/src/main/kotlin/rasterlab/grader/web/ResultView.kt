@@ -21,15 +21,16 @@ import kotlinx.html.span
 import kotlinx.html.strong
 import kotlinx.html.summary
 import kotlinx.html.ul
+import rasterlab.exercises.published.PublishedCase
+import rasterlab.exercises.published.PublishedDiagnostic
+import rasterlab.exercises.published.PublishedPicture
+import rasterlab.exercises.published.PublishedPoints
 import rasterlab.exercises.score.CasePicture
+import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
-import rasterlab.exercises.score.PublishedVerdict
 import rasterlab.exercises.score.Report
-import rasterlab.grader.report.CaseView
-import rasterlab.grader.report.DiagnosticView
-import rasterlab.grader.report.PictureView
-import rasterlab.grader.report.PointsView
 import rasterlab.grader.report.SubmissionView
+import kotlin.jvm.optionals.getOrNull
 
 /** Everything that is known of a submission by now. */
 fun DIV.result(
@@ -76,7 +77,7 @@ private fun FlowContent.progress(
 
 private fun FlowContent.points(
     texts: Texts,
-    points: PointsView,
+    points: PublishedPoints,
 ) {
     p("total") { +texts.say("result.points", points.total, points.of) }
     val kinds = listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed)
@@ -92,7 +93,7 @@ private fun FlowContent.points(
 
 private fun FlowContent.diagnostics(
     texts: Texts,
-    diagnostics: List<DiagnosticView>,
+    diagnostics: List<PublishedDiagnostic>,
     source: String,
 ) = section {
     h2 { +texts.say("result.diagnostics") }
@@ -111,7 +112,7 @@ private fun FlowContent.diagnostics(
 
 private fun place(
     texts: Texts,
-    diagnostic: DiagnosticView,
+    diagnostic: PublishedDiagnostic,
 ) = if (diagnostic.column > 0) {
     texts.say("result.line.column", diagnostic.line, diagnostic.column)
 } else {
@@ -120,27 +121,36 @@ private fun place(
 
 private fun FlowContent.case(
     texts: Texts,
-    case: CaseView,
+    case: PublishedCase,
 ) = article("case card") {
     div("row") {
-        status(texts, PublishedVerdict(case.verdict, case.run).told(case.points, case.of), "")
+        status(texts, case.verdict.told(case.points, case.of), "")
         h3 { +case.title }
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
-        span("earned") { +texts.say("result.case.points", case.points, case.of) }
+        span("earned") { +earned(texts, case) }
     }
     if (case.message.isNotEmpty()) p { +case.message }
     if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
 }
 
-private fun isOfPixels(difference: PictureView) =
+private fun earned(
+    texts: Texts,
+    case: PublishedCase,
+) = if (case.points < 0) {
+    CaseReport.pointsOf(case.points, case.of)
+} else {
+    texts.say("result.case.points", case.points, case.of)
+}
+
+private fun isOfPixels(difference: PublishedPicture) =
     difference.kind == CasePicture.DIFFERENCE && difference.rows().isNotEmpty()
 
 private fun FlowContent.pictures(
     texts: Texts,
     case: String,
-    pictures: List<PictureView>,
+    pictures: List<PublishedPicture>,
 ) {
-    pictures.firstNotNullOfOrNull { it.part }?.takeIf { !it.isWhole }?.let { part ->
+    pictures.firstNotNullOfOrNull { it.part.getOrNull() }?.takeIf { !it.isWhole }?.let { part ->
         p("legend") { +texts.say("result.part", part.said().`in`(texts.language)) }
     }
     div("pictures") {

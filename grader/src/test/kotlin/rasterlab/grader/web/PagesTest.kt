@@ -67,15 +67,20 @@ class PagesTest {
     fun tellsScriptsNoNewVerdictOfACaseThatWasNotRun() {
         val case = Classroom.case("open-case", Disclosure.OPEN, GradingVerdict.NOT_RUN)
         val view = case.view("s1", "en", "one pixel")
-        assertEquals("no_result" to false, view.verdict to view.run)
-        assertTrue(Classroom.case("open-case", Disclosure.OPEN, GradingVerdict.WRONG).view("s1", "en", "one").run)
+        assertEquals("no_result" to false, view.verdict.code to view.verdict.run)
+        assertTrue(
+            Classroom
+                .case("open-case", Disclosure.OPEN, GradingVerdict.WRONG)
+                .view("s1", "en", "one")
+                .verdict.run,
+        )
     }
 
     @Test
     fun tellsScriptsNoNewVerdictOfASpeedWithoutPoints() {
         val case = Classroom.case("speed", Disclosure.OPEN, GradingVerdict.TOO_SLOW)
         val view = case.view("s1", "en", "speed")
-        assertEquals("ok" to true, view.verdict to view.run)
+        assertEquals("ok" to true, view.verdict.code to view.verdict.run)
     }
 
     @Test

@@ -1,0 +1,81 @@
+package rasterlab.exercises.published;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.PublishedVerdict;
+
+/**
+ * A judged case.
+ *
+ * @param verdict with its code; {@code no_result} where the method was stopped before the case's
+ *     turn came
+ * @param place in the answer that the message tells in words, as a path of its JSON; empty where it
+ *     tells none
+ * @param scene the case as a scene file; "" where there is none
+ */
+public record PublishedCase(
+        String name,
+        String title,
+        String visibility,
+        PublishedVerdict verdict,
+        int points,
+        int of,
+        String message,
+        Optional<String> place,
+        List<PublishedPicture> pictures,
+        String scene)
+        implements PublishedPart {
+    public PublishedCase {
+        pictures = List.copyOf(pictures);
+    }
+
+    /**
+     * A case in words of that language.
+     *
+     * @param language such as "ru"
+     * @param title in that language
+     * @param url of a picture of the case
+     */
+    public static PublishedCase of(
+            CaseReport judged, String language, String title, Function<CasePicture, String> url) {
+        return new PublishedCase(
+                judged.name(),
+                title,
+                judged.visibility().code(),
+                PublishedVerdict.of(judged.verdict()),
+                judged.points(),
+                judged.of(),
+                judged.message(language),
+                judged.place(),
+                judged.pictures().stream()
+                        .map(one -> PublishedPicture.of(one, language, url.apply(one)))
+                        .toList(),
+                judged.scene());
+    }
+
+    @Override
+    public void write(JsonGenerator out) throws IOException {
+        out.writeStartObject();
+        out.writeStringField("name", name);
+        out.writeStringField("title", title);
+        out.writeStringField("visibility", visibility);
+        out.writeBooleanField("run", verdict.run());
+        out.writeStringField("verdict", verdict.code());
+        out.writeNumberField("points", points);
+        out.writeNumberField("of", of);
+        out.writeStringField("message", message);
+        out.writeStringField("place", place.orElse(null));
+        out.writeArrayFieldStart("pictures");
+        for (PublishedPicture one : pictures) one.write(out);
+        out.writeEndArray();
+        out.writeFieldName("scene");
+        if (scene.isEmpty()) out.writeNull();
+        else out.writeRawValue(scene.strip());
+        out.writeEndObject();
+    }
+}

@@ -1,0 +1,7 @@
+/**
+ * What is told of a report in JSON, in one language: the shape that the HTTP API and {@code ./lab
+ * check --json} share.
+ *
+ * <p>Start with {@link rasterlab.exercises.published.PublishedReport}.
+ */
+package rasterlab.exercises.published;
