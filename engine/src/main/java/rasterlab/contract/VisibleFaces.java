@@ -16,16 +16,20 @@ public interface VisibleFaces {
     /**
      * Whether each face is turned towards the eye.
      *
+     * <p>A method that judges by the inner point may refuse a body where that point is not behind
+     * every face, or where a face has no area. No other body may be refused.
+     *
      * @param xyz x, y, z of vertex 0, then of vertex 1, …; any finite numbers, in any unit; not to
      *     be changed
      * @param faces the corners of each face as vertex numbers from 0, at least three; not to be
      *     changed
      * @param eye x, y, z
      * @param inside x, y, z of a point inside the body, which is behind every face; or no numbers,
-     *     for the mean of the vertices
+     *     for the mean of the vertices; changes no answer
+     * @return one answer for each face, in their order
      * @throws IllegalArgumentException if a number is not finite, a corner is no vertex, a face has
-     *     fewer than three, or the method cannot judge this body; the message names place, value
-     *     and what is allowed
+     *     fewer than three, or the inner point is refused as said above; the message names place,
+     *     value and what is allowed
      */
     boolean[] visible(double[] xyz, int[][] faces, double[] eye, double[] inside);
 }
