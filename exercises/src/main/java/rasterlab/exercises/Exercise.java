@@ -180,11 +180,19 @@ public record Exercise(
      *     right
      * @param worst the largest error that is right, in the topic's unit; where it is not given,
      *     what the topic calls correct
+     * @param truth the topic's method whose answers are the right ones; where it is not given, the
+     *     topic's exact answers are
      */
-    public record Tolerance(boolean eitherPixelOnTies, OptionalDouble worst) {
+    public record Tolerance(
+            boolean eitherPixelOnTies, OptionalDouble worst, Optional<String> truth) {
         /** The topic's own bound; either pixel of a tie where that is said. */
         public Tolerance(boolean eitherPixelOnTies) {
-            this(eitherPixelOnTies, OptionalDouble.empty());
+            this(eitherPixelOnTies, OptionalDouble.empty(), Optional.empty());
+        }
+
+        /** The topic's own bound around the same right answers. */
+        public Tolerance strict() {
+            return new Tolerance(false, OptionalDouble.empty(), truth);
         }
     }
 

@@ -48,6 +48,11 @@ public interface TopicGrading {
         return Optional.empty();
     }
 
+    /** The methods whose answers an exercise may call the right ones; none where it may not. */
+    default List<String> truths() {
+        return List.of();
+    }
+
     /**
      * The key of a text in this topic's words.
      *

@@ -41,6 +41,7 @@ final class ExerciseReader {
         "topic",
         "title",
         "tolerance",
+        "truth",
         "points",
         "caps",
         "timed",
@@ -130,8 +131,7 @@ final class ExerciseReader {
                                                 new StatementPictures(folder, one.name())
                                                         .read(statements)));
         var starter = faults.tried(() -> folder.text("Starter.java"));
-        var tolerance =
-                topic.flatMap(one -> faults.tried(() -> tolerance(tolerances(fields), one)));
+        var tolerance = topic.flatMap(one -> faults.tried(() -> tolerance(fields, one)));
         var caps = faults.tried(() -> stated(fields));
         var evidence = topic.flatMap(one -> faults.tried(() -> evidence(fields, one)));
         var timed =
@@ -220,12 +220,21 @@ final class ExerciseReader {
     }
 
     /** An error is stated with its unit, so that nobody takes pixels for shares. */
-    private static Tolerance tolerance(JsonFields fields, TopicGrading topic) {
+    private static Tolerance tolerance(JsonFields exercise, TopicGrading topic) {
+        Optional<String> truth = truth(exercise, topic);
+        JsonFields fields = tolerances(exercise);
         boolean either = fields.flag("eitherPixelOnTies", false);
-        if (!fields.has("worst") && !fields.has("unit")) return new Tolerance(either);
+        if (!fields.has("worst") && !fields.has("unit"))
+            return new Tolerance(either, OptionalDouble.empty(), truth);
         if (topic.unit().isEmpty()) throw fields.wrong("worst", Phrase.of("field.no-tolerance"));
         fields.word("unit", List.of(topic.unit().get()));
-        return new Tolerance(either, OptionalDouble.of(fields.get(WORST)));
+        return new Tolerance(either, OptionalDouble.of(fields.get(WORST)), truth);
+    }
+
+    private static Optional<String> truth(JsonFields fields, TopicGrading topic) {
+        if (!fields.has("truth")) return Optional.empty();
+        if (topic.truths().isEmpty()) throw fields.wrong("truth", Phrase.of("field.no-truth"));
+        return Optional.of(fields.word("truth", topic.truths()));
     }
 
     private static Caps caps(JsonFields fields) {

@@ -71,7 +71,7 @@ final class InputBatch<C, I, O> implements Timing {
     @SuppressWarnings("unchecked") // recorded by this class
     public Optional<Set<String>> mistakes(Told told) {
         I input = inputs.get(looked);
-        O exact = grading.topic().exact(input, mostItems());
+        O exact = grading.truth(input, tolerance, mostItems());
         return told.looked()
                 .filter(output -> grading.isRight(input, exact, (O) output, tolerance))
                 .map(right -> Set.of());

@@ -130,7 +130,7 @@ final class InputCall<C, I, O> implements Call {
 
     /** The first method that is right on this input; empty where all fail. */
     private Optional<String> rightMethod() {
-        O exact = topic().exact(input, topic().mostItems());
+        O exact = grading.truth(input, demand.tolerance(), topic().mostItems());
         return topic().methods().stream()
                 .filter(one -> !one.faulty())
                 .filter(one -> isRight(one.implementation(), exact))

@@ -49,6 +49,12 @@ final class FolderMistakes {
                 argumentSet(
                         "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
                 argumentSet(
+                        "another truth for pixels",
+                        json,
+                        "\"topic\"",
+                        "\"truth\": \"dda\", \"topic\"",
+                        "field 'truth' is not for this topic"),
+                argumentSet(
                         "title without Russian",
                         json,
                         ",\n    \"ru\": \"Отрезок по Брезенхему\"",
