@@ -94,7 +94,7 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public JsonNode exact() {
-        return grading.json(input, topic().exact(input, demand.items()));
+        return grading.json(input, grading.truth(input, demand.tolerance(), demand.items()));
     }
 
     private KnownMistakes<C, I, O> known() {
