@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -75,9 +76,13 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return false;
     }
 
-    /** The right answer that is nearest to that one, as far as it is looked at. */
-    protected O right(I input, O actual, Demand demand) {
-        return truth(input, demand.tolerance(), demand.items());
+    /**
+     * The right answer that is nearest to that one, as far as it is looked at.
+     *
+     * @param truth gives the right answer of the exercise
+     */
+    protected O right(I input, Supplier<O> truth, O actual, Demand demand) {
+        return truth.get();
     }
 
     /** The right answer of the exercise: the topic's, or that of the method that it names. */
@@ -99,12 +104,15 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return within || topic.correct(deviation);
     }
 
-    /** Whether two outputs tell of the same mistake: up to rounding, or to the letter. */
-    protected boolean isSame(I input, O known, O actual) {
-        // a comparison may look at the input beside both
-        return topic.correct(topic.compare(input, known, actual))
-                || Leaves.of(topic.format(), input, known)
-                        .equals(Leaves.of(topic.format(), input, actual));
+    /** Which outputs tell of the same mistake as that one: up to rounding, or to the letter. */
+    protected Predicate<O> sameAs(I input, O actual) {
+        Leaves[] asked = new Leaves[1];
+        return known -> {
+            // a comparison may look at the input beside both
+            if (topic.correct(topic.compare(input, known, actual))) return true;
+            if (asked[0] == null) asked[0] = Leaves.of(topic.format(), input, actual);
+            return Leaves.of(topic.format(), input, known).equals(asked[0]);
+        };
     }
 
     /** Codes of the mistakes that the kind of output tells by itself. */
@@ -133,7 +141,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     /**
      * The right answer that a wrong one is shown beside.
      *
-     * @param right as {@link #right} has it
+     * @param right the right one that is nearest to it
      */
     protected O beside(I input, O right, O actual, Demand demand, List<List<Cause>> causes) {
         return right;

@@ -23,6 +23,9 @@ final class InputCall<C, I, O> implements Call {
     private final I input;
     private final Demand demand;
 
+    /** Worked out when it is first asked for, which may take long, and kept for further answers. */
+    private O truth;
+
     InputCall(ByTopic<C, I, O> grading, I input, Demand demand) {
         this.grading = grading;
         this.input = input;
@@ -71,7 +74,7 @@ final class InputCall<C, I, O> implements Call {
         if (answer.ending() == Answer.Ending.CUT && !demand.cut())
             return grading.endless(input, answer, demand, whole);
         O actual = (O) answer.output().get();
-        O right = grading.right(input, actual, demand);
+        O right = right(actual);
         if (grading.isRight(input, right, actual, demand.tolerance())) return Finding.OK;
         List<List<Cause>> own = grading.explanations(input, actual, demand);
         List<List<Cause>> causes = own.isEmpty() ? known().of(actual) : own;
@@ -94,11 +97,21 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public JsonNode exact() {
-        return grading.json(input, grading.truth(input, demand.tolerance(), demand.items()));
+        return grading.json(input, truth(demand.items()));
     }
 
     private KnownMistakes<C, I, O> known() {
-        return new KnownMistakes<>(grading, input, demand);
+        return new KnownMistakes<>(grading, input, demand, this::right);
+    }
+
+    private O right(O actual) {
+        return grading.right(input, () -> truth(demand.items()), actual, demand);
+    }
+
+    private O truth(int most) {
+        if (most != demand.items()) return grading.truth(input, demand.tolerance(), most);
+        if (truth == null) truth = grading.truth(input, demand.tolerance(), most);
+        return truth;
     }
 
     @Override
@@ -130,18 +143,18 @@ final class InputCall<C, I, O> implements Call {
 
     /** The first method that is right on this input; empty where all fail. */
     private Optional<String> rightMethod() {
-        O exact = grading.truth(input, demand.tolerance(), topic().mostItems());
+        O right = truth(topic().mostItems());
         return topic().methods().stream()
                 .filter(one -> !one.faulty())
-                .filter(one -> isRight(one.implementation(), exact))
+                .filter(one -> isRight(one.implementation(), right))
                 .map(Method::name)
                 .findFirst();
     }
 
-    private boolean isRight(C method, O exact) {
+    private boolean isRight(C method, O right) {
         try {
             O output = topic().record(method, input, topic().mostItems());
-            return topic().correct(topic().compare(input, exact, output));
+            return topic().correct(topic().compare(input, right, output));
         } catch (LimitReached | IllegalArgumentException refused) {
             return false;
         }

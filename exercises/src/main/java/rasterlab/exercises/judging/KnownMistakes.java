@@ -3,6 +3,8 @@ package rasterlab.exercises.judging;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -21,24 +23,30 @@ final class KnownMistakes<C, I, O> {
     private final Topic<C, I, O> topic;
     private final I input;
     private final Demand demand;
+    private final UnaryOperator<O> right;
 
-    KnownMistakes(ByTopic<C, I, O> grading, I input, Demand demand) {
+    /**
+     * @param right the right answer that is nearest to one
+     */
+    KnownMistakes(ByTopic<C, I, O> grading, I input, Demand demand, UnaryOperator<O> right) {
         this.grading = grading;
         this.topic = grading.topic();
         this.input = input;
         this.demand = demand;
+        this.right = right;
     }
 
     /** Each explains the answer by itself. */
     List<List<Cause>> of(O actual) {
         List<List<Cause>> found = new ArrayList<>();
+        Predicate<O> same = grading.sameAs(input, actual);
         for (Mutant<C> one : topic.mutants())
-            if (gives(one.implementation(), actual)) {
+            if (output(one.implementation()).filter(same).isPresent()) {
                 String text = "mutant." + topic.name() + "." + one.name();
                 found.add(List.of(new Cause(one.name(), Message.of("known-mistake", text))));
             }
         for (Method<C> one : topic.methods())
-            if (one.faulty() && gives(one.implementation(), actual))
+            if (one.faulty() && output(one.implementation()).filter(same).isPresent())
                 found.add(
                         List.of(
                                 new Cause(
@@ -58,21 +66,11 @@ final class KnownMistakes<C, I, O> {
                         .filter(one -> one.name().equals(name))
                         .map(Method::implementation);
         return Stream.concat(mutants, methods)
-                .allMatch(
-                        method ->
-                                output(method)
-                                        .filter(
-                                                output ->
-                                                        grading.isSame(
-                                                                input,
-                                                                grading.right(
-                                                                        input, output, demand),
-                                                                output))
-                                        .isPresent());
+                .allMatch(method -> output(method).filter(this::isRight).isPresent());
     }
 
-    private boolean gives(C method, O actual) {
-        return output(method).filter(output -> grading.isSame(input, output, actual)).isPresent();
+    private boolean isRight(O output) {
+        return grading.sameAs(input, output).test(right.apply(output));
     }
 
     /** Empty where it refuses, goes on without end or breaks down, as a faulty one may. */

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import rasterlab.engine.raster.FirstDifference;
 import rasterlab.engine.raster.PixelDifference;
@@ -65,7 +66,8 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     }
 
     @Override
-    protected final PixelRecording right(I input, PixelRecording actual, Demand demand) {
+    protected final PixelRecording right(
+            I input, Supplier<PixelRecording> truth, PixelRecording actual, Demand demand) {
         return right(input, actual, demand, demand.items());
     }
 
@@ -79,11 +81,15 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     @Override
     protected final boolean isRight(
             I input, PixelRecording exact, PixelRecording actual, Tolerance tolerance) {
-        return isSame(input, exact, actual);
+        return isSame(exact, actual);
     }
 
     @Override
-    protected final boolean isSame(I input, PixelRecording one, PixelRecording other) {
+    protected final Predicate<PixelRecording> sameAs(I input, PixelRecording actual) {
+        return known -> isSame(known, actual);
+    }
+
+    private static boolean isSame(PixelRecording one, PixelRecording other) {
         if (one.size() != other.size()) return false;
         for (int i = 0; i < one.size(); i++)
             if (one.x(i) != other.x(i) || one.y(i) != other.y(i)) return false;
@@ -140,8 +146,7 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     @Override
     protected final Message further(I input, PixelRecording actual, Demand demand) {
         for (Method<C> method : topic().methods())
-            if (method.faulty()
-                    && isSame(input, drawnBy(method.implementation(), input, demand), actual))
+            if (method.faulty() && isSame(drawnBy(method.implementation(), input, demand), actual))
                 return Message.of(knownMethod(), method.name());
         return Message.NONE;
     }
@@ -158,7 +163,7 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     @Override
     protected final Finding endless(I input, Answer answer, Demand demand, boolean whole) {
         PixelRecording actual = (PixelRecording) answer.output().orElseThrow();
-        PixelRecording right = right(input, actual, demand);
+        PixelRecording right = right(input, actual, demand, demand.items());
         return new Finding(
                 GradingVerdict.OUTPUT_LIMIT,
                 Message.of("still-plotting", actual.size(), right.size()),

@@ -5,6 +5,7 @@ import static java.util.stream.Collectors.joining;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.engine.Topics;
@@ -14,6 +15,7 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.Grading.CaseSelection;
@@ -27,13 +29,13 @@ public final class Proving {
     private final Exercise exercise;
     private final TopicGrading grading;
     private final Topic<?, ?, ?> topic;
-    private final long seed;
+    private final Map<Case, List<TopicGrading.Call>> calls;
 
     private Proving(Exercise exercise, long seed) {
         this.exercise = exercise;
         this.grading = TopicGradings.named(exercise.topic());
         this.topic = Topics.named(exercise.topic());
-        this.seed = seed;
+        this.calls = TriedMethod.calls(exercise, grading, seed);
     }
 
     /** The proof without the exercise's sources. */
@@ -146,6 +148,6 @@ public final class Proving {
     }
 
     private TriedMethod tried(Object method) {
-        return TriedMethod.on(exercise, grading, method, seed);
+        return TriedMethod.on(exercise, calls, method);
     }
 }

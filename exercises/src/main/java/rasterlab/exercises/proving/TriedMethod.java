@@ -1,7 +1,9 @@
 package rasterlab.exercises.proving;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import rasterlab.engine.study.InputChanged;
@@ -38,13 +40,32 @@ public final class TriedMethod {
      */
     public static TriedMethod on(
             Exercise exercise, TopicGrading grading, Object method, long seed) {
+        return on(exercise, calls(exercise, grading, seed), method);
+    }
+
+    /**
+     * The calls of each of the exercise's cases, on which many methods may be tried: what is right
+     * there is worked out once for all of them.
+     */
+    static Map<Case, List<TopicGrading.Call>> calls(
+            Exercise exercise, TopicGrading grading, long seed) {
+        Map<Case, List<TopicGrading.Call>> calls = new LinkedHashMap<>();
+        for (Case one : exercise.cases())
+            calls.put(one, grading.calls(one, exercise.tolerance(), seed));
+        return calls;
+    }
+
+    /** Tries a method on calls of the exercise's cases. */
+    static TriedMethod on(
+            Exercise exercise, Map<Case, List<TopicGrading.Call>> cases, Object method) {
         Marking marking = new Marking(exercise);
-        for (Case one : exercise.cases()) {
-            List<TriedCall> calls = new ArrayList<>();
-            for (TopicGrading.Call call : grading.calls(one, exercise.tolerance(), seed))
-                calls.add(TriedCall.answered(call, answer(call, method)));
-            marking.put(TriedCase.tried(one, calls));
-        }
+        cases.forEach(
+                (one, calls) -> {
+                    List<TriedCall> tried = new ArrayList<>();
+                    for (TopicGrading.Call call : calls)
+                        tried.add(TriedCall.answered(call, answer(call, method)));
+                    marking.put(TriedCase.tried(one, tried));
+                });
         return new TriedMethod(exercise, marking);
     }
 
