@@ -17,6 +17,7 @@ import rasterlab.exercises.score.Disclosure;
  *
  * @param id lower-case with hyphens, the folder's name
  * @param topic the engine's topic whose contract the student implements
+ * @param contract simple name of a smaller contract that is asked for in its place
  * @param title language code ("en", "ru") to title
  * @param statement language code to Markdown text
  * @param pictures what the statements show, by file name
@@ -34,6 +35,7 @@ import rasterlab.exercises.score.Disclosure;
 public record Exercise(
         String id,
         String topic,
+        Optional<String> contract,
         Map<String, String> title,
         Map<String, String> statement,
         Map<String, Picture> pictures,
@@ -106,6 +108,7 @@ public record Exercise(
         this(
                 id,
                 topic,
+                Optional.empty(),
                 title,
                 statement,
                 pictures,

@@ -115,7 +115,7 @@ class CaseOpeningTest {
         shown();
         for (Exercise exercise : Catalogue.builtIn().all()) {
             if (exercise.form() != Exercise.Form.WRITE) continue;
-            TopicGrading grading = TopicGradings.named(exercise.topic());
+            TopicGrading grading = TopicGradings.of(exercise);
             boolean byName = HAZARDS_ALONE.contains(exercise.topic());
             assertEquals(
                     byName ? Optional.of(Unshown.NO_READER) : Optional.empty(),

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.Pixels;
+import rasterlab.contract.WindowedLineRasterizer;
 import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
@@ -78,6 +79,10 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
         } else if (method instanceof SteppedLine stepped) {
             LineWalk walk = walk(stepped, s);
             while (walk.advance()) out.plot(walk.x(), walk.y());
+        } else if (method instanceof WindowedLineRasterizer windowed) {
+            PixelWindow w = s.window();
+            windowed.draw(
+                    s.x0(), s.y0(), s.x1(), s.y1(), w.xmin(), w.ymin(), w.xmax(), w.ymax(), out);
         } else {
             Pixels seen = (x, y) -> plotSeen(x, y, s.window(), out);
             method.draw(s.x0(), s.y0(), s.x1(), s.y1(), seen);

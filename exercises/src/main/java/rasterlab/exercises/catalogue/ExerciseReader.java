@@ -39,6 +39,7 @@ final class ExerciseReader {
     private static final List<String> LANGUAGES = List.of("en", "ru");
     private static final String[] FIELDS = {
         "topic",
+        "contract",
         "title",
         "tolerance",
         "truth",
@@ -110,9 +111,7 @@ final class ExerciseReader {
     }
 
     private Optional<Exercise> written(String id, JsonFields fields) {
-        Optional<TopicGrading> topic =
-                faults.tried(
-                        () -> TopicGradings.named(fields.word("topic", TopicGradings.names())));
+        Optional<TopicGrading> topic = faults.tried(() -> grading(fields));
         Optional<PointPlan> points =
                 faults.tried(
                         () -> points(fields.object("points", "accuracy", "stability", "speed")));
@@ -145,6 +144,7 @@ final class ExerciseReader {
                 new Exercise(
                         id,
                         topic.orElseThrow().name(),
+                        contract(fields, topic.orElseThrow().name()),
                         titles.orElseThrow(),
                         statements,
                         pictures.orElseThrow(),
@@ -161,6 +161,18 @@ final class ExerciseReader {
         faults.checked(() -> checkItems(read, topic.orElseThrow()));
         faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));
         return Optional.of(read);
+    }
+
+    private static TopicGrading grading(JsonFields fields) {
+        String topic = fields.word("topic", TopicGradings.names());
+        return TopicGradings.named(topic, contract(fields, topic));
+    }
+
+    /** A smaller contract of the topic, where one is asked for. */
+    private static Optional<String> contract(JsonFields fields, String topic) {
+        return fields.has("contract")
+                ? Optional.of(fields.word("contract", TopicGradings.parts(topic)))
+                : Optional.empty();
     }
 
     private List<Case> cases(JsonFields fields, Optional<TopicGrading> topic, List<Group> groups) {

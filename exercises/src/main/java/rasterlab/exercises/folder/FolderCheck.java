@@ -70,7 +70,7 @@ public final class FolderCheck {
     }
 
     private void checkSources(Exercise exercise) {
-        SourceCheck check = new SourceCheck(TopicGradings.named(exercise.topic()).contract());
+        SourceCheck check = new SourceCheck(TopicGradings.of(exercise).contract());
         check.faults(exercise.starter()).forEach(one -> add("Starter.java", one));
         Optional<String> model = exercise.evidence().model();
         model.ifPresent(source -> check.faults(source).forEach(one -> add("Model.java", one)));

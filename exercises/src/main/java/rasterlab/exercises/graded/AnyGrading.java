@@ -1,6 +1,7 @@
 package rasterlab.exercises.graded;
 
 import java.util.List;
+import java.util.function.Function;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.score.CasePicture;
@@ -10,8 +11,11 @@ import rasterlab.exercises.score.CasePicture;
  * and a student's speed is held against the exercise's model solution.
  */
 public final class AnyGrading<C, I, O> extends ByTopic<C, I, O> {
-    private AnyGrading(Topic<C, I, O> topic, Class<C> contract) {
+    private final Function<Object, C> whole;
+
+    private AnyGrading(Topic<C, I, O> topic, Class<?> contract, Function<Object, C> whole) {
         super(topic, contract);
+        this.whole = whole;
     }
 
     /**
@@ -21,7 +25,22 @@ public final class AnyGrading<C, I, O> extends ByTopic<C, I, O> {
      */
     @SuppressWarnings("unchecked") // the methods of a topic implement its contract
     public static <C, I, O> AnyGrading<C, I, O> of(Topic<C, I, O> topic, Class<?> contract) {
-        return new AnyGrading<>(topic, (Class<C>) contract);
+        return new AnyGrading<>(topic, contract, method -> (C) method);
+    }
+
+    /**
+     * The grading of a part of a topic: inputs that a smaller contract is enough for.
+     *
+     * @param part makes a method of the topic of one that can do the part alone
+     */
+    @SuppressWarnings("unchecked") // the methods of a topic implement its contract
+    public static <C, I, O> AnyGrading<C, I, O> ofPart(Topic<C, I, O> topic, TopicPart<?, ?> part) {
+        return new AnyGrading<>(topic, part.contract(), method -> (C) part.whole(method));
+    }
+
+    @Override
+    protected C whole(Object method) {
+        return whole.apply(method);
     }
 
     @Override

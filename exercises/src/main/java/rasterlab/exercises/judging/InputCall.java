@@ -53,9 +53,8 @@ final class InputCall<C, I, O> implements Call {
     }
 
     @Override
-    @SuppressWarnings("unchecked") // the caller has it from this grading's contract
     public Object recorded(Object method, int most) {
-        return topic().record((C) method, input, most);
+        return topic().record(grading.whole(method), input, most);
     }
 
     @Override

@@ -33,7 +33,7 @@ public final class Proving {
 
     private Proving(Exercise exercise, long seed) {
         this.exercise = exercise;
-        this.grading = TopicGradings.named(exercise.topic());
+        this.grading = TopicGradings.of(exercise);
         this.topic = Topics.named(exercise.topic());
         this.calls = TriedMethod.calls(exercise, grading, seed);
     }

@@ -55,7 +55,7 @@ final class GradingRun {
             Models models) {
         this.settings = settings;
         this.exercise = exercise;
-        this.topic = TopicGradings.named(exercise.topic());
+        this.topic = TopicGradings.of(exercise);
         this.contract = ContractCalls.of(topic.contract());
         this.source = source;
         this.selection = selection;

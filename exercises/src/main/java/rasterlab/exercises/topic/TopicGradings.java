@@ -2,6 +2,8 @@ package rasterlab.exercises.topic;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 import rasterlab.contract.AxisRotation;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.contract.ColorConverter;
@@ -31,11 +33,13 @@ import rasterlab.contract.VertexNormals;
 import rasterlab.contract.VisibleFaces;
 import rasterlab.contract.VolumeClipper;
 import rasterlab.engine.Topics;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.graded.AnyGrading;
 import rasterlab.exercises.graded.ClipGrading;
 import rasterlab.exercises.graded.FaceGrading;
 import rasterlab.exercises.graded.ShadeGrading;
+import rasterlab.exercises.graded.TopicPart;
 import rasterlab.exercises.graded.TriangleGrading;
 import rasterlab.exercises.line.LineGrading;
 
@@ -80,7 +84,44 @@ public final class TopicGradings {
 
     /** What a student may be asked to implement. */
     public static List<Class<?>> contracts() {
-        return CONTRACTS.stream().<Class<?>>map(Map.Entry::getValue).toList();
+        return Stream.concat(
+                        CONTRACTS.stream().<Class<?>>map(Map.Entry::getValue),
+                        TopicPart.all().stream().<Class<?>>map(TopicPart::contract))
+                .toList();
+    }
+
+    /** Names of the smaller contracts that an exercise on that topic may ask for. */
+    public static List<String> parts(String topic) {
+        return TopicPart.all().stream()
+                .filter(one -> one.topic().equals(topic))
+                .map(TopicPart::name)
+                .toList();
+    }
+
+    /** The grading of an exercise: of its topic, or of the part that it asks for. */
+    public static TopicGrading of(Exercise exercise) {
+        return named(exercise.topic(), exercise.contract());
+    }
+
+    /**
+     * The grading of a topic, or of a part of it.
+     *
+     * @param contract simple name of a smaller one; empty for the topic's own
+     * @throws IllegalArgumentException when there is no such topic or part; names those there are
+     */
+    public static TopicGrading named(String topic, Optional<String> contract) {
+        if (contract.isEmpty()) return named(topic);
+        TopicPart<?, ?> part =
+                TopicPart.of(topic, contract.get())
+                        .orElseThrow(
+                                () ->
+                                        new IllegalArgumentException(
+                                                "no contract '%s' of '%s'; there are %s"
+                                                        .formatted(
+                                                                contract.get(),
+                                                                topic,
+                                                                parts(topic))));
+        return AnyGrading.ofPart(Topics.named(topic), part);
     }
 
     /**

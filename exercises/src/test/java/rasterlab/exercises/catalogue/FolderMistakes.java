@@ -47,6 +47,12 @@ final class FolderMistakes {
                         "\"lines\"",
                         "field 'topic' must be one of line, circle, ellipse, fill, "),
                 argumentSet(
+                        "contract that is no part of the topic",
+                        json,
+                        "\"topic\"",
+                        "\"contract\": \"CurveFlattener\", \"topic\"",
+                        "field 'contract' must be one of WindowedLineRasterizer, got 'CurveFlattener'"),
+                argumentSet(
                         "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
                 argumentSet(
                         "another truth for pixels",

@@ -101,7 +101,7 @@ class TopicExercisesTest {
 
     private static Tried tried(String id, Object method, long seed) {
         Exercise exercise = Catalogue.builtIn().named(id);
-        TopicGrading grading = TopicGradings.named(exercise.topic());
+        TopicGrading grading = TopicGradings.of(exercise);
         return new Tried(exercise, TriedMethod.on(exercise, grading, method, seed).marking());
     }
 

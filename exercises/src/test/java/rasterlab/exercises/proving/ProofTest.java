@@ -28,6 +28,7 @@ class ProofTest {
         return new Exercise(
                 TRIANGLE.id(),
                 TRIANGLE.topic(),
+                TRIANGLE.contract(),
                 TRIANGLE.title(),
                 TRIANGLE.statement(),
                 TRIANGLE.pictures(),

@@ -109,7 +109,6 @@ class StudentProgramsTest {
 
     private static Marking marking(Exercise exercise, Path file, long seed) throws Exception {
         Object program = CompiledProgram.of(Files.readString(file));
-        return TriedMethod.on(exercise, TopicGradings.named(exercise.topic()), program, seed)
-                .marking();
+        return TriedMethod.on(exercise, TopicGradings.of(exercise), program, seed).marking();
     }
 }
