@@ -197,6 +197,7 @@ final class GradingRun {
             Student student, Children children, List<Call> before, Marking marking)
             throws ChildLost, InterruptedException {
         try {
+            if (!settings.speed()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
             Optional<Models.Model> model = models.of(exercise, topic, children, settings);
             if (model.isEmpty()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
             try (Student reference =

@@ -11,10 +11,17 @@ import java.time.Duration;
  *     asked once
  * @param spares whether started children wait in reserve, which hides their start-up; off for a
  *     program that grades once and ends
+ * @param speed whether speed is measured; off where nobody asks for its points, it is told as one
+ *     that the machine did not let be measured
  * @param box which protection to look for
  */
 public record JudgeSettings(
-        Duration compileLimit, Duration callLimit, Duration runLimit, boolean spares, Box box) {
+        Duration compileLimit,
+        Duration callLimit,
+        Duration runLimit,
+        boolean spares,
+        boolean speed,
+        Box box) {
     /** Which protection to look for at start. */
     public enum Box {
         /** Bubblewrap where it works, else process limits only. */
@@ -41,6 +48,7 @@ public record JudgeSettings(
                 Duration.ofSeconds(2),
                 Duration.ofSeconds(8),
                 true,
+                true,
                 Box.STRONGEST);
     }
 
@@ -50,15 +58,19 @@ public record JudgeSettings(
     }
 
     public JudgeSettings withSpares(boolean wanted) {
-        return new JudgeSettings(compileLimit, callLimit, runLimit, wanted, box);
+        return new JudgeSettings(compileLimit, callLimit, runLimit, wanted, speed, box);
+    }
+
+    public JudgeSettings withoutSpeed() {
+        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, false, box);
     }
 
     public JudgeSettings withBox(Box wanted) {
-        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, wanted);
+        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, speed, wanted);
     }
 
     public JudgeSettings withCallLimit(Duration wanted) {
-        return new JudgeSettings(compileLimit, wanted, runLimit, spares, box);
+        return new JudgeSettings(compileLimit, wanted, runLimit, spares, speed, box);
     }
 
     private static void positive(String name, Duration limit) {

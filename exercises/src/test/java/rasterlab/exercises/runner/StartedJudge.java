@@ -4,6 +4,7 @@ import org.junit.jupiter.api.extension.AfterAllCallback;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Report;
@@ -12,22 +13,37 @@ import rasterlab.exercises.score.Report;
  * A judge for all tests of a class, whose sources are compiled in this process. No child waits in
  * reserve: one that compiles does a sample first, which costs as much as the source.
  */
-final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
+public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
 
+    private final JudgeSettings settings;
     private WarmCompiler compiler;
     private Judge judge;
+
+    StartedJudge() {
+        this(JudgeSettings.once());
+    }
+
+    /** A judge with other settings. */
+    public StartedJudge(JudgeSettings settings) {
+        this.settings = settings;
+    }
 
     @Override
     public void beforeAll(ExtensionContext context) {
         compiler = new WarmCompiler();
-        judge = Judge.start(JudgeSettings.once(), SpeedMemory.ofProcess(), compiler);
+        judge = Judge.start(settings, SpeedMemory.ofProcess(), compiler);
     }
 
     @Override
     public void afterAll(ExtensionContext context) {
         judge.close();
         compiler.close();
+    }
+
+    /** The judge while the tests of the class run. */
+    public Grading judge() {
+        return judge;
     }
 
     /** What the open cases of a line exercise say of a source. */
