@@ -40,8 +40,12 @@ public final class ExactLine {
     /** The first {@code limit} pixels of those in the window, or all if there are fewer. */
     public PixelRecording record(int limit) {
         var recording = new PixelRecording(limit);
-        for (long k = first(); k < size() && recording.size() < limit && !isPast(k); k++)
-            if (segment.window().contains(x(k), y(k))) recording.plot(x(k), y(k));
+        for (long k = first(); k < size() && recording.size() < limit; k++) {
+            int x = x(k);
+            int y = y(k);
+            if (isPast(x, y)) break;
+            if (segment.window().contains(x, y)) recording.plot(x, y);
+        }
         return recording;
     }
 
@@ -60,12 +64,11 @@ public final class ExactLine {
         return Math.max(0, from <= to ? least - from : from - most);
     }
 
-    /** Whether pixel {@code k} and all that follow lie beyond the window. */
-    private boolean isPast(long k) {
+    /** Whether that pixel of the segment and all that follow lie beyond the window. */
+    private boolean isPast(int x, int y) {
         PixelWindow window = segment.window();
-        if (isWide())
-            return segment.x0() <= segment.x1() ? x(k) > window.xmax() : x(k) < window.xmin();
-        return segment.y0() <= segment.y1() ? y(k) > window.ymax() : y(k) < window.ymin();
+        if (isWide()) return segment.x0() <= segment.x1() ? x > window.xmax() : x < window.xmin();
+        return segment.y0() <= segment.y1() ? y > window.ymax() : y < window.ymin();
     }
 
     private int coordinate(int from, int to, long k) {
