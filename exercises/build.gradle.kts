@@ -12,4 +12,8 @@ dependencies {
     implementation(libs.xmlgraphics.commons)
 }
 
-tasks.test { maxParallelForks = 2 }
+tasks.test {
+    maxParallelForks = 2
+    // Each class runs code of its own for seconds, in which the second compiler would only cost time.
+    jvmArgs("-XX:TieredStopAtLevel=1")
+}
