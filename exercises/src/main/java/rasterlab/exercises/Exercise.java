@@ -341,6 +341,11 @@ public record Exercise(
             return mediaType;
         }
 
+        /** The media type for an exercise of that kind; inputs and steps are JSON. */
+        public static String mediaType(String code) {
+            return (code.equals(WRITE.code()) ? WRITE : BREAK).mediaType();
+        }
+
         /** The word for it in data, commands and the HTTP API. */
         public String code() {
             return name().toLowerCase(Locale.ROOT);

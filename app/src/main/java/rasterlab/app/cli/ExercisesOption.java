@@ -17,6 +17,11 @@ final class ExercisesOption {
                             + " takes its place")
     private Path folder;
 
+    /** Whether a folder of them is named. */
+    boolean isGiven() {
+        return folder != null;
+    }
+
     /**
      * The built-in ones and those of the folder.
      *

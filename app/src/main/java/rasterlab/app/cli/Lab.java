@@ -29,6 +29,7 @@ public final class Lab {
                     "opengl",
                     "exercises",
                     "check",
+                    "submit",
                     "tour",
                     "grader",
                     "bench",
@@ -116,6 +117,7 @@ public final class Lab {
             case "opengl" -> OpenGlCommand.commandLine(console);
             case "exercises" -> ExercisesCommand.commandLine(console);
             case "check" -> new CheckCommand(console);
+            case "submit" -> new SubmitCommand(console);
             case "tour" -> new TourCommand(console);
             case "grader" -> new GraderCommand(console);
             case "bench" -> new BenchCommand();

@@ -1,15 +1,20 @@
 package rasterlab.app.cli;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.published.PublishedCase;
+import rasterlab.exercises.published.PublishedDiagnostic;
+import rasterlab.exercises.published.PublishedPicture;
+import rasterlab.exercises.published.PublishedPoints;
+import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
-import rasterlab.exercises.score.Diagnostic;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** A grading report as text for a terminal. */
@@ -27,10 +32,36 @@ final class ReportText {
         this.fileName = fileName;
     }
 
+    /** Prints a report of this machine. */
     void print(Exercise exercise, Report report) {
-        Points points = report.points();
-        say("exercise", exercise.title(language()));
-        say("verdict", report.verdict().word(language()));
+        String cost = exercise.topic().equals("line") ? "cost" : "cost-each";
+        print(
+                exercise.title(language()),
+                exercise.points().total(),
+                PublishedReport.of(exercise, report, language(), (judged, picture) -> ""),
+                () -> {
+                    if (report.nanosPerItem() > 0)
+                        say(cost, texts.text("cost-nanos", report.nanosPerItem()));
+                });
+    }
+
+    /**
+     * Prints a server's report.
+     *
+     * @param exercise as the server has it
+     */
+    void print(JsonNode exercise, PublishedReport report) {
+        print(
+                exercise.path("title").asText(),
+                exercise.path("points").path("total").asInt(),
+                report,
+                () -> say("revision", report.revision()));
+    }
+
+    private void print(String title, int all, PublishedReport report, Runnable more) {
+        PublishedPoints points = report.points();
+        say("exercise", title);
+        say("verdict", GradingVerdict.word(report.verdict(), language()));
         say(
                 "points",
                 String.format(
@@ -41,22 +72,13 @@ final class ReportText {
                         points.accuracy(),
                         points.stability(),
                         points.speed()));
-        int hidden = exercise.points().total() - points.of();
+        int hidden = all - points.of();
         if (hidden > 0)
-            say(
-                    "hidden",
-                    String.format(
-                            Locale.ROOT,
-                            texts.text("hidden-line"),
-                            hidden,
-                            exercise.points().total()));
-        if (report.nanosPerItem() > 0)
-            say(
-                    exercise.topic().equals("line") ? "cost" : "cost-each",
-                    texts.text("cost-nanos", report.nanosPerItem()));
-        say("isolation", report.isolation(language()));
+            say("hidden", String.format(Locale.ROOT, texts.text("hidden-line"), hidden, all));
+        more.run();
+        say("isolation", Report.isolationIn(language(), report.isolation()));
         report.diagnostics().forEach(this::printDiagnostic);
-        printCases(exercise, report.cases());
+        printCases(report.cases());
     }
 
     /** Prints one value with its name in the report's language. */
@@ -64,11 +86,11 @@ final class ReportText {
         out.println(texts.text(key) + ": " + value);
     }
 
-    private void printDiagnostic(Diagnostic diagnostic) {
+    private void printDiagnostic(PublishedDiagnostic diagnostic) {
         String line = diagnostic.line() == 0 ? "" : ":" + diagnostic.line();
         String column = diagnostic.column() == 0 ? "" : ":" + diagnostic.column();
         // further lines are set in, so that none of them passes for a line of the report
-        String message = diagnostic.message(language()).replace("\n", "\n    ");
+        String message = diagnostic.message().replace("\n", "\n    ");
         out.println(fileName + line + column + ": " + message);
     }
 
@@ -76,7 +98,7 @@ final class ReportText {
         return texts.locale().getLanguage();
     }
 
-    private void printCases(Exercise exercise, List<CaseReport> cases) {
+    private void printCases(List<PublishedCase> cases) {
         if (cases.isEmpty()) return;
         out.println();
         var table =
@@ -85,37 +107,39 @@ final class ReportText {
                         texts.text("verdict"),
                         texts.text("points"),
                         texts.text("message"));
-        for (CaseReport judged : cases) table.add(row(exercise, judged));
+        for (PublishedCase judged : cases) table.add(row(judged));
         table.lines().forEach(out::println);
-        for (CaseReport judged : cases) printPicture(exercise, judged);
+        for (PublishedCase judged : cases) printPicture(judged);
     }
 
-    private List<String> row(Exercise exercise, CaseReport judged) {
+    private List<String> row(PublishedCase judged) {
+        String verdict = judged.verdict().told(judged.points(), judged.of());
         return List.of(
-                exercise.caseTitle(judged.name(), language()),
-                judged.verdict().word(language()),
+                judged.title(),
+                GradingVerdict.word(verdict, language()),
                 CaseReport.pointsOf(judged.points(), judged.of()),
-                judged.message(language()));
+                judged.message());
     }
 
     /** Below the case's name too, with which the names of its picture files begin. */
-    private void printPicture(Exercise exercise, CaseReport judged) {
-        CasePicture.of(judged.pictures(), CasePicture.DIFFERENCE)
+    private void printPicture(PublishedCase judged) {
+        judged.pictures().stream()
+                .filter(picture -> picture.kind().equals(CasePicture.DIFFERENCE))
+                .findFirst()
                 .ifPresent(
                         difference -> {
                             out.println();
                             String name = judged.name();
-                            String title = exercise.caseTitle(name, language());
+                            String title = judged.title();
                             out.println(title.equals(name) ? name : title + ", " + name);
                             lines(difference).forEach(out::println);
                         });
     }
 
     /** A difference of pixels as its rows, another one in words. */
-    private Stream<String> lines(CasePicture difference) {
+    private Stream<String> lines(PublishedPicture difference) {
         List<String> rows = difference.rows();
-        if (rows.isEmpty())
-            return difference.text().in(language()).lines().map(line -> "  " + line);
+        if (rows.isEmpty()) return difference.text().lines().map(line -> "  " + line);
         Stream<String> part =
                 difference.part().filter(known -> !known.isWhole()).stream()
                         .map(known -> known.said().in(language()));

@@ -15,6 +15,7 @@ import java.util.Properties;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.server.Account;
 
 /** The account of the last course joined, in a file that only its owner may read. */
 final class AccountFile {

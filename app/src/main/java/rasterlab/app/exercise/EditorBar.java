@@ -15,6 +15,7 @@ import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.language.Texts;
+import rasterlab.app.server.Account;
 
 /** The buttons above the editor: try, hand in, begin anew, undo. */
 final class EditorBar extends JPanel {

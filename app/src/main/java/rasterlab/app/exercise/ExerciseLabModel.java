@@ -22,6 +22,8 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.server.Account;
+import rasterlab.app.server.CourseServer;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.formula.Formulas;
@@ -43,7 +45,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private final Map<String, String> sources = new HashMap<>();
     private final Outcomes outcomes;
 
-    /** What each submission that is not graded yet is called, by exercise and source. */
+    /** What each submission is called until it is graded, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
 
     private ExerciseChoice chosen = ExerciseChoice.FIRST;
@@ -253,7 +255,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         begin(
                 Work.of(JOINING),
                 tell -> {
-                    Account account = joining.with(new CourseServer(server, patience));
+                    var account = joining.with(new CourseServer(server, patience));
                     return () -> use(account);
                 },
                 failure -> accept(ServerNotices.joining(server, failure)));
@@ -277,7 +279,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
             tell(Notice.of("noAccount"));
             return;
         }
-        Account account = state.account().get();
+        var account = state.account().get();
         Exercise exercise = state.exercise();
         String source = state.source();
         String about = account.server() + "\n" + exercise.id() + "\n" + source;
@@ -311,7 +313,6 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         };
     }
 
-    /** The same one for the same thing until it is graded. */
     private String key(String about) {
         return keys.computeIfAbsent(about, is -> UUID.randomUUID().toString());
     }

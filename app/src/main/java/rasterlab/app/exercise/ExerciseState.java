@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.server.Account;
 import rasterlab.exercises.Exercise;
 
 /**

@@ -24,6 +24,7 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
+import rasterlab.app.server.Account;
 
 /** Asks for a server and a course on it, or for a token that the student has already. */
 final class JoinForm extends JPanel {

@@ -1,6 +1,9 @@
 package rasterlab.app.exercise;
 
 import java.io.IOException;
+import rasterlab.app.server.Account;
+import rasterlab.app.server.CourseServer;
+import rasterlab.app.server.ServerRefusal;
 
 /** How somebody comes to an account: by a course's code, or by a token. */
 interface Joining {

@@ -1,17 +1,10 @@
 package rasterlab.app.exercise;
 
-import java.io.EOFException;
 import java.io.IOException;
-import java.net.ConnectException;
-import java.net.SocketException;
 import java.net.URI;
-import java.net.UnknownHostException;
-import java.net.http.HttpConnectTimeoutException;
-import java.net.http.HttpTimeoutException;
-import java.nio.channels.ClosedChannelException;
-import java.util.Objects;
-import java.util.stream.Stream;
 import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.server.Breakdown;
+import rasterlab.app.server.ServerRefusal;
 
 /** What a failed talk with a server means to the user. */
 final class ServerNotices {
@@ -45,26 +38,16 @@ final class ServerNotices {
     private static Notice told(String talk, URI server, IOException failure) {
         String address = server.toString();
         if (failure instanceof ServerRefusal refusal) return refused(address, refusal);
-        if (failure instanceof HttpConnectTimeoutException
-                || failure instanceof ConnectException
-                || failure instanceof UnknownHostException)
-            return Notice.of(talk + ".down", address);
-        if (failure instanceof HttpTimeoutException) return Notice.of(talk + ".slow", address);
-        if (isLost(failure)) return Notice.of(talk + ".lost", address);
-        String reason = failure.getMessage();
-        return Notice.of(talk + ".failed", address, reason == null ? failure.toString() : reason);
-    }
-
-    /**
-     * Whether the connection ended before the answer did; the client's words are about its parser.
-     */
-    private static boolean isLost(Throwable failure) {
-        return Stream.iterate(failure, Objects::nonNull, Throwable::getCause)
-                .anyMatch(
-                        each ->
-                                each instanceof EOFException
-                                        || each instanceof SocketException
-                                        || each instanceof ClosedChannelException);
+        return switch (Breakdown.of(failure)) {
+            case DOWN -> Notice.of(talk + ".down", address);
+            case SLOW -> Notice.of(talk + ".slow", address);
+            case LOST -> Notice.of(talk + ".lost", address);
+            case OTHER -> {
+                String reason = failure.getMessage();
+                yield Notice.of(
+                        talk + ".failed", address, reason == null ? failure.toString() : reason);
+            }
+        };
     }
 
     private static Notice refused(String address, ServerRefusal refusal) {

@@ -2,10 +2,10 @@ package rasterlab.app.exercise;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import rasterlab.app.server.CourseServer;
+import rasterlab.app.server.Following;
 import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
@@ -16,9 +16,6 @@ import rasterlab.exercises.score.Report;
 
 /** Hands a source in and follows it to its result. */
 final class Submitting {
-    /** Connections that may break off, one after the other, before that is told. */
-    private static final int MOST_BREAKS = 3;
-
     /** Told how a submission gets on, on the thread that follows it. */
     interface Follower {
         /**
@@ -53,39 +50,30 @@ final class Submitting {
      */
     Outcome result(String exercise, String source, String key, Follower follower)
             throws IOException, InterruptedException {
-        String id = server.submit(token, exercise, form, source, key);
-        for (int left = MOST_BREAKS; !followed(id, follower); left--)
-            if (left == 0) throw new IOException("the events of submission " + id + " break off");
+        String id = server.submit(token, exercise, form.mediaType(), source, key);
+        new Following(server, token).toItsEnd(id, inCases(follower));
         return outcome(source, id);
     }
 
-    /** False where the events ended before the submission did. */
-    private boolean followed(String id, Follower follower)
-            throws IOException, InterruptedException {
+    private static Following.Follower inCases(Follower follower) {
         List<TriedCase> judged = new ArrayList<>();
-        try (EventLines events = server.events(token, id)) {
-            for (Optional<EventLines.Event> next = events.next();
-                    next.isPresent();
-                    next = events.next()) {
-                JsonNode data = server.tree(bytes(next.get().data()));
-                switch (next.get().type()) {
-                    case "position" -> follower.waits(data.path("position").asInt());
-                    case "case" -> {
-                        judged.add(tried(data, Said.NOTHING, List.of()));
-                        follower.judged(List.copyOf(judged));
-                    }
-                    case "done" -> {
-                        return true;
-                    }
-                    default -> {}
-                }
+        return new Following.Follower() {
+            @Override
+            public void begins() {
+                judged.clear();
             }
-        }
-        return !server.submission(token, id, "en").path("verdict").isNull();
-    }
 
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
+            @Override
+            public void waits(int position) {
+                follower.waits(position);
+            }
+
+            @Override
+            public void judged(JsonNode one) {
+                judged.add(tried(one, Said.NOTHING, List.of()));
+                follower.judged(List.copyOf(judged));
+            }
+        };
     }
 
     private Outcome outcome(String source, String id) throws IOException, InterruptedException {

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.outcome.Pipe;
+import rasterlab.app.server.Account;
 
 class AccountTest {
     @TempDir Path folder;

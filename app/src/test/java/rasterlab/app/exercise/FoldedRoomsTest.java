@@ -20,6 +20,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.language.Language;
+import rasterlab.app.server.CourseServer;
+import rasterlab.app.server.FakeServer;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.exercises.catalogue.Catalogue;

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.server.FakeServer;
 
 /** Pictures of what was handed in, as a server gives them. */
 @Tag("slow")

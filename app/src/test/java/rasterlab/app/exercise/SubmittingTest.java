@@ -23,6 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.server.Account;
+import rasterlab.app.server.FakeServer;
 
 /** Handing in, to a server that behaves well and to others. */
 @Tag("slow")

@@ -7,6 +7,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import rasterlab.app.server.CourseServer;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** A model whose thread of events is the test's own. */

@@ -1,9 +1,9 @@
-package rasterlab.app.exercise;
+package rasterlab.app.server;
 
 import java.io.IOException;
 
 /** A server's answer that says no. */
-final class ServerRefusal extends IOException {
+public final class ServerRefusal extends IOException {
     private static final long serialVersionUID = 1L;
 
     private final int status;
@@ -20,12 +20,12 @@ final class ServerRefusal extends IOException {
     }
 
     /** An HTTP status. */
-    int status() {
+    public int status() {
         return status;
     }
 
     /** Such as "unknown-course"; empty where the server names none. */
-    String code() {
+    public String code() {
         return code;
     }
 }

@@ -1,4 +1,4 @@
-package rasterlab.app.exercise;
+package rasterlab.app.server;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
@@ -13,17 +13,16 @@ import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Map;
-import rasterlab.exercises.Exercise.Form;
 
 /**
  * Talks to a grading server as a student does. Every call ends within some seconds or with the
  * thread's interruption.
  */
-final class CourseServer {
+public final class CourseServer {
     /** How long the server may keep silent. */
-    record Patience(Duration connecting, Duration answering, Duration quiet) {
+    public record Patience(Duration connecting, Duration answering, Duration quiet) {
         /** Events come at least each 15 seconds, if only to say that there is nothing new. */
-        static final Patience USUAL =
+        public static final Patience USUAL =
                 new Patience(Duration.ofSeconds(5), Duration.ofSeconds(20), Duration.ofSeconds(45));
     }
 
@@ -35,7 +34,7 @@ final class CourseServer {
     private final HttpClient http;
     private final ObjectMapper json = new ObjectMapper();
 
-    CourseServer(URI server, Patience patience) {
+    public CourseServer(URI server, Patience patience) {
         this.server = server;
         this.patience = patience;
         http = HttpClient.newBuilder().connectTimeout(patience.connecting()).build();
@@ -44,10 +43,10 @@ final class CourseServer {
     /**
      * Joins a course.
      *
-     * @param form of what is handed in
      * @param key makes repeating the call give the same student; hard to guess
      */
-    Account join(String code, String name, String key) throws IOException, InterruptedException {
+    public Account join(String code, String name, String key)
+            throws IOException, InterruptedException {
         byte[] body = json.writeValueAsBytes(Map.of("course", code, "name", name));
         HttpRequest request =
                 request("/api/v1/join")
@@ -65,8 +64,8 @@ final class CourseServer {
      *
      * @throws ServerRefusal if the server does not know it
      */
-    Account known(String token) throws IOException, InterruptedException {
-        if (!token.matches("[!-~]+")) throw new ServerRefusal(401, "", "no header can hold it");
+    public Account known(String token) throws IOException, InterruptedException {
+        if (!Account.isToken(token)) throw new ServerRefusal(401, "", "no header can hold it");
         get("/api/v1/exercises", token);
         return new Account(server, token, "");
     }
@@ -74,15 +73,15 @@ final class CourseServer {
     /**
      * Hands in a source.
      *
-     * @param form of what is handed in
+     * @param mediaType of what is handed in
      * @param key makes repeating the call give the same submission
      * @return the submission's id
      */
-    String submit(String token, String exercise, Form form, String source, String key)
+    public String submit(String token, String exercise, String mediaType, String source, String key)
             throws IOException, InterruptedException {
         HttpRequest request =
                 request("/api/v1/exercises/" + exercise + "/submissions", token)
-                        .header("Content-Type", form.mediaType())
+                        .header("Content-Type", mediaType)
                         .header("Idempotency-Key", key)
                         .POST(BodyPublishers.ofByteArray(source.getBytes(StandardCharsets.UTF_8)))
                         .build();
@@ -93,14 +92,26 @@ final class CourseServer {
     }
 
     /**
+     * An exercise as the server has it.
+     *
      * @param language "en" or "ru"
      */
-    JsonNode submission(String token, String id, String language)
+    public JsonNode exercise(String token, String id, String language)
+            throws IOException, InterruptedException {
+        return tree(get("/api/v1/exercises/" + id + "?lang=" + language, token));
+    }
+
+    /**
+     * A submission with what is known of its result.
+     *
+     * @param language "en" or "ru"
+     */
+    public JsonNode submission(String token, String id, String language)
             throws IOException, InterruptedException {
         return tree(get("/api/v1/submissions/" + id + "?lang=" + language, token));
     }
 
-    byte[] get(String path, String token) throws IOException, InterruptedException {
+    public byte[] get(String path, String token) throws IOException, InterruptedException {
         return answered(request(path, token).GET().build());
     }
 
@@ -115,7 +126,7 @@ final class CourseServer {
         return EventLines.open(http, request, patience.quiet());
     }
 
-    JsonNode tree(byte[] body) throws IOException {
+    public JsonNode tree(byte[] body) throws IOException {
         try {
             return json.readTree(body);
         } catch (JsonProcessingException e) {

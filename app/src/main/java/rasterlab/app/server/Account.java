@@ -1,4 +1,4 @@
-package rasterlab.app.exercise;
+package rasterlab.app.server;
 
 import java.net.URI;
 
@@ -9,11 +9,16 @@ import java.net.URI;
  * @param token the student's secret
  * @param student the name that was given on joining; "" where only a token is known
  */
-record Account(URI server, String token, String student) {
+public record Account(URI server, String token, String student) {
     /** Without the token, which is nobody else's business. */
     @Override
     public String toString() {
         return server.toString();
+    }
+
+    /** Whether a header can hold it, as it can every token. */
+    public static boolean isToken(String typed) {
+        return typed.matches("[!-~]+");
     }
 
     /**
@@ -22,7 +27,7 @@ record Account(URI server, String token, String student) {
      * @param typed as a user types it; http where no scheme is given
      * @throws IllegalArgumentException with the address, where it is none
      */
-    static URI server(String typed) {
+    public static URI server(String typed) {
         String address = typed.strip();
         if (!address.contains("://")) address = "http://" + address;
         URI server = URI.create(address.replaceFirst("/+$", ""));

@@ -1,4 +1,4 @@
-package rasterlab.app.exercise;
+package rasterlab.app.server;
 
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
@@ -15,45 +15,45 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
 /** A server on a free port that answers as it is told to. */
-final class FakeServer implements AutoCloseable {
+public final class FakeServer implements AutoCloseable {
     /** Answers one request. */
     @FunctionalInterface
-    interface Answer {
+    public interface Answer {
         void to(HttpExchange exchange) throws IOException;
     }
 
     /** What was asked: method, path with query, and the key that makes it repeatable. */
-    record Asked(String method, String path, String key, String body) {}
+    public record Asked(String method, String path, String key, String body) {}
 
-    final List<Asked> asked = new CopyOnWriteArrayList<>();
+    public final List<Asked> asked = new CopyOnWriteArrayList<>();
     private final Map<String, Answer> answers = new ConcurrentHashMap<>();
     private final ExecutorService threads = Executors.newCachedThreadPool();
     private final HttpServer server;
 
-    FakeServer() throws IOException {
+    public FakeServer() throws IOException {
         server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
         server.setExecutor(threads);
         server.createContext("/", this::answer);
         server.start();
     }
 
-    String address() {
+    public String address() {
         return "http://127.0.0.1:" + server.getAddress().getPort();
     }
 
     /**
      * @param request method and path without query, such as {@code GET /api/v1/x}
      */
-    FakeServer on(String request, Answer answer) {
+    public FakeServer on(String request, Answer answer) {
         answers.put(request, answer);
         return this;
     }
 
-    FakeServer on(String request, int status, String json) {
+    public FakeServer on(String request, int status, String json) {
         return on(request, exchange -> send(exchange, status, "application/json", json));
     }
 
-    static void send(HttpExchange exchange, int status, String type, String body)
+    public static void send(HttpExchange exchange, int status, String type, String body)
             throws IOException {
         byte[] bytes = body.getBytes(StandardCharsets.UTF_8);
         exchange.getResponseHeaders().set("Content-Type", type);

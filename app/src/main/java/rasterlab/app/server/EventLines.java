@@ -1,4 +1,4 @@
-package rasterlab.app.exercise;
+package rasterlab.app.server;
 
 import java.io.IOException;
 import java.net.http.HttpClient;

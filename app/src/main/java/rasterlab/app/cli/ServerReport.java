@@ -1,0 +1,78 @@
+package rasterlab.app.cli;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.StreamSupport;
+import rasterlab.exercises.published.PublishedCase;
+import rasterlab.exercises.published.PublishedDiagnostic;
+import rasterlab.exercises.published.PublishedPicture;
+import rasterlab.exercises.published.PublishedPoints;
+import rasterlab.exercises.published.PublishedReport;
+import rasterlab.exercises.score.PicturePart;
+import rasterlab.exercises.score.PublishedVerdict;
+
+/** Reads the document that a grading server gives of a submission with a result. */
+final class ServerReport {
+    private ServerReport() {}
+
+    static PublishedReport read(JsonNode submission) {
+        return new PublishedReport(
+                text(submission, "exercise"),
+                text(submission, "revision"),
+                text(submission, "verdict"),
+                points(submission.path("points")),
+                all(submission.path("cases"), ServerReport::oneCase),
+                all(submission.path("diagnostics"), ServerReport::diagnostic),
+                text(submission, "isolation"));
+    }
+
+    private static PublishedPoints points(JsonNode points) {
+        return new PublishedPoints(
+                number(points, "accuracy"),
+                number(points, "stability"),
+                number(points, "speed"),
+                number(points, "total"),
+                number(points, "of"));
+    }
+
+    private static PublishedCase oneCase(JsonNode one) {
+        return new PublishedCase(
+                text(one, "name"),
+                text(one, "title"),
+                text(one, "visibility"),
+                new PublishedVerdict(text(one, "verdict"), one.path("run").asBoolean(true)),
+                number(one, "points"),
+                number(one, "of"),
+                text(one, "message"),
+                Optional.ofNullable(one.path("place").textValue()),
+                all(one.path("pictures"), ServerReport::picture),
+                one.path("scene").isObject() ? one.path("scene").toString() : "");
+    }
+
+    private static PublishedPicture picture(JsonNode one) {
+        return new PublishedPicture(
+                text(one, "kind"),
+                text(one, "url"),
+                text(one, "text"),
+                PicturePart.ofData(one.path("part").toString()));
+    }
+
+    private static PublishedDiagnostic diagnostic(JsonNode one) {
+        return new PublishedDiagnostic(
+                number(one, "line"), number(one, "column"), text(one, "message"));
+    }
+
+    private static <T> List<T> all(JsonNode items, Function<JsonNode, T> read) {
+        return StreamSupport.stream(items.spliterator(), false).map(read).toList();
+    }
+
+    private static String text(JsonNode of, String field) {
+        return of.path(field).asText("");
+    }
+
+    private static int number(JsonNode of, String field) {
+        return of.path(field).asInt();
+    }
+}

@@ -1,0 +1,7 @@
+/**
+ * Talking with a grading server as a student does, for the window and for the command line.
+ *
+ * <p>Start with {@link rasterlab.app.server.CourseServer}; {@link rasterlab.app.server.Following}
+ * waits for a result.
+ */
+package rasterlab.app.server;
