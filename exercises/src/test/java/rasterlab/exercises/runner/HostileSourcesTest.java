@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
 
+import java.time.Duration;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -25,7 +26,14 @@ import rasterlab.exercises.score.Report;
  */
 @Tag("slow")
 class HostileSourcesTest {
-    @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
+    @RegisterExtension
+    static final StartedJudge JUDGE = new StartedJudge(JudgeSettings.once().withoutSpeed());
+
+    /** What never ends is stopped as well after less processor time. */
+    @RegisterExtension
+    static final StartedJudge STRICT =
+            new StartedJudge(
+                    JudgeSettings.once().withoutSpeed().withCallLimit(Duration.ofMillis(500)));
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("texts")
@@ -34,9 +42,15 @@ class HostileSourcesTest {
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource({"welcome", "classes", "greedy", "throwing"})
+    @MethodSource({"welcome", "classes", "throwing"})
     void isAnsweredWith(String verdict, String said, String source) throws Exception {
         assertAnswer(verdict, said, JUDGE.grade(source));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("greedy")
+    void isStoppedWith(String verdict, String said, String source) throws Exception {
+        assertAnswer(verdict, said, STRICT.grade(source));
     }
 
     private static void assertAnswer(String verdict, String said, Report report) {

@@ -19,6 +19,7 @@ public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
     private final JudgeSettings settings;
     private WarmCompiler compiler;
     private Judge judge;
+    private Judge inChildren;
 
     StartedJudge() {
         this(JudgeSettings.once());
@@ -39,6 +40,8 @@ public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
     public void afterAll(ExtensionContext context) {
         judge.close();
         compiler.close();
+        if (inChildren != null) inChildren.close();
+        inChildren = null;
     }
 
     /** The judge while the tests of the class run. */
@@ -53,9 +56,8 @@ public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
 
     /** The same, compiled in a child as on the server. */
     Report gradeInChildren(String source) throws InterruptedException {
-        try (Judge inChildren = Judge.start(JudgeSettings.once())) {
-            return inChildren.grade(EXERCISE, source, CaseSelection.open(), one -> {});
-        }
+        if (inChildren == null) inChildren = Judge.start(settings);
+        return inChildren.grade(EXERCISE, source, CaseSelection.open(), one -> {});
     }
 
     Report grade(String source, CaseSelection cases) throws InterruptedException {

@@ -3,6 +3,7 @@ package rasterlab.exercises.runner;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static rasterlab.exercises.Sources.method;
 
+import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
@@ -17,13 +18,20 @@ import rasterlab.exercises.score.Report;
 /** A case in which the method was stopped is lost, and no other, up to five of them. */
 @Tag("slow")
 class StoppedTest {
-    @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
+    @RegisterExtension
+    static final StartedJudge JUDGE = new StartedJudge(JudgeSettings.once().withoutSpeed());
+
+    /** Every call that hangs takes all of its processor time, so there is less of it. */
+    @RegisterExtension
+    static final StartedJudge STRICT =
+            new StartedJudge(
+                    JudgeSettings.once().withoutSpeed().withCallLimit(Duration.ofMillis(500)));
 
     @Test
     @DisplayName("a loop on single points takes the later cases away")
     void onlyTheCaseThatHangsIsLost() throws Exception {
         Report report =
-                JUDGE.grade(
+                STRICT.grade(
                         Sources.RIGHT.replace("long dx", "while (x0 == x1 && y0 == y1);\nlong dx"),
                         CaseSelection.all(1));
         for (CaseReport one : cases(report)) {
@@ -37,7 +45,7 @@ class StoppedTest {
     @Test
     @DisplayName("a method that always hangs is asked without end, or the rest is called too slow")
     void afterFiveStopsTheRestIsNotRun() throws Exception {
-        Report report = JUDGE.grade(method("while (true);\n"), CaseSelection.all(1));
+        Report report = STRICT.grade(method("while (true);\n"), CaseSelection.all(1));
         List<CaseReport> cases = cases(report.forStudent(false));
         assertEquals(GradingVerdict.TIME_LIMIT, report.verdict());
         for (CaseReport stopped : cases.subList(0, Student.MOST_STOPS))
