@@ -49,7 +49,18 @@ final class CurveMutants {
                 new Mutant<>(
                         "closed-is-flat",
                         "closed-loop",
-                        tracing(CurveMutants::chordOfClosed, RIGHT::at)));
+                        tracing(CurveMutants::chordOfClosed, RIGHT::at)),
+                new Mutant<>(
+                        "t-backwards",
+                        "bezier-erratum",
+                        tracing(RIGHT::flatten, CurveMutants::atBackwards)),
+                new Mutant<>(
+                        "hermite-as-bezier",
+                        "hermite",
+                        tracing(
+                                (curve, flatness, out) ->
+                                        RIGHT.flatten(byPoints(curve), flatness, out),
+                                (curve, t, out) -> RIGHT.at(byPoints(curve), t, out))));
     }
 
     private interface Flatten {
@@ -104,6 +115,20 @@ final class CurveMutants {
     private static Curve throughPoints(Curve curve) {
         return curve.kind() == Curve.Kind.B_SPLINE
                 ? new Curve(Curve.Kind.CATMULL_ROM, curve.x(), curve.y())
+                : curve;
+    }
+
+    /** The weights t and 1 − t in each other's place. */
+    private static void atBackwards(Curve curve, double[] t, CurvePoints out) {
+        var backwards = new double[t.length];
+        for (int i = 0; i < t.length; i++) backwards[i] = 1 - t[i];
+        RIGHT.at(curve, backwards, out);
+    }
+
+    /** The four numbers of a Hermite curve, start, end and derivatives, as control points. */
+    private static Curve byPoints(Curve curve) {
+        return curve.kind() == Curve.Kind.HERMITE
+                ? new Curve(Curve.Kind.BEZIER, curve.x(), curve.y())
                 : curve;
     }
 
