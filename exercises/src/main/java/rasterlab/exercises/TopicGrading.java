@@ -43,6 +43,9 @@ public interface TopicGrading {
      */
     Optional<Class<?>> reference();
 
+    /** A method of the contract that answers right, or refuses. */
+    Object right();
+
     /** The unit of the topic's errors, in which an exercise may state a tolerance. */
     default Optional<String> unit() {
         return Optional.empty();

@@ -67,6 +67,7 @@ public final class Catalogue {
         Map<String, Entry> more = new LinkedHashMap<>(exercises);
         for (Path sub : DiskFiles.subFolders(folder)) {
             Entry entry = new Entry(ExerciseFolder.onDisk(sub));
+            CapsCheck.check(entry.folder, entry.exercise());
             more.put(entry.exercise().id(), entry);
         }
         return new Catalogue(more);

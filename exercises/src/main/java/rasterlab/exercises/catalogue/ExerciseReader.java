@@ -79,9 +79,11 @@ final class ExerciseReader {
         return read.orElseThrow();
     }
 
-    /** The exercise and all faults, of which there are none where it can be read. */
+    /** The exercise and all faults, of which there are none where it can be taken. */
     Catalogue.Reading reading() {
         Optional<Exercise> read = tried();
+        if (faults.all().isEmpty())
+            faults.checked(() -> CapsCheck.check(folder, read.orElseThrow()));
         return new Catalogue.Reading(
                 faults.all().isEmpty() ? read : Optional.empty(), faults.all());
     }
@@ -158,7 +160,6 @@ final class ExerciseReader {
                         cases,
                         Optional.empty(),
                         evidence.orElseThrow());
-        faults.checked(() -> checkItems(read, topic.orElseThrow()));
         faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));
         return Optional.of(read);
     }
@@ -315,19 +316,6 @@ final class ExerciseReader {
         int sum = cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
         if (sum != planned)
             throw wrong(folder, "cases", Phrase.of("field.cases." + kindName(kind), sum, planned));
-    }
-
-    /** A right answer must not be stopped. */
-    private void checkItems(Exercise exercise, TopicGrading topic) {
-        if (exercise.caps().items().isEmpty()) return;
-        int most = exercise.caps().items().getAsInt();
-        for (Case one : exercise.cases())
-            for (TopicGrading.Call call : topic.calls(one, exercise.tolerance(), 0))
-                if (call.items() > most)
-                    throw wrong(
-                            folder,
-                            "caps.items",
-                            Phrase.of("field.caps", one.name(), call.items(), most));
     }
 
     static CatalogueException wrong(ExerciseFolder folder, String field, Phrase reason) {

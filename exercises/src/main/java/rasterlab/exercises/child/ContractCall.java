@@ -1,5 +1,7 @@
 package rasterlab.exercises.child;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -104,6 +106,28 @@ public final class ContractCall {
         out.writeBoolean(changed);
         if (changed) out.write(after);
         return bytes.toByteArray();
+    }
+
+    /**
+     * The bytes of what comes of a call in this process, as {@link #replay} takes them.
+     *
+     * @param implementation swallows no errors
+     * @param most the most items of a sheet; what is beyond them is left out
+     */
+    public byte[] answered(Object implementation, Object[] given, int most) throws Throwable {
+        var bytes = new ByteArrayOutputStream();
+        writeArguments(given, new DataOutputStream(bytes));
+        var in = new DataInputStream(new ByteArrayInputStream(bytes.toByteArray()));
+        Object[] arguments = readArguments(in, most, Math.min(most, Sheet.USUAL));
+        byte[] before = values(arguments);
+        List<Object> held = new HeldArrays().before(this, arguments);
+        Object returned = null;
+        try {
+            returned = invoke(implementation, arguments);
+        } catch (Throwable stopped) {
+            if (!Sheet.isAnyFull(arguments)) throw stopped;
+        }
+        return answer(before, held, arguments, returned, Wire.MOST_ANSWER_BYTES);
     }
 
     /**

@@ -2,6 +2,7 @@ package rasterlab.exercises.child;
 
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.util.stream.Stream;
 
 /**
  * Keeps every item that a student's method sends, in order, up to a limit. Each call gets a fresh
@@ -18,6 +19,9 @@ abstract class Sheet {
         }
     }
 
+    /** Items that there is room for from the start where nothing else is said. */
+    static final int USUAL = 256;
+
     private boolean full;
 
     /** Throws once; a method that swallows that and goes on ends the process. */
@@ -29,6 +33,11 @@ abstract class Sheet {
 
     boolean full() {
         return full;
+    }
+
+    /** Whether one of the arguments of a call is a sheet that is full. */
+    static boolean isAnyFull(Object[] arguments) {
+        return Stream.of(arguments).anyMatch(one -> one instanceof Sheet sheet && sheet.full);
     }
 
     /** Writes the number of items, then each as its contract's method has it. */

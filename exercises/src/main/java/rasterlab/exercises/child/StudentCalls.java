@@ -9,13 +9,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 
 /** Answers the parent's requests by calling the student's object. */
 final class StudentCalls {
-    /** Items that a sheet has room for from the start. */
-    private static final int USUAL = 256;
-
     private final OutputStream parent;
     private final CappedOutput printed;
     private final HeldArrays arrays = new HeldArrays();
@@ -77,19 +73,19 @@ final class StudentCalls {
         int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
         int mostBytes = Math.min(in.readInt(), Wire.MOST_ANSWER_BYTES);
         ContractCall method = contract.numbered(in.readInt());
-        Object[] given = method.readArguments(in, most, Math.min(most, USUAL));
+        Object[] given = method.readArguments(in, most, Math.min(most, Sheet.USUAL));
         byte[] before = method.values(given);
         List<Object> held = arrays.before(method, given);
         Object returned = null;
         try {
             returned = callings.get(method.number()).call(student, given);
         } catch (Throwable e) {
-            if (!isFull(given)) {
+            if (!Sheet.isAnyFull(given)) {
                 threw(nonce, e);
                 return;
             }
         }
-        int status = isFull(given) ? Wire.CUT : Wire.DONE;
+        int status = Sheet.isAnyFull(given) ? Wire.CUT : Wire.DONE;
         byte[] answer = new byte[0];
         try {
             answer = method.answer(before, held, given, returned, mostBytes);
@@ -103,10 +99,6 @@ final class StudentCalls {
         Frames.write(out, answer);
         out.writeUTF(printed.take());
         send(nonce, body.toByteArray());
-    }
-
-    private static boolean isFull(Object[] given) {
-        return Stream.of(given).anyMatch(one -> one instanceof Sheet sheet && sheet.full());
     }
 
     private void time(long nonce, DataInputStream in) throws IOException {

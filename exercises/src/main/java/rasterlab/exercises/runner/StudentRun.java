@@ -166,7 +166,7 @@ final class StudentRun {
         long start = System.nanoTime();
         return child.ask(
                 batch.request(),
-                patience.limit(callLimit),
+                patience.limit(batch.limit(callLimit)),
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
                     if (status == Wire.THREW)

@@ -7,6 +7,7 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Method;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
@@ -31,6 +32,7 @@ final class TimedBatch {
     private final ContractCalls contract;
     private final Timing timing;
     private final TopicGrading.Caps caps;
+    private final int inputs;
     private final ByteArrayOutputStream arguments = new ByteArrayOutputStream();
     private int calls;
     private int from;
@@ -40,12 +42,27 @@ final class TimedBatch {
      * @param caps limits of a call that the exercise states
      */
     TimedBatch(ContractCalls contract, Timing timing, Exercise.Caps caps) {
+        this(
+                contract,
+                timing,
+                TopicGrading.Caps.ofItems(timing.mostItems()).within(caps),
+                0,
+                timing.inputs());
+    }
+
+    private TimedBatch(
+            ContractCalls contract,
+            Timing timing,
+            TopicGrading.Caps caps,
+            int firstInput,
+            int pastLast) {
         this.contract = contract;
         this.timing = timing;
-        this.caps = TopicGrading.Caps.ofItems(timing.mostItems()).within(caps);
+        this.caps = caps;
+        this.inputs = pastLast - firstInput;
         Object listening = Asked.proxy(contract, new Listening());
         int looked = timing.looked().orElse(-1);
-        for (int i = 0; i < timing.inputs(); i++) {
+        for (int i = firstInput; i < pastLast; i++) {
             if (i == looked) from = calls;
             timing.recorded(i, listening);
             if (i == looked) to = calls;
@@ -65,6 +82,34 @@ final class TimedBatch {
             calls++;
             return call.invoke(timing.right(), given);
         }
+    }
+
+    /** The same for one of the inputs alone. */
+    TimedBatch alone(int input) {
+        return new TimedBatch(contract, timing, caps, input, input + 1);
+    }
+
+    /**
+     * Processor time for the batch: what is stated for each of its inputs, but no more than a call
+     * may have.
+     *
+     * @param usual for a call
+     */
+    Duration limit(Duration usual) {
+        if (caps.processor().isEmpty()) return usual;
+        Duration each = caps.processor().get();
+        Duration most = each.compareTo(usual) > 0 ? each : usual;
+        Duration all = each.multipliedBy(inputs);
+        return all.compareTo(most) < 0 ? all : most;
+    }
+
+    /**
+     * Whether one of several inputs may have taken longer than is stated for it.
+     *
+     * @param nanos that all took
+     */
+    boolean mayHideALongCall(long nanos) {
+        return inputs > 1 && caps.processor().filter(each -> nanos > each.toNanos()).isPresent();
     }
 
     Request request() {
@@ -87,7 +132,7 @@ final class TimedBatch {
     Optional<Object> looked(DataInputStream in) throws IOException {
         Deque<byte[]> answers = new ArrayDeque<>();
         for (int i = from; i < to; i++) answers.add(Frames.read(in, Wire.MOST_ANSWER_BYTES));
-        if (timing.looked().isEmpty()) return Optional.empty();
+        if (from == to) return Optional.empty();
         try {
             return Optional.of(
                     timing.recorded(

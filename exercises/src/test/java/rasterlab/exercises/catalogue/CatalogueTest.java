@@ -79,11 +79,11 @@ class CatalogueTest {
         change(
                 "exercise.json",
                 "\"points\"",
-                "\"caps\": {\"items\": 30000, \"bytes\": 500, \"seconds\": 0.25}, \"points\"");
+                "\"caps\": {\"items\": 30000, \"bytes\": 500000, \"seconds\": 0.25}, \"points\"");
         assertEquals(
                 new Caps(
                         OptionalInt.of(30_000),
-                        OptionalInt.of(500),
+                        OptionalInt.of(500_000),
                         Optional.of(Duration.ofMillis(250))),
                 Catalogue.builtIn().withFolder(folder).named("my-line").caps());
     }

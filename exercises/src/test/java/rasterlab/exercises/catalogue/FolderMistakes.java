@@ -247,6 +247,12 @@ final class FolderMistakes {
                         "\"caps\": { \"items\": 9 }, \"points\"",
                         "exercise.json, field 'caps.items': the right answer of case"),
                 argumentSet(
+                        "fewer bytes than a right answer has",
+                        json,
+                        "\"points\"",
+                        "\"caps\": { \"bytes\": 40 }, \"points\"",
+                        "exercise.json, field 'caps.bytes': the right answer of case"),
+                argumentSet(
                         "generated case shown",
                         "hidden-cases.json",
                         "verdict-only",

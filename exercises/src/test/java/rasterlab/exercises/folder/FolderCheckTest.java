@@ -46,6 +46,7 @@ class FolderCheckTest {
                 "exercise.json | \"topic\" : \"point-in-polygon\" | \"topic\" : \"points\" | field 'topic'",
                 "exercise.json | \"ru\" : \"НАЗВАНИЕ\" | \"de\" : \"TITEL\" | field 'title'",
                 "exercise.json | \"tolerance\" : { } | \"tolerance\" : {\"worst\": 1} | field 'unit' is missing",
+                "exercise.json | \"tolerance\" | \"caps\" : {\"bytes\": 1}, \"tolerance\" | field 'caps.bytes'",
                 "exercise.json | \"count\" : 20 | \"count\" : 0 | count",
                 "exercise.json | \"Model.java\" | \"None.java\" | None.java",
                 "exercise.json | \"tolerance\" | \"tolerances\" | field 'tolerances'",

@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import rasterlab.exercises.Capped;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Grading.CaseSelection;
@@ -44,10 +46,23 @@ class CapsTest {
             }
             """;
 
+    /** True, wherever the point is. */
+    private static final String INSIDE =
+            """
+            import rasterlab.contract.*;
+
+            public class Mine implements PointInTriangle {
+                public boolean contains(double ax, double ay, double bx, double by,
+                        double cx, double cy, double x, double y) {
+                    return true;
+                }
+            }
+            """;
+
     /** About 0.3 s of processor time, which no compiler leaves out. */
     private static final String BURN =
             "double waste = 1; for (int i = 0; i < 60_000_000; i++) waste = Math.sqrt(waste + i);"
-                    + " if (waste == 0) out.segment(0, 0, 0, 0);";
+                    + " if (waste == 0) throw new IllegalStateException();";
 
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
@@ -60,6 +75,19 @@ class CapsTest {
         assertEquals("its answer is longer than what is taken", more.message());
         CaseReport taken = first("shade-face", sixty, FACE.formatted("return new double[3];"));
         assertEquals(GradingVerdict.WRONG, taken.verdict(), taken.message());
+    }
+
+    @Test
+    @DisplayName(
+            "the least limit that an exercise may state stops an answer that is as long as a right one")
+    void aRightAnswerHasRoomInTheLeastLimit() throws Exception {
+        assertEquals(GradingVerdict.WRONG, ofTruth(2).verdict());
+        assertEquals(GradingVerdict.OUTPUT_LIMIT, ofTruth(1).verdict());
+    }
+
+    private static CaseReport ofTruth(int bytes) throws Exception {
+        Caps caps = new Caps(OptionalInt.empty(), OptionalInt.of(bytes), Optional.empty());
+        return first("point-in-triangle", caps, INSIDE);
     }
 
     @Test
@@ -96,11 +124,32 @@ class CapsTest {
     @DisplayName("six calls for one input have the time of six inputs")
     void allCallsForOneInputShareTheTime() throws Exception {
         Caps second = seconds(Duration.ofSeconds(1));
-        Exercise clip = with(Catalogue.builtIn().named("clip-segment"), second);
+        Exercise clip = Capped.with(Catalogue.builtIn().named("clip-segment"), second);
         Report report = JUDGE.grade(clip, CLIP.formatted(BURN), CaseSelection.open());
         assertTrue(
                 report.cases().stream().anyMatch(one -> one.verdict() == GradingVerdict.TIME_LIMIT),
                 () -> report.cases().stream().map(CaseReport::message).toList().toString());
+    }
+
+    @Test
+    @DisplayName("a call has the time of all calls that it is timed with")
+    void eachOfTheTimedCallsHasItsTime() throws Exception {
+        Exercise circle =
+                Capped.with(Catalogue.builtIn().named("circle"), seconds(Duration.ofMillis(100)));
+        String head = "int radius, Pixels out) {";
+        String slowInTheEnd =
+                circle.evidence()
+                        .model()
+                        .orElseThrow()
+                        .replace("private static void", "private int calls; static void")
+                        .replaceFirst(
+                                Pattern.quote(head),
+                                head + "if (++calls > 120 && calls % 20 == 0) {" + BURN + "}");
+        Report report = JUDGE.grade(circle, slowInTheEnd, CaseSelection.all(7));
+        String said = report.speed().orElseThrow().message();
+        assertEquals(75, report.points().accuracy(), said);
+        assertTrue(said.contains("stopped while speed was measured"), said);
+        assertTrue(said.contains("no answer within 0.1 s of processor time"), said);
     }
 
     private static Caps seconds(Duration most) {
@@ -108,26 +157,11 @@ class CapsTest {
     }
 
     private static CaseReport first(String id, Caps caps, String source) throws Exception {
-        return JUDGE.grade(with(Catalogue.builtIn().named(id), caps), source, CaseSelection.open())
+        return JUDGE.grade(
+                        Capped.with(Catalogue.builtIn().named(id), caps),
+                        source,
+                        CaseSelection.open())
                 .cases()
                 .get(0);
-    }
-
-    private static Exercise with(Exercise one, Caps caps) {
-        return new Exercise(
-                one.id(),
-                one.topic(),
-                one.title(),
-                one.statement(),
-                one.pictures(),
-                one.starter(),
-                one.revision(),
-                one.tolerance(),
-                one.points(),
-                caps,
-                one.timed(),
-                one.groups(),
-                one.cases(),
-                one.breaking());
     }
 }

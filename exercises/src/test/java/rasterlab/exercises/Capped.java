@@ -1,0 +1,28 @@
+package rasterlab.exercises;
+
+import rasterlab.exercises.Exercise.Caps;
+
+/** Exercises that state other limits than their own. */
+public final class Capped {
+    private Capped() {}
+
+    public static Exercise with(Exercise one, Caps caps) {
+        return new Exercise(
+                one.id(),
+                one.topic(),
+                one.contract(),
+                one.title(),
+                one.statement(),
+                one.pictures(),
+                one.starter(),
+                one.revision(),
+                one.tolerance(),
+                one.points(),
+                caps,
+                one.timed(),
+                one.groups(),
+                one.cases(),
+                one.breaking(),
+                one.evidence());
+    }
+}
