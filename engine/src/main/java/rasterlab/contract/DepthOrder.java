@@ -15,17 +15,22 @@ package rasterlab.contract;
  *
  * <p>Every polygon is at least as wide as 10⁻⁶ of the largest coordinate in size, of corners and
  * eye, and as far from the eye; its width is its area by the longest way between its corners.
+ *
+ * <p>The eye looks nowhere in particular: polygons may be all around it. Two kinds may be refused:
+ * those of which one reaches behind the eye, by a method that orders them by depth, and those that
+ * need more than 1,000,000 pieces. An exercise may ask for the first kind, too.
  */
 @FunctionalInterface
 public interface DepthOrder {
     /**
-     * Sends every polygon, whole or in pieces, back to front.
+     * Sends every polygon, whole or in convex pieces, back to front. Polygons that hide nothing of
+     * each other may come in any order, and more may be cut than has to be.
      *
      * @param polygons any finite coordinates, in any unit; not to be changed
      * @param eye x, y, z
      * @throws IllegalArgumentException if a number is not finite, a polygon is not flat, convex and
      *     of some area, one is narrower or nearer to the eye than 10⁻⁶ of the largest coordinate,
-     *     or the method cannot order these; the message names place, value and what is allowed
+     *     or they are refused as said above; the message names place, value and what is allowed
      */
     void order(double[][] polygons, double[] eye, PieceSink out);
 }

@@ -9,7 +9,11 @@ package rasterlab.contract;
  *
  * <p>What is left of a segment is the set of its points in the volume, if only one point. Whether
  * something is left is decided for the exact segment. The part keeps the segment's direction; an
- * end in the volume stays as it is; a new end lies in the volume and within 10⁻¹² of the exact one.
+ * end in the volume stays as it is; a new end lies in the volume and within 10⁻¹² of the exact one
+ * in each coordinate, the volume's depth being 1. A segment may be one point.
+ *
+ * <p>A segment may be refused only where a coordinate is larger than 10¹⁵⁰ in size, as differences
+ * and products may not fit in a double there.
  */
 @FunctionalInterface
 public interface VolumeClipper {
@@ -20,7 +24,7 @@ public interface VolumeClipper {
      * @param zmin distance of the nearest plane, the farthest being at 1; above 0 and below 1
      * @param x0 any finite number, as are the five others
      * @throws IllegalArgumentException if a number is not finite, {@code zmin} is out of range, or
-     *     the method cannot clip this segment; the message names the value and what is allowed
+     *     a coordinate is larger than 10¹⁵⁰ in size; the message names the value and what is allowed
      */
     void clip(
             double zmin,

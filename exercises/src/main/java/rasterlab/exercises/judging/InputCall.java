@@ -81,7 +81,7 @@ final class InputCall<C, I, O> implements Call {
         O beside = grading.beside(input, right, actual, demand, causes);
         Message said = grading.difference(input, beside, actual);
         // where several mistakes that are known give this answer, none of them is told
-        if (!own.isEmpty() || causes.size() == 1)
+        if (!own.isEmpty() || known().areOne(causes))
             for (Cause one : causes.get(0)) said = said.and(one.said());
         Message further = grading.further(input, actual, demand);
         if (!said.sentences().containsAll(further.sentences())) said = said.and(further);
