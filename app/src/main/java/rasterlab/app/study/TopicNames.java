@@ -8,22 +8,29 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 
 /**
- * What topics and their hazards are called in the window's language. A hazard that a lab has among
- * its own is called as there.
+ * What topics and their hazards are called in the window's language, by texts {@code study.topic}
+ * and {@code study.hazard} of the lab that shows them. A hazard that a lab has among its own is
+ * called as there.
  */
-public record TopicNames(Texts own) {
+public record TopicNames(Language language) {
     public static TopicNames in(Language language) {
-        return new TopicNames(Texts.of("study", "names", language));
+        return new TopicNames(language);
+    }
+
+    /** The texts of the lab that shows the topic. */
+    static Texts texts(String topic, Language language) {
+        return Texts.of(LabRooms.card(topic).lab().texts(), language);
     }
 
     public String topic(String name) {
-        return own.textOr("topic." + name, name);
+        return texts(name, language).textOr("study.topic." + name, name);
     }
 
     public String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
-        String key = "hazard." + topic.name() + "." + hazard.name();
+        Texts own = texts(topic.name(), language);
+        String key = "study.hazard." + topic.name() + "." + hazard.name();
         if (own.has(key)) return own.text(key);
-        return TopicTexts.of(LabRooms.card(topic.name()), own.language())
+        return TopicTexts.of(LabRooms.card(topic.name()), language)
                 .label(hazard)
                 .orElse(hazard.name());
     }

@@ -7,8 +7,11 @@ import rasterlab.app.language.Texts;
 
 /**
  * What workloads and their sizes are called. A workload's name without its numbers is its kind,
- * such as {@code side-corners} for {@code side-64-corners-20}; where a topic means something else
- * by it, the topic's name stands before it in the key.
+ * such as {@code side-corners} for {@code side-64-corners-20}. Words on a kind of one topic are
+ * those of the lab that shows it, with the topic's name in the key; those that topics share, the
+ * study's.
+ *
+ * @param texts of the study
  */
 record WorkloadWords(Texts texts) {
     private static final Pattern NUMBER = Pattern.compile("-(\\d{1,9})(?=-|$)");
@@ -26,11 +29,11 @@ record WorkloadWords(Texts texts) {
 
     private String said(String what, String topic, String name) {
         String kind = NUMBER.matcher(name).replaceAll("");
-        return Stream.of(what + "." + topic + "." + kind, what + "." + kind)
-                .filter(texts::has)
-                .findFirst()
-                .map(key -> texts.text(key, arguments(name)))
-                .orElse(name);
+        Texts own = TopicNames.texts(topic, texts.language());
+        String key = "study." + what + "." + topic + "." + kind;
+        if (own.has(key)) return own.text(key, arguments(name));
+        String shared = what + "." + kind;
+        return texts.has(shared) ? texts.text(shared, arguments(name)) : name;
     }
 
     /** The numbers, for the form of words; then the same as they are written on a chart. */

@@ -14,12 +14,15 @@ import javax.swing.JComponent;
 import javax.swing.JTable;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
 
 class TopicNamesTest {
     private static final TopicNames RUSSIAN = TopicNames.in(Language.RUSSIAN);
@@ -61,16 +64,25 @@ class TopicNamesTest {
     }
 
     @Test
-    @DisplayName("a name of a topic or hazard that is gone keeps its translation")
+    @DisplayName("a name of a topic, hazard or workload that is gone keeps its translation")
     void translatesWhatThereIsAndNothingElse() {
         var known = new TreeSet<String>();
         for (Topic<?, ?, ?> topic : Topics.all()) {
-            known.add("topic." + topic.name());
+            known.add("study.topic." + topic.name());
             for (Hazard<?> hazard : topic.hazards())
-                known.add("hazard." + topic.name() + "." + hazard.name());
+                known.add("study.hazard." + topic.name() + "." + hazard.name());
+            for (Workload<?> workload : topic.workloads()) {
+                String kind = workload.name().replaceAll("-\\d+(?=-|$)", "");
+                known.add("study.workload." + topic.name() + "." + kind);
+                known.add("study.size." + topic.name() + "." + kind);
+            }
         }
-        var unknown = new TreeSet<>(RUSSIAN.own().keys());
-        unknown.removeAll(known);
+        var unknown = new TreeSet<String>();
+        for (LabRoom<?> room : LabRooms.all())
+            Texts.of(room.texts(), Language.RUSSIAN).keys().stream()
+                    .filter(key -> key.startsWith("study."))
+                    .filter(key -> !known.contains(key))
+                    .forEach(unknown::add);
         assertEquals(new TreeSet<>(), unknown);
     }
 
