@@ -19,36 +19,12 @@ final class SplineFunctionMutants {
                         "equal-widths",
                         "uneven-knots",
                         (x, y, ends) -> RIGHT.coefficients(even(x), y, ends)),
-                new Mutant<>(
-                        "end-slopes-ignored",
-                        "two-knots",
-                        (x, y, ends) ->
-                                RIGHT.coefficients(
-                                        x,
-                                        y,
-                                        ends.kind() == SplineEnds.Kind.SLOPES
-                                                ? SplineEnds.natural()
-                                                : ends)),
+                new Mutant<>("end-slopes-ignored", "two-knots", natural(SplineEnds.Kind.SLOPES)),
                 new Mutant<>(
                         "not-a-knot-is-natural",
                         "three-knots",
-                        (x, y, ends) ->
-                                RIGHT.coefficients(
-                                        x,
-                                        y,
-                                        ends.kind() == SplineEnds.Kind.NOT_A_KNOT
-                                                ? SplineEnds.natural()
-                                                : ends)),
-                new Mutant<>(
-                        "periodic-is-natural",
-                        "periodic",
-                        (x, y, ends) ->
-                                RIGHT.coefficients(
-                                        x,
-                                        y,
-                                        ends.kind() == SplineEnds.Kind.PERIODIC
-                                                ? SplineEnds.natural()
-                                                : ends)),
+                        natural(SplineEnds.Kind.NOT_A_KNOT)),
+                new Mutant<>("periodic-is-natural", "periodic", natural(SplineEnds.Kind.PERIODIC)),
                 new Mutant<>(
                         "knots-sorted",
                         "unordered-knots",
@@ -66,13 +42,16 @@ final class SplineFunctionMutants {
                 new Mutant<>(
                         "natural-is-level",
                         "overshoot",
-                        (x, y, ends) ->
-                                RIGHT.coefficients(
-                                        x,
-                                        y,
-                                        ends.kind() == SplineEnds.Kind.NATURAL
-                                                ? SplineEnds.slopes(0, 0)
-                                                : ends)));
+                        taking(SplineEnds.Kind.NATURAL, SplineEnds.slopes(0, 0))));
+    }
+
+    /** Takes ends of that kind for natural ones. */
+    private static SplineFunction natural(SplineEnds.Kind asked) {
+        return taking(asked, SplineEnds.natural());
+    }
+
+    private static SplineFunction taking(SplineEnds.Kind asked, SplineEnds taken) {
+        return (x, y, ends) -> RIGHT.coefficients(x, y, ends.kind() == asked ? taken : ends);
     }
 
     /** The coefficients of 1, x, x², x³ where those of s = x − x[i] are asked for. */
