@@ -3,6 +3,7 @@ package rasterlab.exercises.proving;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -15,6 +16,7 @@ import rasterlab.exercises.runner.StartedJudge;
  * Every exercise that comes with the program is proved, as {@code ./lab exercises prove} does. Its
  * sources are ours, so they are compiled in this process, and their speed proves nothing.
  */
+@Tag("slow")
 class ProvedExercisesTest {
     private static final long SEED = 20261127;
 

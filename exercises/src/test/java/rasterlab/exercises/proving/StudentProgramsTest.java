@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -30,6 +31,7 @@ import rasterlab.exercises.topic.TopicGradings;
  * resources. A wrong one has the name of its mistake, a mutant or a faulty method of the topic;
  * what follows a dot tells several apart.
  */
+@Tag("slow")
 class StudentProgramsTest {
     private static final Path PROGRAMS = Path.of("src/test/resources/rasterlab/exercises/programs");
     private static final long SEED = 20261127;
@@ -62,8 +64,9 @@ class StudentProgramsTest {
     @MethodSource("right")
     void aRightProgramIsFullyAccurate(Path file) throws Exception {
         Exercise exercise = exercise(file);
+        Object program = CompiledProgram.of(Files.readString(file));
         for (long seed = SEED; seed < SEED + SEEDS; seed++) {
-            List<String> paying = marking(exercise, file, seed).paying();
+            List<String> paying = marking(exercise, program, seed).paying();
             List<String> lost =
                     exercise.cases().stream()
                             .filter(one -> one.kind() == Kind.ACCURACY)
@@ -78,7 +81,8 @@ class StudentProgramsTest {
     @MethodSource("wrong")
     void aWrongProgramIsToldItsMistake(Path file) throws Exception {
         Exercise exercise = exercise(file);
-        Marking marking = marking(exercise, file, SEED);
+        Object program = CompiledProgram.of(Files.readString(file));
+        Marking marking = marking(exercise, program, SEED);
         assertTrue(marking.paying().size() < exercise.cases().size(), "it loses no points");
         String mistake = file.getFileName().toString().split("\\.")[0];
         for (String language : List.of("en", "ru")) {
@@ -107,8 +111,7 @@ class StudentProgramsTest {
         return Catalogue.builtIn().named(PROGRAMS.relativize(file).getName(0).toString());
     }
 
-    private static Marking marking(Exercise exercise, Path file, long seed) throws Exception {
-        Object program = CompiledProgram.of(Files.readString(file));
+    private static Marking marking(Exercise exercise, Object program, long seed) {
         return TriedMethod.on(exercise, TopicGradings.of(exercise), program, seed).marking();
     }
 }
