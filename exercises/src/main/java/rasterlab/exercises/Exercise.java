@@ -29,7 +29,9 @@ import rasterlab.exercises.score.Disclosure;
  * @param timed how the inputs to measure speed on are drawn, as JSON
  * @param groups what cases ask for, where several ask for the same
  * @param breaking what is handed in where the task is to break faulty methods, each of which is a
- *     case then; empty where a program is to be written
+ *     case then; empty where nothing is to be broken
+ * @param predicting which steps of a method are to be predicted, each of which is a case then;
+ *     empty where none are
  * @param evidence what the exercise is proved by
  */
 public record Exercise(
@@ -48,6 +50,7 @@ public record Exercise(
         List<Group> groups,
         List<Case> cases,
         Optional<Breaking> breaking,
+        Optional<Predicting> predicting,
         Evidence evidence) {
     /** In all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
@@ -121,11 +124,13 @@ public record Exercise(
                 groups,
                 cases,
                 breaking,
+                Optional.empty(),
                 Evidence.NONE);
     }
 
     /** The form of what is handed in. */
     public Form form() {
+        if (predicting.isPresent()) return Form.PREDICT;
         return breaking.isPresent() ? Form.BREAK : Form.WRITE;
     }
 
@@ -321,7 +326,9 @@ public record Exercise(
         /** Writes a method, in Java. */
         WRITE("java", "text/x-java-source"),
         /** Finds inputs on which faulty methods fail, as JSON. */
-        BREAK("json", "application/json");
+        BREAK("json", "application/json"),
+        /** Predicts the steps of a method, as JSON. */
+        PREDICT("json", "application/json");
 
         private final String ending;
         private final String mediaType;

@@ -23,6 +23,7 @@ public final class Capped {
                 one.groups(),
                 one.cases(),
                 one.breaking(),
+                one.predicting(),
                 one.evidence());
     }
 }

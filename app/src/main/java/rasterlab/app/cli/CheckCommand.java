@@ -12,7 +12,10 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.predicting.Sheet;
+import rasterlab.exercises.predicting.SheetText;
 import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
@@ -27,7 +30,8 @@ import rasterlab.exercises.score.Report;
         description = {
             "Says what the grading server would say to a solution: public cases only.",
             "A failed case is drawn as text: # right, + extra, - missing pixels.",
-            "An exercise of kind break takes JSON inputs, on which it tries the faulty methods."
+            "An exercise of kind break takes JSON inputs, on which it tries the faulty methods.",
+            "Of an exercise of kind predict it prints a sheet of questions; answered, it is the FILE."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -44,9 +48,17 @@ final class CheckCommand implements Callable<Integer> {
 
     @Parameters(
             index = "1",
+            arity = "0..1",
             paramLabel = "FILE",
-            description = "your Java source; for an exercise of kind break your inputs as JSON")
+            description =
+                    "your Java source; your inputs (kind break) or answers (kind predict) as JSON")
     private Path file;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "NUMBER",
+            description = "draws the questions of a sheet; by default every sheet is another one")
+    private Long seed;
 
     @Option(
             names = "--out",
@@ -68,6 +80,7 @@ final class CheckCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         Exercise chosen = exercises.named(exercise, console);
+        if (file == null || seed != null) return printSheet(chosen);
         String source = SourceFile.read(file);
         Path pictures = folder == null ? Path.of("check-" + chosen.id()) : folder;
         WholeFile.requireFolderWritable(pictures);
@@ -98,6 +111,25 @@ final class CheckCommand implements Callable<Integer> {
                 .write(out);
         out.writeRaw('\n');
         out.close();
+    }
+
+    /** Prints questions to be answered. */
+    private int printSheet(Exercise chosen) {
+        if (chosen.form() != Form.PREDICT)
+            throw Complaint.badInput(
+                    file == null
+                            ? "FILE is missing: a sheet is printed of exercises of kind predict alone"
+                            : "--seed goes with exercises of kind predict alone");
+        if (file != null)
+            throw Complaint.badInput("--seed goes without FILE: an answered sheet has its own");
+        if (seed != null && (seed < 0 || seed > Sheet.MOST_SEED))
+            throw Complaint.badInput(
+                    "--seed must be a whole number from 0 to " + Sheet.MOST_SEED + ", got " + seed);
+        console.out()
+                .print(
+                        SheetText.open(
+                                chosen, seed == null ? SheetText.freshSeed() : seed.longValue()));
+        return ExitCode.DONE;
     }
 
     private Report graded(Exercise chosen, String source) {

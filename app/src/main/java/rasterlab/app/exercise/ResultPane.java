@@ -123,7 +123,7 @@ final class ResultPane extends JPanel {
     }
 
     private void showGuide(Exercise.Form form) {
-        guide.setText(texts.text(form == Exercise.Form.BREAK ? "guide.break" : "guide"));
+        guide.setText(texts.text(form == Exercise.Form.WRITE ? "guide" : "guide." + form.code()));
         guide.setCaretPosition(0);
     }
 

@@ -52,7 +52,8 @@ final class ExerciseReader {
         "model",
         "notAsked",
         "kind",
-        "break"
+        "break",
+        "predict"
     };
 
     private static final Field<Double> WORST =
@@ -109,6 +110,8 @@ final class ExerciseReader {
         if (form.isEmpty()) return Optional.empty();
         if (form.get().equals(Form.BREAK.code()))
             return faults.tried(() -> new BreakingReader(folder, fields).read());
+        if (form.get().equals(Form.PREDICT.code()))
+            return new PredictingReader(folder, fields, faults).read();
         return written(id, fields);
     }
 
@@ -158,6 +161,7 @@ final class ExerciseReader {
                         timed.orElseThrow(),
                         groups,
                         cases,
+                        Optional.empty(),
                         Optional.empty(),
                         evidence.orElseThrow());
         faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));

@@ -20,6 +20,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.predicting.SheetText;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.topic.TopicGradings;
@@ -41,6 +42,7 @@ public final class Proving {
     /** The proof without the exercise's sources. */
     public static Proof of(Exercise exercise, long seed) {
         if (exercise.form() == Exercise.Form.BREAK) return BreakProving.of(exercise, seed);
+        if (exercise.form() == Exercise.Form.PREDICT) return PredictProving.of(exercise, seed);
         Proving proving = new Proving(exercise, seed);
         return new Proof(
                 exercise,
@@ -63,8 +65,15 @@ public final class Proving {
                 seed,
                 known.right(),
                 known.kills(),
-                Optional.of(points(exercise, exercise.starter(), seed, judge)),
+                Optional.of(points(exercise, starter(exercise, seed), seed, judge)),
                 model);
+    }
+
+    /** What students begin with whose cases the seed draws. */
+    private static String starter(Exercise exercise, long seed) {
+        return exercise.form() == Exercise.Form.PREDICT
+                ? SheetText.open(exercise, seed)
+                : exercise.starter();
     }
 
     private static SourcePoints points(Exercise exercise, String source, long seed, Grading judge)

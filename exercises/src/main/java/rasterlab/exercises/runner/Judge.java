@@ -8,6 +8,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading;
+import rasterlab.exercises.predicting.SheetGrading;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
@@ -119,6 +120,8 @@ public final class Judge implements Grading, AutoCloseable {
                 report -> {
                     if (told.add(report.name())) progress.accept(report);
                 };
+        if (exercise.predicting().isPresent())
+            return new SheetGrading(exercise, cases, once).report(source);
         if (exercise.breaking().isPresent())
             return withRetry(
                     () -> new BreakRun(settings, exercise, launcher, once).run(source), sheet);

@@ -41,6 +41,7 @@ class ProofTest {
                 TRIANGLE.groups(),
                 cases.toList(),
                 TRIANGLE.breaking(),
+                TRIANGLE.predicting(),
                 evidence);
     }
 

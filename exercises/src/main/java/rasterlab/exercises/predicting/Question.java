@@ -1,0 +1,91 @@
+package rasterlab.exercises.predicting;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.Predicting;
+import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.score.Message;
+
+/**
+ * One step that is to be predicted.
+ *
+ * @param number in the sheet, from 1
+ * @param input of the walk, a JSON object
+ * @param before the steps of the walk before this one
+ * @param step the right one, with all its fields
+ */
+public record Question(
+        Predicting rules, int number, String input, List<JsonNode> before, JsonNode step) {
+    public Question {
+        before = List.copyOf(before);
+    }
+
+    /** The fields that stand in the question. */
+    public ObjectNode told() {
+        return part(rules.told());
+    }
+
+    /** The right answer. */
+    public ObjectNode right() {
+        return part(rules.asked().stream().map(Asked::field).toList());
+    }
+
+    private ObjectNode part(List<String> fields) {
+        ObjectNode part = JsonNodeFactory.instance.objectNode();
+        for (String field : fields) part.set(field, step.path(field));
+        return part;
+    }
+
+    /** The value by which the method decided; empty where it has none. */
+    public Optional<JsonNode> reason() {
+        if (rules.reason().before() && before.isEmpty()) return Optional.empty();
+        JsonNode has = rules.reason().before() ? before.get(before.size() - 1) : step;
+        return rules.reason()
+                .field()
+                .map(has::path)
+                .filter(value -> !value.isMissingNode() && !value.isNull());
+    }
+
+    /** Whether nothing is answered, or not all of it. */
+    public boolean isOpen(JsonNode answer) {
+        return rules.asked().stream().anyMatch(one -> isNothing(answer.path(one.field())));
+    }
+
+    private static boolean isNothing(JsonNode value) {
+        return value.isMissingNode() || value.isNull();
+    }
+
+    public boolean isRight(JsonNode answer) {
+        return !isOpen(answer) && Values.same(right(), answer, rules.tolerance());
+    }
+
+    /** The verdict on an answer in words: what was answered, what is right, and why. */
+    public Message said(JsonNode answer) {
+        String right = Values.told(right());
+        Message verdict =
+                isOpen(answer)
+                        ? Message.of("predict.open", right)
+                        : isRight(answer)
+                                ? Message.of("predict.right", right)
+                                : Message.of("predict.wrong", answered(answer), right);
+        return verdict.and(why());
+    }
+
+    private String answered(JsonNode answer) {
+        ObjectNode part = JsonNodeFactory.instance.objectNode();
+        for (Asked one : rules.asked()) part.set(one.field(), answer.path(one.field()));
+        return Values.told(part);
+    }
+
+    /** What decides on the step, with the value where there is one. */
+    public Message why() {
+        String english = rules.reason().words("en");
+        String russian = rules.reason().words("ru");
+        return reason().map(
+                        value -> Message.of("predict.why", english, russian, Values.told(value)))
+                .orElseGet(() -> Message.of("in-both-languages", english, russian));
+    }
+}

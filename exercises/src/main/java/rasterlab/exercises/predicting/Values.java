@@ -1,0 +1,83 @@
+package rasterlab.exercises.predicting;
+
+import static java.util.stream.Collectors.joining;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.stream.StreamSupport;
+
+/** Values of steps: whether two are the same, and how people are told one. */
+public final class Values {
+    /** Significant digits of a number that is told. */
+    private static final MathContext TOLD = new MathContext(7);
+
+    /** From here on, and below its inverse, numbers are told with an exponent. */
+    private static final int PLAIN_DIGITS = 10;
+
+    private Values() {}
+
+    /**
+     * Whether an answer is right. Fields of it that the right one has not do not matter.
+     *
+     * @param tolerance the largest error of a number
+     */
+    static boolean same(JsonNode right, JsonNode answer, double tolerance) {
+        if (right.isNumber())
+            return answer.isNumber()
+                    && Math.abs(right.doubleValue() - answer.doubleValue()) <= tolerance;
+        if (right.isArray()) {
+            if (!answer.isArray() || right.size() != answer.size()) return false;
+            for (int i = 0; i < right.size(); i++)
+                if (!same(right.get(i), answer.get(i), tolerance)) return false;
+            return true;
+        }
+        if (right.isObject())
+            return right.properties().stream()
+                    .allMatch(
+                            field ->
+                                    same(field.getValue(), answer.path(field.getKey()), tolerance));
+        return right.equals(answer);
+    }
+
+    /** Whether a value could be an answer: as the right one, but for its numbers and words. */
+    static boolean isOfForm(JsonNode right, JsonNode answer) {
+        if (right.isArray() && answer.isArray() && right.size() == answer.size()) {
+            for (int i = 0; i < right.size(); i++)
+                if (!isOfForm(right.get(i), answer.get(i))) return false;
+            return true;
+        }
+        return right.isNumber() && answer.isNumber()
+                || right.isTextual() && answer.isTextual()
+                || right.isBoolean() && answer.isBoolean();
+    }
+
+    /** The form of an answer: the right one with 0 for each number. */
+    static String form(JsonNode right) {
+        if (right.isArray())
+            return StreamSupport.stream(right.spliterator(), false)
+                    .map(Values::form)
+                    .collect(joining(", ", "[", "]"));
+        return "0";
+    }
+
+    /** A value for people: {@code x = 3, y = 1}, {@code (0.5, 2)}, a word as it is. */
+    public static String told(JsonNode value) {
+        if (value.isObject())
+            return value.properties().stream()
+                    .map(field -> field.getKey() + " = " + told(field.getValue()))
+                    .collect(joining(", "));
+        if (value.isArray())
+            return StreamSupport.stream(value.spliterator(), false)
+                    .map(Values::told)
+                    .collect(joining(", ", "(", ")"));
+        return value.isNumber() ? number(value) : value.asText();
+    }
+
+    private static String number(JsonNode value) {
+        BigDecimal rounded = value.decimalValue().round(TOLD).stripTrailingZeros();
+        if (rounded.signum() == 0) return "0";
+        int exponent = rounded.precision() - rounded.scale() - 1;
+        return Math.abs(exponent) < PLAIN_DIGITS ? rounded.toPlainString() : rounded.toString();
+    }
+}
