@@ -39,6 +39,7 @@ import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
+import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.SteadyClock
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
@@ -85,12 +86,13 @@ class Server(
     private val reports = Reports(database)
     private val results = Results(submissions, reports, live, exercises)
     private val intake = Intake(database, settings.intake, clock)
+    private val sheets = Sheets(database)
     private val steady = SteadyClock(clock)
     private val leases = Leases(database, reports, clock, steady)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
     private val pageParts =
-        PageParts(accounts, courses, exercises, submissions, intake, queue, results, live, isolation)
+        PageParts(accounts, courses, exercises, sheets, submissions, intake, queue, results, live, isolation)
 
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
@@ -120,7 +122,7 @@ class Server(
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
                     courses(courses, accounts)
-                    exercises(exercises)
+                    exercises(exercises, sheets::starter)
                     submissions(exercises, intake, queue)
                     results(results, live)
                 }

@@ -12,6 +12,8 @@ import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.identity
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
 
@@ -35,11 +37,21 @@ private data class PlanView(
     val total: Int,
 )
 
-/** Inside `authenticate`. Deadline and attempts left are null as long as nobody limits them. */
-fun Route.exercises(exercises: Exercises) {
+/**
+ * Inside `authenticate`. Deadline and attempts left are null as long as nobody limits them.
+ *
+ * @param starter what somebody begins an exercise with
+ */
+fun Route.exercises(
+    exercises: Exercises,
+    starter: (Identity, Exercise) -> String,
+) {
     get("/exercises") { call.respondJson(exercises.all.map { it.view(call.language()) }) }
     get("/exercises/{id}") { call.respondJson(exercises.named(call.exerciseId()).view(call.language())) }
-    get("/exercises/{id}/starter") { call.respondStarter(exercises.named(call.exerciseId())) }
+    get("/exercises/{id}/starter") {
+        val exercise = exercises.named(call.exerciseId())
+        call.respondStarter(exercise, starter(call.identity(), exercise))
+    }
     get("/exercises/{id}/statement") {
         val exercise = exercises.named(call.exerciseId())
         call.respondText(
@@ -53,9 +65,12 @@ fun Route.exercises(exercises: Exercises) {
 }
 
 /** The starter as a file to save. */
-suspend fun ApplicationCall.respondStarter(exercise: Exercise) {
+suspend fun ApplicationCall.respondStarter(
+    exercise: Exercise,
+    starter: String,
+) {
     response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
-    respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
+    respondText(starter, ContentType.Text.Plain.withCharset(Charsets.UTF_8))
 }
 
 /** A picture of the statement. An SVG that is opened by itself runs and loads nothing. */

@@ -36,11 +36,16 @@ data class Problem(
 
 /** How a failure is shown: as a problem document to programs, as a page to people. */
 fun interface ProblemPage {
+    /**
+     * @param detail in English, for programs
+     * @param added what there is more to say to people, by language
+     */
     suspend fun show(
         call: ApplicationCall,
         status: HttpStatusCode,
         code: String,
         detail: String,
+        added: (String) -> String?,
     )
 }
 
@@ -57,7 +62,12 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         status: HttpStatusCode,
         code: String,
         detail: String,
-    ) = if (call.isForPrograms()) call.respondProblem(status, code, detail) else page.show(call, status, code, detail)
+        added: (String) -> String? = { null },
+    ) = if (call.isForPrograms()) {
+        call.respondProblem(status, code, detail)
+    } else {
+        page.show(call, status, code, detail, added)
+    }
     exception<Rejection> { call, rejection ->
         rejection.retryAfter()?.let { call.response.header(HttpHeaders.RetryAfter, it.toString()) }
         when (rejection) {
@@ -67,7 +77,7 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
             else -> Unit
         }
         val code = if (call.isForPrograms()) rejection.code else rejection.pageText
-        show(call, rejection.status(), code, rejection.message)
+        show(call, rejection.status(), code, rejection.message, rejection::detail)
     }
     exception<BadRequestException> { call, malformed ->
         log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), malformed.message)

@@ -14,6 +14,7 @@ import io.ktor.http.HttpStatusCode.Companion.Unauthorized
 import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
 import rasterlab.exercises.SourceEncoding
+import rasterlab.exercises.score.Phrase
 
 /**
  * Why the server does not do what it was asked.
@@ -27,6 +28,9 @@ sealed class Rejection(
 ) : Exception(message) {
     /** Names the text that a page shows: the code, or more exactly what was met. */
     open val pageText get() = code
+
+    /** What a page adds to that text, in its language; null where there is nothing to add. */
+    open fun detail(language: String): String? = null
 
     class NotSignedIn :
         Rejection("needs the header 'Authorization: Bearer TOKEN' with a token of this server", "not-signed-in")
@@ -109,6 +113,13 @@ sealed class Rejection(
 
     class Kotlin : Rejection("Kotlin is not accepted; send Java", "kotlin")
 
+    /** A sheet of answers that cannot be read, or is not the one of this attempt; nothing is stored. */
+    class BadSheet(
+        private val why: Phrase,
+    ) : Rejection(why.`in`("en"), "bad-sheet") {
+        override fun detail(language: String): String = why.`in`(language)
+    }
+
     class UnknownLanguage(
         asked: String,
         allowed: List<String>,
@@ -155,6 +166,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
+        is Rejection.BadSheet -> UnprocessableEntity
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge
         is Rejection.WrongMediaType, is Rejection.Kotlin -> UnsupportedMediaType

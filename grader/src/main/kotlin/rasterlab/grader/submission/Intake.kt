@@ -44,11 +44,19 @@ class Intake(
         key: String?,
     ): Accepted {
         if (!database.hasRoom()) throw Rejection.NoRoom()
+        val handedSeed =
+            if (exercise.form() == Exercise.Form.PREDICT) Sheets.handedSeed(exercise, source) else null
         val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
         return database.write { handle ->
             val id =
                 request.made(handle)
-                    ?: insert(handle, student, exercise, source).also { request.remember(handle, it, clock.instant()) }
+                    ?: insert(
+                        handle,
+                        student,
+                        exercise,
+                        source,
+                        handedSeed,
+                    ).also { request.remember(handle, it, clock.instant()) }
             val state = checkNotNull(Submissions.find(handle, id)) { "submission $id was just stored" }.state
             Accepted(id, state, Submissions.position(handle, id))
         }
@@ -59,8 +67,10 @@ class Intake(
         student: Identity.Student,
         exercise: Exercise,
         source: String,
+        handedSeed: Long?,
     ): String {
         checkLimits(handle, student)
+        handedSeed?.let { Sheets.requireSeed(it, Sheets.seed(handle, student, exercise)) }
         val id = Secrets.newId()
         handle
             .createUpdate(
@@ -73,7 +83,7 @@ class Intake(
             .bind("exercise", exercise.id())
             .bind("revision", exercise.revision())
             .bind("source", source)
-            .bind("seed", Secrets.newSeed())
+            .bind("seed", handedSeed ?: Secrets.newSeed())
             .bind("now", clock.instant().text())
             .execute()
         return id

@@ -48,6 +48,7 @@ object ErrorPage : ProblemPage {
         status: HttpStatusCode,
         code: String,
         detail: String,
+        added: (String) -> String?,
     ) {
         val texts = call.texts()
         call.respondPage(texts, who = null, texts.say("error.title"), status) {
@@ -55,6 +56,7 @@ object ErrorPage : ProblemPage {
                 role = "alert"
                 +texts.problem(code)
             }
+            added(texts.language)?.let { p { +it } }
             p("legend") { +texts.say("error.code", status.value.toString(), code) }
             p("ways") {
                 call.pageBefore()?.let { a(it) { +texts.say("error.again") } }

@@ -35,6 +35,7 @@ import rasterlab.grader.storage.Secrets
 import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
+import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.receiveFields
 import rasterlab.grader.submission.sourceOf
@@ -43,6 +44,7 @@ import rasterlab.grader.submission.sourceOf
 fun Route.exercisePages(
     accounts: Accounts,
     exercises: Exercises,
+    sheets: Sheets,
     submissions: Submissions,
     intake: Intake,
     queue: GradingQueue,
@@ -51,11 +53,14 @@ fun Route.exercisePages(
     get("/exercises") { call.respondExercises(call.someone(accounts), exercises) }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        call.respondExercise(call.someone(accounts), exercises, exercise, submissions, formulas)
+        val who = call.someone(accounts)
+        val sheet = if (exercise.form() == Exercise.Form.PREDICT) sheets.starter(who, exercise) else ""
+        call.respondExercise(who, exercises, exercise, sheet, submissions, formulas)
     }
     get("/exercises/{id}/starter") {
-        call.someone(accounts)
-        call.respondStarter(exercises.named(call.parameters.getOrFail("id")))
+        val who = call.someone(accounts)
+        val exercise = exercises.named(call.parameters.getOrFail("id"))
+        call.respondStarter(exercise, sheets.starter(who, exercise))
     }
     get("/exercises/{id}/pictures/{name}") {
         call.someone(accounts)
@@ -104,6 +109,7 @@ private suspend fun ApplicationCall.respondExercise(
     who: Identity,
     exercises: Exercises,
     exercise: Exercise,
+    sheet: String,
     submissions: Submissions,
     formulas: Formulas,
 ) {
@@ -129,9 +135,10 @@ private suspend fun ApplicationCall.respondExercise(
                 div("card") {
                     p {
                         val starter = "/exercises/${exercise.id()}/starter"
-                        a(starter) { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" }
+                        val words = if (sheet.isEmpty()) "exercise.starter" else "exercise.sheet"
+                        a(starter) { +"${texts.say(words)} (${exercise.starterFile()})" }
                     }
-                    if (mine != null) handIn(texts, exercise)
+                    if (mine != null) handIn(texts, exercise, sheet)
                 }
                 if (mine != null) {
                     h2 { +texts.say("exercise.mine") }
@@ -151,6 +158,7 @@ private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "
 private fun FlowContent.handIn(
     texts: Texts,
     exercise: Exercise,
+    sheet: String,
 ) {
     h2 { +texts.say("exercise.submit") }
     form("/exercises/${exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
@@ -164,9 +172,10 @@ private fun FlowContent.handIn(
         }
         label {
             span { +texts.say("exercise.paste.${exercise.form().code()}") }
-            textArea(rows = "10") {
+            textArea(rows = if (sheet.isEmpty()) "10" else "24") {
                 name = "source"
                 attributes["spellcheck"] = "false"
+                +sheet
             }
         }
         button { +texts.say("exercise.submit.do") }

@@ -16,6 +16,7 @@ import rasterlab.grader.report.Results
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
 
 /** The pages for people, and the files that they use. */
@@ -26,7 +27,7 @@ fun Route.pages(
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
-    exercisePages(accounts, exercises, submissions, intake, queue)
+    exercisePages(accounts, exercises, sheets, submissions, intake, queue)
     resultPages(accounts, exercises, submissions, results)
     instructorPages(accounts, courses, exercises, submissions, live, isolation)
 }
@@ -36,6 +37,7 @@ class PageParts(
     val accounts: Accounts,
     val courses: Courses,
     val exercises: Exercises,
+    val sheets: Sheets,
     val submissions: Submissions,
     val intake: Intake,
     val queue: GradingQueue,

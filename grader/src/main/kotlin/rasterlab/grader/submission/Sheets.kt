@@ -1,0 +1,76 @@
+package rasterlab.grader.submission
+
+import org.jdbi.v3.core.Handle
+import rasterlab.exercises.CatalogueException
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.predicting.HandedAnswers
+import rasterlab.exercises.predicting.Sheet
+import rasterlab.exercises.predicting.SheetText
+import rasterlab.exercises.score.Phrase
+import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Secrets
+
+/**
+ * The sheets of questions of exercises whose steps are predicted: one for each student and attempt, which nobody
+ * chooses. An exercise that was changed has other ones.
+ */
+class Sheets(
+    private val database: Database,
+) {
+    /** What somebody begins with: a student with the sheet of the next attempt, anybody else with one to try. */
+    fun starter(
+        who: Identity,
+        exercise: Exercise,
+    ): String =
+        when {
+            exercise.form() != Exercise.Form.PREDICT -> exercise.starter()
+            who is Identity.Student -> SheetText.open(exercise, database.write { seed(it, who, exercise) })
+            else -> SheetText.open(exercise, SheetText.freshSeed())
+        }
+
+    companion object {
+        /** The seed of the sheet that the student's next attempt answers. */
+        fun seed(
+            handle: Handle,
+            student: Identity.Student,
+            exercise: Exercise,
+        ): Long {
+            val attempt =
+                handle
+                    .createQuery(
+                        """SELECT coalesce(max(attempt), 0) + 1 FROM submissions
+                           WHERE student_id = :student AND exercise = :exercise""",
+                    ).bind("student", student.id)
+                    .bind("exercise", exercise.id())
+                    .mapTo(Int::class.javaObjectType)
+                    .one()
+            val drawn = Secrets.derive(handle, "sheet ${exercise.id()} ${exercise.revision()} ${student.id} $attempt")
+            return drawn.encodeToByteArray().fold(0L) { seed, byte -> 31 * seed + byte } and Sheet.MOST_SEED
+        }
+
+        /**
+         * The seed that a sheet came with.
+         *
+         * @throws Rejection.BadSheet where it cannot be read
+         */
+        fun handedSeed(
+            exercise: Exercise,
+            source: String,
+        ): Long =
+            try {
+                HandedAnswers.of(exercise, source.removePrefix("\uFEFF")).sheet().seed()
+            } catch (misfit: CatalogueException) {
+                throw Rejection.BadSheet(misfit.said())
+            }
+
+        /** @throws Rejection.BadSheet where it is another attempt's */
+        fun requireSeed(
+            handed: Long,
+            expected: Long,
+        ) {
+            if (handed != expected) throw Rejection.BadSheet(Phrase.of("predict.other-seed", "$handed", "$expected"))
+        }
+    }
+}
