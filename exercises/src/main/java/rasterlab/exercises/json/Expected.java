@@ -21,6 +21,8 @@ sealed interface Expected {
 
     /** A number from {@code least} to {@code most}. */
     record Number(double least, double most) implements Expected {
+        static final Number ANY = new Number(-Double.MAX_VALUE, Double.MAX_VALUE);
+
         @Override
         public String words() {
             return "a number from " + least + " to " + most;

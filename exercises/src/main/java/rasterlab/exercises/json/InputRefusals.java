@@ -11,57 +11,59 @@ import rasterlab.engine.format.Misfit;
  * Refuses values of a topic's input, which is read from its beginning to its end: by the place as a
  * JSON pointer (RFC 6901), the value and what is allowed.
  */
-final class InputRefusals extends Refusals {
+final class InputRefusals implements Refusals {
     private static final int LONGEST_QUOTE = 40;
 
+    private final JsonParser parser;
+
     InputRefusals(JsonParser parser) {
-        super(parser);
+        this.parser = parser;
     }
 
     @Override
-    Misfit other(Expected allowed) throws IOException {
+    public Misfit other(Expected allowed) throws IOException {
         return misfit("expected " + allowed.words() + ", got " + quoted());
     }
 
     @Override
-    Misfit misfit(String reason) {
+    public Misfit misfit(String reason) {
         String pointer = pointer();
         return new Misfit(pointer.isEmpty() ? "/" : shortened(pointer), reason);
     }
 
     @Override
-    Misfit misfitOfArray(String reason) {
+    public Misfit misfitOfArray(String reason) {
         String item = pointer();
         return new Misfit(shortened(item.substring(0, item.lastIndexOf('/'))), reason);
     }
 
     @Override
-    Misfit unknown(List<Field<?>> fields) {
+    public Misfit unknown(List<Field<?>> fields) {
         return misfit("unknown field; allowed are " + new Expected.AnObject(fields).known());
     }
 
     @Override
-    Misfit missing(Given object, Field<?> field) {
+    public Misfit missing(Given object, Field<?> field) {
         return object.misfit(field.name(), "missing");
     }
 
     @Override
-    String pointer() {
+    public String pointer() {
         return parser.getParsingContext().pathAsPointer().toString();
     }
 
     @Override
-    int length() {
+    public int length() {
         return -1;
     }
 
     @Override
-    boolean strict() {
+    public boolean strict() {
         return false;
     }
 
     @Override
-    StrictJson object(StrictJson reader, List<Field<?>> fields) {
+    public StrictJson object(StrictJson reader, List<Field<?>> fields) {
         return reader;
     }
 

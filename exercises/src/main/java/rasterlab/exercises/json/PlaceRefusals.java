@@ -14,56 +14,57 @@ import rasterlab.engine.format.Misfit;
 import rasterlab.exercises.score.Phrase;
 
 /** Refuses values of a file of people, in words of its own places. */
-final class PlaceRefusals extends Refusals {
+final class PlaceRefusals implements Refusals {
     private final JsonPlace<?> root;
+    private final JsonParser parser;
 
     /**
      * @param root the place of the value that {@code parser} reads
      */
     PlaceRefusals(JsonPlace<?> root, JsonParser parser) {
-        super(parser);
+        this.parser = parser;
         this.root = root;
     }
 
     @Override
-    RuntimeException other(Expected allowed) {
+    public RuntimeException other(Expected allowed) {
         return allowed.refused(place(parser.getParsingContext(), allowed.inOneThing()));
     }
 
     @Override
-    Misfit misfit(String reason) {
+    public Misfit misfit(String reason) {
         return new Misfit(reason);
     }
 
     @Override
-    Misfit misfitOfArray(String reason) {
+    public Misfit misfitOfArray(String reason) {
         return misfit(reason);
     }
 
     @Override
-    RuntimeException unknown(List<Field<?>> fields) {
+    public RuntimeException unknown(List<Field<?>> fields) {
         return root.unknown(
                 parser.getParsingContext().getCurrentName(),
                 fields.stream().map(Field::name).toArray(String[]::new));
     }
 
     @Override
-    RuntimeException missing(Given object, Field<?> field) {
+    public RuntimeException missing(Given object, Field<?> field) {
         return root.at(field.name()).wrong(Phrase.of("field.missing"));
     }
 
     @Override
-    String pointer() {
+    public String pointer() {
         return "";
     }
 
     @Override
-    int length() {
+    public int length() {
         return place().node().size();
     }
 
     @Override
-    boolean strict() {
+    public boolean strict() {
         return true;
     }
 
@@ -72,7 +73,7 @@ final class PlaceRefusals extends Refusals {
      * a field that is unknown.
      */
     @Override
-    StrictJson object(StrictJson reader, List<Field<?>> fields) throws IOException {
+    public StrictJson object(StrictJson reader, List<Field<?>> fields) throws IOException {
         JsonPlace<?> object = place();
         parser.skipChildren();
         return StrictJson.at(object, inOrder(object.node(), fields));

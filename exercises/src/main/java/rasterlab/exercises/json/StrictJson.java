@@ -46,9 +46,6 @@ public final class StrictJson implements ValueSource {
      */
     private static final int LONGEST_NUMBER = 1000;
 
-    private static final Expected ANY_NUMBER =
-            new Expected.Number(-Double.MAX_VALUE, Double.MAX_VALUE);
-
     private static final Expected ANY_WHOLE =
             new Expected.Whole(Integer.MIN_VALUE, Integer.MAX_VALUE, true);
 
@@ -243,7 +240,7 @@ public final class StrictJson implements ValueSource {
 
     @Override
     public double number() throws IOException {
-        return number(ANY_NUMBER);
+        return number(Expected.Number.ANY);
     }
 
     private double number(Expected allowed) throws IOException {
