@@ -36,6 +36,11 @@ public interface Topic<C, I, O> {
         return List.of();
     }
 
+    /** The mutants to try where not the topic's answer is asked for, but that of one method. */
+    default List<Mutant<C>> mutants(String method) {
+        return mutants();
+    }
+
     /**
      * Runs a method on a copy of the input and records what it produced.
      *

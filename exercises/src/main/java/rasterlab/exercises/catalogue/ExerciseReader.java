@@ -213,12 +213,12 @@ final class ExerciseReader {
                 : Caps.NONE;
     }
 
-    /** The names of the topic's faulty methods and mutants. */
-    private static List<String> mistakes(String topic) {
-        Topic<?, ?, ?> named = Topics.named(topic);
+    /** The names of the topic's faulty methods, and of its mutants or those of one method. */
+    private static <C> List<String> mistakes(Topic<C, ?, ?> topic, Optional<String> method) {
+        List<Mutant<C>> mutants = method.map(topic::mutants).orElseGet(topic::mutants);
         return Stream.concat(
-                        named.methods().stream().filter(Method::faulty).map(Method::name),
-                        named.mutants().stream().map(Mutant::name))
+                        topic.methods().stream().filter(Method::faulty).map(Method::name),
+                        mutants.stream().map(Mutant::name))
                 .toList();
     }
 
@@ -226,7 +226,7 @@ final class ExerciseReader {
     private Evidence evidence(JsonFields fields, TopicGrading topic) {
         Set<String> notAsked =
                 fields.has("notAsked") ? Set.copyOf(fields.texts("notAsked")) : Set.of();
-        List<String> known = mistakes(topic.name());
+        List<String> known = mistakes(Topics.named(topic.name()), truth(fields, topic));
         for (String one : notAsked)
             if (!known.contains(one))
                 throw fields.wrong(

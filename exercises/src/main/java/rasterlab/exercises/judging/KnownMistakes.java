@@ -40,7 +40,7 @@ final class KnownMistakes<C, I, O> {
     List<List<Cause>> of(O actual) {
         List<List<Cause>> found = new ArrayList<>();
         Predicate<O> same = sameAs(actual);
-        for (Mutant<C> one : topic.mutants())
+        for (Mutant<C> one : mutants())
             if (output(one.implementation()).filter(same).isPresent()) {
                 String text = "mutant." + topic.name() + "." + one.name();
                 found.add(List.of(new Cause(one.name(), Message.of("known-mistake", text))));
@@ -61,7 +61,7 @@ final class KnownMistakes<C, I, O> {
         String mutant = causes.get(0).get(0).code();
         String method = causes.get(1).get(0).code();
         boolean ofBothKinds =
-                topic.mutants().stream().anyMatch(one -> one.name().equals(mutant))
+                mutants().stream().anyMatch(one -> one.name().equals(mutant))
                         && topic.methods().stream().anyMatch(one -> one.name().equals(method));
         return ofBothKinds
                 && Stream.concat(named(mutant), named(method))
@@ -71,9 +71,14 @@ final class KnownMistakes<C, I, O> {
                         == 1;
     }
 
+    /** Those of the method that is asked for, where it is one. */
+    private List<Mutant<C>> mutants() {
+        return demand.tolerance().truth().map(topic::mutants).orElseGet(topic::mutants);
+    }
+
     private Stream<C> named(String name) {
         Stream<C> mutants =
-                topic.mutants().stream()
+                mutants().stream()
                         .filter(one -> one.name().equals(name))
                         .map(Mutant::implementation);
         Stream<C> methods =

@@ -119,9 +119,14 @@ public final class Proving {
         List<Kill> kills = new ArrayList<>();
         for (Method<?> one : topic.methods())
             if (one.faulty()) kills.add(kill(one.name(), false, true, one.implementation()));
-        for (Mutant<?> one : topic.mutants())
+        for (Mutant<?> one : mutants(topic))
             kills.add(kill(one.name(), true, isAnswered(one.hazard()), one.implementation()));
         return kills;
+    }
+
+    /** Those of the method that is asked for, where it is one. */
+    private <C> List<Mutant<C>> mutants(Topic<C, ?, ?> of) {
+        return exercise.tolerance().truth().map(of::mutants).orElseGet(of::mutants);
     }
 
     private Kill kill(String name, boolean mutant, boolean answered, Object method) {
@@ -144,6 +149,8 @@ public final class Proving {
         Set<String> codes = new HashSet<>(grading.mistakes());
         topic.methods().forEach(one -> codes.remove(one.name()));
         topic.mutants().forEach(one -> codes.remove(one.name()));
+        for (Method<?> method : topic.methods())
+            topic.mutants(method.name()).forEach(one -> codes.remove(one.name()));
         codes.add(name);
         return codes;
     }

@@ -71,6 +71,15 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     }
 
     @Override
+    public List<Mutant<TextureFilter>> mutants(String method) {
+        return switch (method) {
+            case "linear" -> LookupMutants.linear();
+            case "trilinear" -> LookupMutants.trilinear();
+            default -> mutants();
+        };
+    }
+
+    @Override
     public double[] run(TextureFilter method, FilteredPixels pixels, int limit) {
         int count = Math.min(limit, pixels.count());
         double[] footprints = pixels.footprints();
