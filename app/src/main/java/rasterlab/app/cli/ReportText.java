@@ -16,6 +16,7 @@ import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.topic.TopicGradings;
 
 /** A grading report as text for a terminal. */
 final class ReportText {
@@ -34,15 +35,18 @@ final class ReportText {
 
     /** Prints a report of this machine. */
     void print(Exercise exercise, Report report) {
-        String cost = exercise.topic().equals("line") ? "cost" : "cost-each";
         print(
                 exercise.title(language()),
                 exercise.points().total(),
                 PublishedReport.of(exercise, report, language(), (judged, picture) -> ""),
                 () -> {
                     if (report.nanosPerItem() > 0)
-                        say(cost, texts.text("cost-nanos", report.nanosPerItem()));
+                        say(cost(exercise), texts.text("cost-nanos", report.nanosPerItem()));
                 });
+    }
+
+    private static String cost(Exercise exercise) {
+        return TopicGradings.named(exercise.topic()).inOwnWords("cost");
     }
 
     /**

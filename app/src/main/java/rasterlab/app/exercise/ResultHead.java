@@ -12,8 +12,10 @@ import javax.swing.UIManager;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.PaleWords;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Points;
+import rasterlab.exercises.topic.TopicGradings;
 
 /** What a result says of the whole: verdict, points and origin, or how far the work on it is. */
 final class ResultHead extends JPanel {
@@ -137,10 +139,13 @@ final class ResultHead extends JPanel {
                         ? texts.text("result.here", said.isolation().in(texts.language()))
                         : texts.text("result.attempt", said.attempt());
         String nanos = String.format(texts.locale(), "%.2f", said.nanosPerItem());
-        boolean pixels = state.exercise().topic().equals("line");
-        String key = pixels ? "result.cost" : "result.cost.each";
-        String cost = said.nanosPerItem() > 0 ? ", " + texts.text(key, nanos) : "";
+        String cost =
+                said.nanosPerItem() > 0 ? ", " + texts.text(costKey(state.exercise()), nanos) : "";
         String earlier = said.earlier() ? ", " + texts.text("result.earlier") : "";
         return place + cost + earlier + (state.upToDate() ? "" : ", " + texts.text("result.old"));
+    }
+
+    private static String costKey(Exercise exercise) {
+        return TopicGradings.named(exercise.topic()).inOwnWords("result.cost");
     }
 }

@@ -27,6 +27,9 @@ final class Leaves {
     /** A smaller part of the largest difference is passed over, as rounding is. */
     private static final double SEEN = 0.01;
 
+    /** In the coordinates of exercises, which are of the order of 1 to 1000. */
+    private static final double ROUNDING = 1e-9;
+
     /** Significant digits that are enough to see most differences. */
     private static final int FEW = 6;
 
@@ -118,16 +121,24 @@ final class Leaves {
     static <C, I, O> Message difference(Topic<C, I, O> topic, I input, O exact, O actual) {
         Leaves right = of(topic.format(), input, exact);
         Leaves mine = of(topic.format(), input, actual);
+        Deviation deviation = topic.compare(input, exact, actual);
+        if (deviation.extra() > 0 && right.isCloseTo(mine))
+            return Message.of("answer.again", deviation.extra());
         Message said =
                 right.firstUnlike(mine)
                         .map(place -> right.said(topic.name(), place, mine))
                         .orElse(Message.of("answer.differs"));
-        Deviation deviation = topic.compare(input, exact, actual);
         String key = "answer.worst." + topic.errorUnit().replace(' ', '-');
         boolean measured = deviation.worst() > 0 && Double.isFinite(deviation.worst());
         return measured && Message.isKnown(key)
                 ? said.and(Message.of(key, number(deviation.worst())))
                 : said;
+    }
+
+    /** Whether nothing is missing, more or different but for rounding. */
+    private boolean isCloseTo(Leaves other) {
+        return values.keySet().equals(other.values.keySet())
+                && values.keySet().stream().allMatch(place -> apart(place, other) <= ROUNDING);
     }
 
     /** The first place that differs by what is seen beside the largest difference. */

@@ -10,8 +10,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.contract.SegmentClipper;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
@@ -76,6 +78,29 @@ class TopicExercisesTest {
                         call.check(TriedMethod.answer(call, method)).right(),
                         one.name() + ": " + name);
             }
+    }
+
+    @Test
+    void aSegmentThatIsSentTwiceIsToldSo() {
+        SegmentClipper plain = new PlainClip();
+        SegmentClipper twice =
+                (xmin, ymin, xmax, ymax, x0, y0, x1, y1, out) ->
+                        plain.clip(
+                                xmin,
+                                ymin,
+                                xmax,
+                                ymax,
+                                x0,
+                                y0,
+                                x1,
+                                y1,
+                                (ax, ay, bx, by) -> {
+                                    out.segment(ax, ay, bx, by);
+                                    out.segment(ax, ay, bx, by);
+                                });
+        Finding shown = tried("clip-segment", twice, SEED).shown().orElseThrow();
+        String said = shown.said().in("en");
+        assertTrue(said.startsWith("what is right is sent again"), said);
     }
 
     /** What came of all cases. */
