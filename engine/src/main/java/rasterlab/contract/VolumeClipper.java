@@ -24,7 +24,8 @@ public interface VolumeClipper {
      * @param zmin distance of the nearest plane, the farthest being at 1; above 0 and below 1
      * @param x0 any finite number, as are the five others
      * @throws IllegalArgumentException if a number is not finite, {@code zmin} is out of range, or
-     *     a coordinate is larger than 10¹⁵⁰ in size; the message names the value and what is allowed
+     *     a coordinate is larger than 10¹⁵⁰ in size; the message names the value and what is
+     *     allowed
      */
     void clip(
             double zmin,
