@@ -159,8 +159,8 @@ class BuildEqualityTest {
                 argumentSet(
                         "an option of all tests is missing in Maven",
                         "pom.xml",
-                        " -XX:+UseSerialGC</argLine>",
-                        "</argLine>",
+                        " -XX:+UseSerialGC -XX:TieredStopAtLevel=1</argLine>",
+                        " -XX:TieredStopAtLevel=1</argLine>",
                         "exercises: option of tests -XX:+UseSerialGC: not given"),
                 argumentSet(
                         "a file of options is missing in Maven",
