@@ -4,6 +4,9 @@ import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import com.fasterxml.jackson.core.io.JsonEOFException;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 import rasterlab.engine.format.Misfit;
 
@@ -29,8 +32,24 @@ record NotJson(byte[] text, int length) {
             return "a name, text or number of more than "
                     + StrictJson.LONGEST_TOKEN
                     + " characters";
+        int broken = firstNotUtf8();
+        if (broken < length)
+            return "not UTF-8: byte %02X after %d bytes".formatted(text[broken], broken);
         boolean ended = e instanceof JsonEOFException || at.getByteOffset() >= length;
         return "not JSON" + (ended ? ": the text ends before the object does" : near(at));
+    }
+
+    /**
+     * The offset of the first byte that is no UTF-8, which the parser takes for the text's end;
+     * {@code length} where there is none, or where the text is in UTF-16 or UTF-32.
+     */
+    private int firstNotUtf8() {
+        boolean wide = length > 1 && (text[0] == 0 || text[1] == 0 || (text[0] & 0xFE) == 0xFE);
+        if (wide) return length;
+        ByteBuffer bytes = ByteBuffer.wrap(text, 0, length);
+        CharBuffer unread = CharBuffer.allocate(length);
+        CoderResult read = StandardCharsets.UTF_8.newDecoder().decode(bytes, unread, true);
+        return read.isMalformed() ? bytes.position() : length;
     }
 
     static String place(JsonLocation at) {

@@ -100,6 +100,16 @@ class StrictJsonTest {
                         "/items/0/size: unknown field; allowed are count, points"));
     }
 
+    @Test
+    void aByteThatIsNotUtf8IsNamed() {
+        byte[] latin = "{\"name\":\"caf\u00e9\"}".getBytes(StandardCharsets.ISO_8859_1);
+        Misfit refused =
+                assertThrows(
+                        Misfit.class,
+                        () -> StrictJson.read(latin, latin.length, List.of(NAME), false));
+        assertEquals("not UTF-8: byte E9 after 12 bytes", refused.reason());
+    }
+
     private static Given read(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         return StrictJson.read(
