@@ -4,7 +4,10 @@ package rasterlab.contract;
  * Writes a colour of one model in another.
  *
  * <p>The answer is the usual one of all that mean the colour: a grey's hue is NaN and its
- * saturation 0, black has no other inks, hues are below 360.
+ * saturation 0, black has no other inks, of three inks beside black one is 0, hues are from 0 to
+ * below 360. From a model to itself the same holds: a colour that is written otherwise comes out as
+ * the usual one. A number may be off by 16·2⁻⁵³, or by what an exercise allows, a hue by as much as
+ * moves the colour by that.
  */
 @FunctionalInterface
 public interface ColorConverter {

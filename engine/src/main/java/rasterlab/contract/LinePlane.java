@@ -12,7 +12,8 @@ public interface LinePlane {
      * @param from p₁ = (x, y, z)
      * @param through p₂, another point
      * @throws IllegalArgumentException if a number is not finite, the line is parallel to the plane
-     *     or in it, or the method cannot tell; the message says which
+     *     or in it; a method may refuse, too, coordinates more than 2⁴⁰⁰ apart and a c more than
+     *     2⁹⁰⁰ from those of the points; the message says which
      */
     double meets(double[] normal, double c, double[] from, double[] through);
 

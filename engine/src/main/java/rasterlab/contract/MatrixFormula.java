@@ -12,7 +12,12 @@ public interface MatrixFormula {
     /**
      * The rows of the matrix.
      *
-     * @param name upper-case, such as ROT3DX
+     * @param name upper-case. Of the plane: IDENTITY2D, ROT2D(angle), SCALE2D(x, y), REFL2DX,
+     *     REFL2DY, SHEAR2D(b, c), TRANSL2D(m, n). Of space: IDENTITY, ROT3DX, ROT3DY and
+     *     ROT3DZ(angle), SCALE3DX(a), SCALE3DY(e), SCALE3DZ(j), SCALE3D(s), REFL3DXY, REFL3DYZ,
+     *     REFL3DZX, TRANSL3D(l, m, n), ROTAXIS(through, direction, angle). Further names, of
+     *     projections, views and curves, stand with parameters and meaning in what {@code ./lab
+     *     methods matrix} prints
      * @param parameters all numbers in the order of the name's parameters, a point or direction
      *     being three of them; angles in degrees, positive ones counter-clockwise seen from the
      *     axis's positive end

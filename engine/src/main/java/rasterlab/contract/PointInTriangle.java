@@ -15,8 +15,9 @@ public interface PointInTriangle {
     /**
      * Whether the point (x, y) lies in the triangle a, b, c or on its boundary.
      *
-     * @throws IllegalArgumentException if a coordinate is NaN or infinite, or the method cannot
-     *     judge these; the message names the value and the range
+     * @throws IllegalArgumentException if a coordinate is NaN or infinite; a method for triangles
+     *     with an area alone may refuse one without, and one in whole numbers a fraction; the
+     *     message names the value and the range
      */
     boolean contains(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y);

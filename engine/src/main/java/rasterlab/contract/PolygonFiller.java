@@ -23,8 +23,9 @@ public interface PolygonFiller {
      * @param width of the picture: columns 0 to width − 1 are filled, 1 to 8192
      * @param height of the picture: rows 0 to height − 1 are filled, 1 to 8192
      * @param out receives each pixel once, rows from top to bottom, each row from left to right
-     * @throws IllegalArgumentException if a value is outside its range or the method cannot fill
-     *     this polygon; the message names the value and the range
+     * @throws IllegalArgumentException if a value is outside its range; a method that looks at all
+     *     pixels for each edge may refuse more than 10⁹ such looks; the message names the value and
+     *     the range
      */
     void fill(double[] x, double[] y, FillRule rule, int width, int height, Spans out);
 }

@@ -21,8 +21,9 @@ public interface SegmentClipper {
      * @param xmin left side; finite, at most {@code xmax}
      * @param ymin bottom side; finite, at most {@code ymax}
      * @param x0 any finite number, as are y0, x1 and y1
-     * @throws IllegalArgumentException if a number is not finite, the sides are in the wrong order,
-     *     or the method cannot clip this segment; the message names the value and what is allowed
+     * @throws IllegalArgumentException if a number is not finite or the sides are in the wrong
+     *     order; a method may refuse, too, numbers above 10¹⁵⁰ in size, whose differences and
+     *     products may not fit in a double; the message names the value and what is allowed
      */
     void clip(
             double xmin,

@@ -19,8 +19,9 @@ public interface Triangulator {
      * @param x any finite coordinates, in any unit; not to be changed
      * @param y as many as {@code x}, growing up; not to be changed
      * @throws IllegalArgumentException if there are fewer than 3 different corners, a coordinate is
-     *     NaN or infinite, the polygon crosses or touches itself or has no area, or the method
-     *     cannot cut it; the message names place, value and what is allowed
+     *     NaN or infinite, the polygon crosses or touches itself or has no area; a method may
+     *     refuse, too, more than 20,000 corners, and one for convex polygons those that are not;
+     *     the message names place, value and what is allowed
      */
     int[] triangulate(double[] x, double[] y);
 }
