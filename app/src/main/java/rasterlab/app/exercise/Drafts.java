@@ -67,6 +67,11 @@ final class Drafts implements AutoCloseable {
         return file == null ? List.of() : file.others();
     }
 
+    /** The same without those that are that text. */
+    List<DraftFile.Other> others(String exercise, String own) {
+        return others(exercise).stream().filter(one -> !one.text().equals(own)).toList();
+    }
+
     /** Where the exercise's text is; empty before it was written. */
     synchronized Optional<Path> path(String exercise) {
         return Optional.ofNullable(files.get(exercise)).map(DraftFile::path).filter(Files::exists);

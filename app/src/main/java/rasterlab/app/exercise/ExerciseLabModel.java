@@ -91,7 +91,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     private void open() {
-        drafts = folder.map(kept -> new Drafts(kept.resolve("drafts"), this::told));
+        drafts =
+                folder.map(
+                        kept ->
+                                new Drafts(
+                                        kept.resolve("drafts"),
+                                        saving -> events.execute(() -> accept(saving))));
         Exercise first = exercises.namedOrFirst(chosen.exercise());
         chosen = chosen.with(first.id());
         state = ExerciseState.of(first, source(first));
@@ -152,9 +157,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         publish(changed().source(source));
     }
 
-    /** Begins anew with the exercise's own text. */
+    /** Begins anew with the exercise's own text, or with a new sheet. */
     public void restoreStarter() {
-        type(state().exercise().starter());
+        var beginning = new Beginning(state().exercise(), state.account(), patience);
+        beginning.give(this::type, this::tell, (task, no) -> begin(Work.of(JOINING), task, no));
     }
 
     /**
@@ -343,10 +349,6 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         if (exercise.equals(state.exercise())) publish(changed().outcome(Optional.of(outcome)));
     }
 
-    private void told(Drafts.Saving saving) {
-        events.execute(() -> accept(saving));
-    }
-
     private void accept(Drafts.Saving saving) {
         boolean shown = state != null && saving.exercise().equals(state.exercise().id());
         Notice unsaved = unsaved(saving.exercise());
@@ -361,14 +363,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private String source(Exercise exercise) {
         return sources.computeIfAbsent(
                 exercise.id(),
-                id -> drafts.flatMap(kept -> kept.open(id)).orElse(exercise.starter()));
+                id -> drafts.flatMap(kept -> kept.open(id)).orElse(Beginning.here(exercise)));
     }
 
     private List<DraftFile.Other> others(Exercise exercise) {
         String own = source(exercise);
-        return drafts.map(kept -> kept.others(exercise.id())).orElse(List.of()).stream()
-                .filter(other -> !other.text().equals(own))
-                .toList();
+        return drafts.map(kept -> kept.others(exercise.id(), own)).orElse(List.of());
     }
 
     /** Waits until every change so far is on the disk or told not to be. Any other thread. */

@@ -355,4 +355,15 @@ class ExerciseLabModelTest {
             assertEquals(trial.state().exercise().starter(), trial.state().source());
         }
     }
+
+    @Test
+    void theStarterOfPredictionsIsANewSheetEachTime() throws Exception {
+        try (var trial = new Trial(folder)) {
+            trial.model.choose("predict-line");
+            String first = trial.state().source();
+            trial.model.restoreStarter();
+            assertTrue(first.contains("\"questions\""), first);
+            assertNotEquals(first, trial.state().source());
+        }
+    }
 }

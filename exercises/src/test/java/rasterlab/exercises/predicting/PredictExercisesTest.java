@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -30,6 +31,7 @@ class PredictExercisesTest {
         assertEquals(all().size(), all().stream().map(Exercise::topic).distinct().count());
     }
 
+    @Tag("slow")
     @ParameterizedTest
     @MethodSource("all")
     void isProved(Exercise exercise) {
