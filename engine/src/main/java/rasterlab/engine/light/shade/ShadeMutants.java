@@ -88,14 +88,7 @@ final class ShadeMutants {
                                 RIGHT.intensity(
                                         Double.isInfinite(square(point.normal()))
                                                 ? withoutCosines(point)
-                                                : point)),
-                new Mutant<>(
-                        "square-vanishes",
-                        "tiny-normal",
-                        point ->
-                                square(point.normal()) == 0 && !isZero(point.normal())
-                                        ? times(point.normal(), Double.NaN)
-                                        : RIGHT.intensity(point)));
+                                                : point)));
     }
 
     private static double cosine(LitPoint point) {
@@ -106,10 +99,6 @@ final class ShadeMutants {
 
     private static double square(double[] n) {
         return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    }
-
-    private static boolean isZero(double[] n) {
-        return n[0] == 0 && n[1] == 0 && n[2] == 0;
     }
 
     private static double factor(LitPoint point) {
