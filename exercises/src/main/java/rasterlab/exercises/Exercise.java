@@ -33,6 +33,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param predicting which steps of a method are to be predicted, each of which is a case then;
  *     empty where none are
  * @param evidence what the exercise is proved by
+ * @param minutes that it usually takes; empty where nobody has said
  */
 public record Exercise(
         String id,
@@ -51,9 +52,13 @@ public record Exercise(
         List<Case> cases,
         Optional<Breaking> breaking,
         Optional<Predicting> predicting,
-        Evidence evidence) {
+        Evidence evidence,
+        OptionalInt minutes) {
     /** In all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
+
+    /** The longest that an exercise can be said to take: a working day. */
+    public static final int MOST_MINUTES = 480;
 
     public Exercise {
         title = withEnglish("title", title);
@@ -125,7 +130,8 @@ public record Exercise(
                 cases,
                 breaking,
                 Optional.empty(),
-                Evidence.NONE);
+                Evidence.NONE,
+                OptionalInt.empty());
     }
 
     /** The form of what is handed in. */

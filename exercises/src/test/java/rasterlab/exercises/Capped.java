@@ -24,6 +24,7 @@ public final class Capped {
                 one.cases(),
                 one.breaking(),
                 one.predicting(),
-                one.evidence());
+                one.evidence(),
+                one.minutes());
     }
 }

@@ -72,6 +72,7 @@ final class BreakingReader {
         return new Exercise(
                 folder.id(),
                 topic,
+                Optional.empty(),
                 ExerciseReader.titles(fields.object("title", "en", "ru")),
                 statements,
                 new StatementPictures(folder, topic).read(statements),
@@ -83,7 +84,10 @@ final class BreakingReader {
                 Optional.empty(),
                 List.of(),
                 cases,
-                Optional.of(breaking));
+                Optional.of(breaking),
+                Optional.empty(),
+                new Exercise.Evidence(Optional.empty(), Set.of()),
+                ExerciseReader.minutes(fields));
     }
 
     private static Case open(String name, Map<String, String> titles, int points) {

@@ -7,11 +7,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import rasterlab.engine.Topics;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.Phrase;
@@ -129,9 +131,18 @@ public final class Catalogue {
         return List.copyOf(exercises.keySet());
     }
 
-    /** All exercises, the built-in ones first. */
+    /**
+     * All exercises in the course's order: by topic, and within one first what is written, then
+     * what is found.
+     */
     public List<Exercise> all() {
-        return exercises.values().stream().map(Entry::exercise).toList();
+        List<String> course = Topics.names();
+        return exercises.values().stream()
+                .map(Entry::exercise)
+                .sorted(
+                        Comparator.comparingInt((Exercise one) -> course.indexOf(one.topic()))
+                                .thenComparing(Exercise::form))
+                .toList();
     }
 
     /**

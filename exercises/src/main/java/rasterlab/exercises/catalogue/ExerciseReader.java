@@ -52,6 +52,7 @@ final class ExerciseReader {
         "model",
         "notAsked",
         "kind",
+        "minutes",
         "break",
         "predict"
     };
@@ -100,6 +101,13 @@ final class ExerciseReader {
         return faults.tried(this::fields).flatMap(fields -> tried(id, fields));
     }
 
+    /** The minutes that it usually takes, where the folder says so. */
+    static OptionalInt minutes(JsonFields fields) {
+        return fields.has("minutes")
+                ? OptionalInt.of(fields.integer("minutes", 1, Exercise.MOST_MINUTES))
+                : OptionalInt.empty();
+    }
+
     private JsonFields fields() {
         String file = "exercise.json";
         return JsonFields.parse(folder.place(file), folder.text(file), FIELDS);
@@ -138,6 +146,7 @@ final class ExerciseReader {
         var tolerance = topic.flatMap(one -> faults.tried(() -> tolerance(fields, one)));
         var caps = faults.tried(() -> stated(fields));
         var evidence = topic.flatMap(one -> faults.tried(() -> evidence(fields, one)));
+        var minutes = faults.tried(() -> minutes(fields));
         var timed =
                 faults.tried(
                         () ->
@@ -163,7 +172,8 @@ final class ExerciseReader {
                         cases,
                         Optional.empty(),
                         Optional.empty(),
-                        evidence.orElseThrow());
+                        evidence.orElseThrow(),
+                        minutes.orElseThrow());
         faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));
         return Optional.of(read);
     }

@@ -73,6 +73,7 @@ final class PredictingReader {
                         texts ->
                                 drawn.flatMap(
                                         one -> faults.tried(() -> pictures(one.topic(), texts))));
+        var minutes = faults.tried(() -> ExerciseReader.minutes(fields));
         if (!faults.all().isEmpty()) return Optional.empty();
         Predicting rules = drawn.orElseThrow().rules();
         return Optional.of(
@@ -93,7 +94,8 @@ final class PredictingReader {
                         cases(rules.steps()),
                         Optional.empty(),
                         Optional.of(rules),
-                        new Evidence(Optional.empty(), Set.of())));
+                        new Evidence(Optional.empty(), Set.of()),
+                        minutes.orElseThrow()));
     }
 
     private Map<String, Picture> pictures(String topic, Map<String, String> statements) {

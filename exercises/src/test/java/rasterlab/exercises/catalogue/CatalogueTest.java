@@ -65,12 +65,35 @@ class CatalogueTest {
     void aFolderIsAddedWithoutCompiling() {
         Catalogue catalogue = Catalogue.builtIn().withFolder(folder);
         assertEquals(
-                Stream.concat(builtIn().stream(), Stream.of("my-line")).toList(),
-                catalogue.all().stream().map(Exercise::id).toList());
+                Stream.concat(builtIn().stream(), Stream.of("my-line")).toList(), catalogue.ids());
+        // It stands with its topic.
+        assertEquals("my-line", catalogue.all().get(2).id());
         Exercise exercise = catalogue.named("my-line");
         assertEquals(100, exercise.points().total());
         assertTrue(exercise.statement("ru").contains("Брезенхем"), exercise.statement("ru"));
         assertEquals(exercise.statement("en"), exercise.statement("de"));
+    }
+
+    @Test
+    void exercisesComeByTopicAsTheCourseDoesAndWhatIsWrittenFirst() {
+        List<String> ids = Catalogue.builtIn().all().stream().map(Exercise::id).toList();
+        assertEquals("line-bresenham", ids.get(0));
+        assertTrue(ids.indexOf("break-line") < ids.indexOf("circle"), ids.toString());
+        assertTrue(ids.indexOf("circle") < ids.indexOf("break-circle"), ids.toString());
+        assertTrue(ids.indexOf("view") < ids.indexOf("color"), ids.toString());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0", "481", "\"long\""})
+    void minutesAreAWholeNumberOfAWorkingDay(String minutes) throws IOException {
+        assertEquals(OptionalInt.of(60), Catalogue.builtIn().named("line-bresenham").minutes());
+        Path file = folder.resolve("my-line/exercise.json");
+        String text = Files.readString(file);
+        Files.writeString(file, text.replace("\"minutes\": 60", "\"minutes\": " + minutes));
+        CatalogueException wrong =
+                assertThrows(
+                        CatalogueException.class, () -> Catalogue.builtIn().withFolder(folder));
+        assertTrue(wrong.getMessage().contains("minutes"), wrong.getMessage());
     }
 
     @Test
@@ -207,7 +230,7 @@ class CatalogueTest {
     }
 
     private static List<String> builtIn() {
-        return Catalogue.builtIn().all().stream().map(Exercise::id).toList();
+        return Catalogue.builtIn().ids();
     }
 
     @ParameterizedTest(name = "{argumentSetName}")

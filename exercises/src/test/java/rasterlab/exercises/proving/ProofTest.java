@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
@@ -42,7 +43,8 @@ class ProofTest {
                 cases.toList(),
                 TRIANGLE.breaking(),
                 TRIANGLE.predicting(),
-                evidence);
+                evidence,
+                OptionalInt.empty());
     }
 
     private static List<String> keys(Proof proof) {

@@ -27,6 +27,7 @@ private data class ExerciseView(
     val points: PlanView,
     val deadline: String?,
     val attemptsLeft: Int?,
+    val minutes: Int?,
 )
 
 @Serializable
@@ -103,4 +104,5 @@ private fun Exercise.view(language: String) =
         PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
         deadline = null,
         attemptsLeft = null,
+        minutes = if (minutes().isPresent) minutes().asInt else null,
     )

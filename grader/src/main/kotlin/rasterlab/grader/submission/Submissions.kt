@@ -61,6 +61,21 @@ class Submissions(
             ),
         )
 
+    /** By exercise, the most points of what the student has handed in; null as long as nothing is graded. */
+    fun bests(student: String): Map<String, Int?> =
+        database.read { handle ->
+            handle
+                .createQuery(
+                    """SELECT s.exercise, max(r.accuracy + r.stability + r.speed) AS best
+                       FROM submissions s LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
+                           (SELECT max(graded_at) FROM results WHERE submission_id = s.id)
+                       WHERE s.student_id = :student GROUP BY s.exercise""",
+                ).bind("student", student)
+                .map { row, _ -> row.getString("exercise") to row.getInt("best").takeUnless { row.wasNull() } }
+                .list()
+                .toMap()
+        }
+
     /** The one line about that submission, or null if there is none. */
     fun listed(id: String): Listed? = list("WHERE s.id = :id", mapOf("id" to id)).singleOrNull()
 

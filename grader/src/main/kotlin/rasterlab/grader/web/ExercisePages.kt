@@ -50,7 +50,7 @@ fun Route.exercisePages(
     queue: GradingQueue,
 ) {
     val formulas = Formulas()
-    get("/exercises") { call.respondExercises(call.someone(accounts), exercises) }
+    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, submissions) }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.parameters.getOrFail("id"))
         val who = call.someone(accounts)
@@ -87,22 +87,49 @@ private fun onceOf(
     source: String,
 ) = fields.firstOrNull { it.name == ONCE }?.let { "page ${Secrets.hash(it.content.decodeToString() + "\n" + source)}" }
 
+/** The way through the course, and how far a student has come on it. */
 private suspend fun ApplicationCall.respondExercises(
     who: Identity,
     exercises: Exercises,
+    submissions: Submissions,
 ) {
     val texts = texts()
+    val bests = if (who is Identity.Student) submissions.bests(who.id) else null
     respondPage(texts, who, texts.say("exercises.title")) {
         if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
         div("columns") {
             exercises.all.forEach { exercise ->
                 a("/exercises/${exercise.id()}", classes = "card exercise") {
                     span("title") { +exercise.title(texts.language) }
-                    span { +texts.say("exercises.points", exercise.points().total()) }
+                    span { +about(texts, exercise) }
+                    if (bests != null) span("state") { +state(texts, exercise, bests) }
                 }
             }
         }
     }
+}
+
+/** Its kind, its points, and how long it takes where that is known. */
+private fun about(
+    texts: Texts,
+    exercise: Exercise,
+): String {
+    val minutes = exercise.minutes()
+    return listOfNotNull(
+        texts.say("exercises.kind.${exercise.form().code()}"),
+        texts.say("exercises.points", exercise.points().total()),
+        if (minutes.isPresent) texts.say("exercises.minutes", minutes.asInt) else null,
+    ).joinToString(" · ")
+}
+
+private fun state(
+    texts: Texts,
+    exercise: Exercise,
+    bests: Map<String, Int?>,
+): String {
+    if (exercise.id() !in bests) return texts.say("exercises.state.none")
+    val best = bests[exercise.id()] ?: return texts.say("exercises.state.waiting")
+    return texts.say("exercises.state.best", best, exercise.points().total())
 }
 
 private suspend fun ApplicationCall.respondExercise(

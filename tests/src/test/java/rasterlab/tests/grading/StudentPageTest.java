@@ -109,6 +109,7 @@ class StudentPageTest {
             join(browser);
             browser.driver().get(server.address().resolve("/exercises").toString());
             browser.screenshot("student-exercises");
+            assertEquals("ещё не начато", state(browser, "break-clip-segment"));
             String page = "/exercises/break-clip-segment";
             browser.driver().get(server.address().resolve(page).toString());
             assertFitsIntoItsWidth(browser);
@@ -123,8 +124,19 @@ class StudentPageTest {
                                             .contains("левая сторона окна не отсекает"));
             assertFitsIntoItsWidth(browser);
             browser.screenshot("student-result-break");
+            browser.waiting().until(driver -> browser.text("#live").contains("Баллы"));
+            browser.driver().get(server.address().resolve("/exercises").toString());
+            String state = state(browser, "break-clip-segment");
+            assertTrue(state.matches("лучший результат: \\d+ из 100"), state);
+            assertEquals("ещё не начато", state(browser, "break-clip-polygon"));
+            assertFitsIntoItsWidth(browser);
+            browser.screenshot("student-exercises-begun");
             assertNothingWentWrong(browser);
         }
+    }
+
+    private static String state(Browser browser, String exercise) {
+        return browser.text("a[href='/exercises/" + exercise + "'] .state");
     }
 
     private static void join(Browser browser) {
