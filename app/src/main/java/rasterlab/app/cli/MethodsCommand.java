@@ -13,7 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.cli.run.JsonSink;
+import rasterlab.app.cli.run.ProgramJson;
 import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
@@ -72,7 +72,7 @@ final class MethodsCommand implements Callable<Integer> {
                         .disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
                         .useDefaultPrettyPrinter();
         json.writeStartObject();
-        TopicSchema.write(one.format(), new JsonSink(json));
+        TopicSchema.write(one.format(), new ProgramJson(json));
         json.writeEndObject();
         json.writeRaw('\n');
         json.close();

@@ -11,7 +11,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import rasterlab.app.cli.run.JsonSink;
+import rasterlab.app.cli.run.ProgramJson;
 import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.model.SceneText;
@@ -168,7 +168,7 @@ final class RunCommand implements Callable<Integer> {
 
     private static void writeLine(JsonGenerator out, Written answer) throws IOException {
         out.writeStartObject();
-        answer.write(new JsonSink(out));
+        answer.write(new ProgramJson(out));
         out.writeEndObject();
         out.writeRaw('\n');
     }

@@ -13,7 +13,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.cli.run.JsonSink;
+import rasterlab.app.cli.run.ProgramJson;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Format;
@@ -106,7 +106,7 @@ class WrittenInputsTest {
         var bytes = new ByteArrayOutputStream();
         try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
             json.writeStartObject();
-            format.writeInput(input, new JsonSink(json));
+            format.writeInput(input, new ProgramJson(json));
             json.writeEndObject();
         }
         return bytes.toString(StandardCharsets.UTF_8);

@@ -12,7 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.cli.run.JsonSink;
+import rasterlab.app.cli.run.ProgramJson;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.line.CoverageLine;
@@ -84,7 +84,7 @@ class WrittenOutputsTest {
         var bytes = new ByteArrayOutputStream();
         try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
             json.writeStartObject();
-            format.write(input, output, new JsonSink(json));
+            format.write(input, output, new ProgramJson(json));
             json.writeEndObject();
         }
         return TopicSchemas.tree(bytes.toString(StandardCharsets.UTF_8));

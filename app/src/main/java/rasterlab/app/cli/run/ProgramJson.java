@@ -3,10 +3,11 @@ package rasterlab.app.cli.run;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import rasterlab.app.language.Complaints;
+import rasterlab.exercises.json.JsonSink;
 
 /** Writes values as JSON, with the engine's sentences as a program is told them. */
-public final class JsonSink extends rasterlab.exercises.json.JsonSink {
-    public JsonSink(JsonGenerator json) {
+public final class ProgramJson extends JsonSink {
+    public ProgramJson(JsonGenerator json) {
         super(json);
     }
 
