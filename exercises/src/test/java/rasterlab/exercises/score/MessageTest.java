@@ -29,7 +29,7 @@ class MessageTest {
 
     /** Their first place is that of an English text, their second that of a Russian one. */
     private static final Set<String> TITLED =
-            Set.of("printed.case", "group.hidden", "in-both-languages");
+            Set.of("printed.case", "group.hidden", "in-both-languages", "predict.why");
 
     /** What other sentences only stand in. */
     private static final Set<String> SAME =
