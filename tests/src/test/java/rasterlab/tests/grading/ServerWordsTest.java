@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.exercises.SourceEncoding;
+import rasterlab.exercises.score.Phrase;
 import rasterlab.grader.problem.Rejection;
 
 /** The server says no in English; the window says it in its own language. */
@@ -53,6 +54,7 @@ class ServerWordsTest {
                 new Rejection.TooSlow(30),
                 new Rejection.TooManyQueued(5, 10),
                 new Rejection.TooFast(6, 10),
+                new Rejection.BadSheet(Phrase.of("predict.other-seed", "5", "6")),
                 new Rejection.NoRoom());
     }
 
