@@ -45,7 +45,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private final Map<String, String> sources = new HashMap<>();
     private final Outcomes outcomes;
 
-    /** What each submission is called until it is graded, by exercise and source. */
+    /** Holds the key of each submission until it is graded, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
 
     private ExerciseChoice chosen = ExerciseChoice.FIRST;

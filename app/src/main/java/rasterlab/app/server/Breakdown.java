@@ -31,7 +31,7 @@ public enum Breakdown {
         return isLost(failure) ? LOST : OTHER;
     }
 
-    /** Found by the causes, for the client's own words are about its parser. */
+    /** Whether the causes tell of a lost connection; the client's words are about its parser. */
     private static boolean isLost(Throwable failure) {
         return Stream.iterate(failure, Objects::nonNull, Throwable::getCause)
                 .anyMatch(

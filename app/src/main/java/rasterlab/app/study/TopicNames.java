@@ -8,9 +8,9 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 
 /**
- * What topics and their hazards are called in the window's language, by texts {@code study.topic}
- * and {@code study.hazard} of the lab that shows them. A hazard that a lab has among its own is
- * called as there.
+ * Names topics and their hazards in the window's language, by texts {@code study.topic} and {@code
+ * study.hazard} of the lab that shows them. A hazard that a lab has among its own is called as
+ * there.
  */
 public record TopicNames(Language language) {
     public static TopicNames in(Language language) {

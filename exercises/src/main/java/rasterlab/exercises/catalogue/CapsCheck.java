@@ -62,7 +62,7 @@ final class CapsCheck {
             }
     }
 
-    /** Of the longest answer that a right method gives to one call of those that an input takes. */
+    /** Counts the bytes of the longest right answer to one call of those that an input takes. */
     private long bytes(TopicGrading.Call call) {
         var right = new Measured(call.caps().items());
         Class<?> type = contract.contract();

@@ -53,7 +53,7 @@ final class PredictingReader {
         this.faults = faults;
     }
 
-    /** What the rules are, and a sheet that they draw. */
+    /** Holds the rules of an exercise and a sheet that they draw. */
     private record Drawn(String topic, Predicting rules, Sheet sheet) {}
 
     /** The exercise; empty where something is wrong, which is kept. */

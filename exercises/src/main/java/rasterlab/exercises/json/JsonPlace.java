@@ -177,7 +177,7 @@ public abstract class JsonPlace<P extends JsonPlace<P>> {
         return read(in -> in.numberFrom(least, most));
     }
 
-    /** What is read of this value. */
+    /** Returns what is read of this value. */
     protected final <T> T read(Reading<T> reading) {
         try {
             return reading.of(StrictJson.at(this));

@@ -35,6 +35,6 @@ interface Refusals {
      */
     boolean strict();
 
-    /** What reads the object that the reader stands on, whose fields these are. */
+    /** Returns the reader of the object that the given one stands on, whose fields these are. */
     StrictJson object(StrictJson reader, List<Field<?>> fields) throws IOException;
 }

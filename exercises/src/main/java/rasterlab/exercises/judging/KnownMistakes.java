@@ -71,7 +71,7 @@ final class KnownMistakes<C, I, O> {
                         == 1;
     }
 
-    /** Those of the method that is asked for, where it is one. */
+    /** Returns those of the method that is asked for, where it is one. */
     private List<Mutant<C>> mutants() {
         return demand.tolerance().truth().map(topic::mutants).orElseGet(topic::mutants);
     }

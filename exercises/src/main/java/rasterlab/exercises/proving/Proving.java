@@ -124,7 +124,7 @@ public final class Proving {
         return kills;
     }
 
-    /** Those of the method that is asked for, where it is one. */
+    /** Returns those of the method that is asked for, where it is one. */
     private <C> List<Mutant<C>> mutants(Topic<C, ?, ?> of) {
         return exercise.tolerance().truth().map(of::mutants).orElseGet(of::mutants);
     }

@@ -75,12 +75,12 @@ final class LookupMutants {
         return DetailLevel.of(squaredStep);
     }
 
-    /** As far from the coarser level as λ is from the finer one. */
+    /** Returns a level as far from the coarser one as λ is from the finer. */
     private static double across(double lambda) {
         return lambda > 0 ? Math.floor(lambda) + 1 - (lambda - Math.floor(lambda)) : lambda;
     }
 
-    /** As far from the next texel's centre as the place is from the one before. */
+    /** Returns a place as far from the next centre as the given one is from the one before. */
     private static double swapped(double place, int size) {
         double texels = place * size - 0.5;
         double before = Math.floor(texels);
