@@ -56,14 +56,21 @@ final class FiveTests {
 
     private static boolean edgeParts(Facet one, Facet other) {
         for (int edge = 0; edge < one.seen().length / 3; edge++)
-            if (parts(EyePlane.throughEdge(one, edge), other)) return true;
+            if (parts(EyePlane.throughEdge(one, edge), one, other)) return true;
         return false;
     }
 
-    /** An edge that points at the eye has no plane and parts nothing. */
-    private static boolean parts(EyePlane plane, Facet other) {
+    /**
+     * Whether the plane has one on its inner side and the other on its outer one. Rounding may turn
+     * an edge between two corners of cuts that are all but one the other way round, with its own
+     * polygon outside: that parts nothing, nor does an edge that points at the eye and has no
+     * plane.
+     */
+    private static boolean parts(EyePlane plane, Facet one, Facet other) {
         boolean none = plane.nx() == 0 && plane.ny() == 0 && plane.nz() == 0;
-        return !none && (plane.sides(other.seen()) & EyePlane.NEAR) == 0;
+        return !none
+                && (plane.sides(other.seen()) & EyePlane.NEAR) == 0
+                && (plane.sides(one.seen()) & EyePlane.FAR) == 0;
     }
 
     long comparisons() {
