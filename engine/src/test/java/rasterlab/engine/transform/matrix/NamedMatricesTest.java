@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.stream.Stream;
@@ -39,6 +42,17 @@ class NamedMatricesTest {
     @Test
     void usageNamesTheParametersInOrder() {
         assertEquals("ROTAXIS(through, direction, angle)", NamedMatrices.named("ROTAXIS").usage());
+    }
+
+    @Test
+    void contractTellsEveryNameWithItsParameters() throws IOException {
+        String contract =
+                Files.readString(Path.of("src/main/java/rasterlab/contract/MatrixFormula.java"))
+                        .replaceAll("\\s*\\n \\*\\s*", " ");
+        for (NamedMatrix matrix : NamedMatrices.all())
+            assertTrue(
+                    contract.contains(matrix.usage()),
+                    "MatrixFormula.java does not tell " + matrix.usage());
     }
 
     @Test
