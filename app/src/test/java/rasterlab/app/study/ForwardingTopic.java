@@ -23,6 +23,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
+    public Class<C> contract() {
+        return whole.contract();
+    }
+
+    @Override
     public Format<C, I, O> format() {
         return whole.format();
     }

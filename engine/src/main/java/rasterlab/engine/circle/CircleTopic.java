@@ -19,6 +19,11 @@ public final class CircleTopic extends ArcTopic<CircleRasterizer, Circle> {
     }
 
     @Override
+    public Class<CircleRasterizer> contract() {
+        return CircleRasterizer.class;
+    }
+
+    @Override
     public List<Method<CircleRasterizer>> methods() {
         return CircleMethods.all();
     }

@@ -19,6 +19,11 @@ public final class EllipseTopic extends ArcTopic<EllipseRasterizer, Ellipse> {
     }
 
     @Override
+    public Class<EllipseRasterizer> contract() {
+        return EllipseRasterizer.class;
+    }
+
+    @Override
     public List<Method<EllipseRasterizer>> methods() {
         return EllipseMethods.all();
     }

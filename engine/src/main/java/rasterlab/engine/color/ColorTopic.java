@@ -33,6 +33,11 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     }
 
     @Override
+    public Class<ColorConverter> contract() {
+        return ColorConverter.class;
+    }
+
+    @Override
     public List<Method<ColorConverter>> methods() {
         return ColorMethods.all();
     }

@@ -35,6 +35,11 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     }
 
     @Override
+    public Class<SeedFiller> contract() {
+        return SeedFiller.class;
+    }
+
+    @Override
     public List<Method<SeedFiller>> methods() {
         return FillMethods.all();
     }

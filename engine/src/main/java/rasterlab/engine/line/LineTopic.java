@@ -34,6 +34,11 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     }
 
     @Override
+    public Class<LineRasterizer> contract() {
+        return LineRasterizer.class;
+    }
+
+    @Override
     public List<Method<LineRasterizer>> methods() {
         return LineMethods.all();
     }

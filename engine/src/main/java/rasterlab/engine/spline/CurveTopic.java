@@ -35,6 +35,11 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     }
 
     @Override
+    public Class<CurveTracer> contract() {
+        return CurveTracer.class;
+    }
+
+    @Override
     public List<Method<CurveTracer>> methods() {
         return CurveMethods.all();
     }

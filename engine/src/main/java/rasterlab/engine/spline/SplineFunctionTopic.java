@@ -34,6 +34,11 @@ public final class SplineFunctionTopic
     }
 
     @Override
+    public Class<SplineFunction> contract() {
+        return SplineFunction.class;
+    }
+
+    @Override
     public SplineFunctionFormat format() {
         return new SplineFunctionFormat(this);
     }

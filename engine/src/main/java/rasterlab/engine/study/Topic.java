@@ -19,6 +19,9 @@ public interface Topic<C, I, O> {
     /** Lower-case name with hyphens, as on the command line. */
     String name();
 
+    /** The interface that methods implement; a student's too, where it is a public contract. */
+    Class<C> contract();
+
     /** All methods, those to recommend and those known to be faulty, in teaching order. */
     List<Method<C>> methods();
 

@@ -26,6 +26,11 @@ record LinesOf(List<Method<LineRasterizer>> methods)
     }
 
     @Override
+    public Class<LineRasterizer> contract() {
+        return LineRasterizer.class;
+    }
+
+    @Override
     public Format<LineRasterizer, Segment, PixelRecording> format() {
         return LINE.format();
     }

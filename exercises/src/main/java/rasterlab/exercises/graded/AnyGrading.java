@@ -18,14 +18,9 @@ public final class AnyGrading<C, I, O> extends ByTopic<C, I, O> {
         this.whole = whole;
     }
 
-    /**
-     * The grading of a topic.
-     *
-     * @param contract of the topic
-     */
-    @SuppressWarnings("unchecked") // the methods of a topic implement its contract
-    public static <C, I, O> AnyGrading<C, I, O> of(Topic<C, I, O> topic, Class<?> contract) {
-        return new AnyGrading<>(topic, contract, method -> (C) method);
+    /** The grading of a topic. */
+    public static <C, I, O> AnyGrading<C, I, O> of(Topic<C, I, O> topic) {
+        return new AnyGrading<>(topic, topic.contract(), topic.contract()::cast);
     }
 
     /**

@@ -20,7 +20,7 @@ public final class ClipGrading extends ByTopic<SegmentClipper, SegmentsInWindow,
     private static final double RIGHT = 1e-12;
 
     public ClipGrading() {
-        super(new SegmentClipTopic(), SegmentClipper.class, new PlainClip());
+        super(new SegmentClipTopic(), new PlainClip());
     }
 
     @Override

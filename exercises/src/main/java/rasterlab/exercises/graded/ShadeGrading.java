@@ -18,7 +18,7 @@ import rasterlab.exercises.score.CasePicture;
  */
 public final class ShadeGrading extends ByTopic<PointShader, LitPoints, Shades> {
     public ShadeGrading() {
-        super(new ShadeTopic(), PointShader.class);
+        super(new ShadeTopic());
     }
 
     @Override

@@ -1,8 +1,8 @@
 package rasterlab.exercises.graded;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveEvaluator;
 import rasterlab.contract.CurveFlattener;
@@ -11,40 +11,32 @@ import rasterlab.contract.CurveTracer;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.WindowedLineRasterizer;
+import rasterlab.engine.study.Topic;
 
 /**
  * A part of a topic that an exercise may ask for by a smaller contract: the topic's inputs, methods
  * and exact answers serve as they are. A method of the smaller contract refuses what lies beyond.
  *
- * @param topic name of the topic
  * @param contract what a student implements
- * @param full the topic's own contract
+ * @param full the contract of the topic
  * @param widened makes a method of the full contract of one that does the part
  */
-public record TopicPart<P, C>(
-        String topic, Class<P> contract, Class<C> full, Function<P, C> widened) {
+public record TopicPart<P, C>(Class<P> contract, Class<C> full, Function<P, C> widened) {
     private static final List<TopicPart<?, ?>> ALL =
             List.of(
+                    new TopicPart<>(CurveEvaluator.class, CurveTracer.class, Evaluating::new),
+                    new TopicPart<>(CurveFlattener.class, CurveTracer.class, Flattening::new),
                     new TopicPart<>(
-                            "curve", CurveEvaluator.class, CurveTracer.class, Evaluating::new),
-                    new TopicPart<>(
-                            "curve", CurveFlattener.class, CurveTracer.class, Flattening::new),
-                    new TopicPart<>(
-                            "line",
-                            WindowedLineRasterizer.class,
-                            LineRasterizer.class,
-                            InWindow::new));
+                            WindowedLineRasterizer.class, LineRasterizer.class, InWindow::new));
 
     /** The parts that exercises may ask for. */
     public static List<TopicPart<?, ?>> all() {
         return ALL;
     }
 
-    /** The part of a topic with the contract of that simple name. */
-    public static Optional<TopicPart<?, ?>> of(String topic, String contract) {
-        return ALL.stream()
-                .filter(one -> one.topic.equals(topic) && one.name().equals(contract))
-                .findFirst();
+    /** The parts of a topic: those whose full contract is its own. */
+    public static Stream<TopicPart<?, ?>> of(Topic<?, ?, ?> topic) {
+        return ALL.stream().filter(one -> one.full.equals(topic.contract()));
     }
 
     /** The contract's name without its package. */

@@ -16,7 +16,7 @@ import rasterlab.exercises.score.CasePicture;
 /** Grades the topic {@code point-in-triangle}; draws the points that are judged inside. */
 public final class TriangleGrading extends ByTopic<PointInTriangle, ShapeAndPoints, Membership> {
     public TriangleGrading() {
-        super(new PointInTriangleTopic(), PointInTriangle.class, new PlainTriangle());
+        super(new PointInTriangleTopic(), new PlainTriangle());
     }
 
     @Override

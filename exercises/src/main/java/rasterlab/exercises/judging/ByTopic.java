@@ -42,6 +42,13 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     private final Optional<C> reference;
 
     /** Each exercise brings its own right method to hold a student's speed against. */
+    protected ByTopic(Topic<C, I, O> topic) {
+        this(topic, topic.contract());
+    }
+
+    /**
+     * @param contract what a student implements in place of the topic's own
+     */
     protected ByTopic(Topic<C, I, O> topic, Class<?> contract) {
         this.topic = topic;
         this.contract = contract;
@@ -52,9 +59,9 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
      * @param reference a right method, as plain as a student writes it; its class has a constructor
      *     without parameters and needs no other class but those of its package
      */
-    protected ByTopic(Topic<C, I, O> topic, Class<C> contract, C reference) {
+    protected ByTopic(Topic<C, I, O> topic, C reference) {
         this.topic = topic;
-        this.contract = contract;
+        this.contract = topic.contract();
         this.reference = Optional.of(reference);
     }
 

@@ -13,7 +13,7 @@ import rasterlab.exercises.score.Message;
 /** Grades the topic {@code line}: each call draws one segment. */
 public final class LineGrading extends PixelsByTopic<LineRasterizer, Segment> {
     public LineGrading() {
-        super(new LineTopic(), LineRasterizer.class, new PlainBresenham());
+        super(new LineTopic(), new PlainBresenham());
     }
 
     @Override

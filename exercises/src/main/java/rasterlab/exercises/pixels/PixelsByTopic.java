@@ -38,8 +38,8 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     /**
      * @param plain a right method, as plain as a student writes it
      */
-    protected PixelsByTopic(Topic<C, I, PixelRecording> topic, Class<C> contract, C plain) {
-        super(topic, contract, plain);
+    protected PixelsByTopic(Topic<C, I, PixelRecording> topic, C plain) {
+        super(topic, plain);
     }
 
     protected abstract PixelPath path(I input);

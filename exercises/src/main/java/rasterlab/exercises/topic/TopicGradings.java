@@ -1,38 +1,11 @@
 package rasterlab.exercises.topic;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
-import rasterlab.contract.AxisRotation;
-import rasterlab.contract.CircleRasterizer;
-import rasterlab.contract.ColorConverter;
-import rasterlab.contract.CurveTracer;
-import rasterlab.contract.DepthFormat;
-import rasterlab.contract.DepthOrder;
-import rasterlab.contract.EllipseRasterizer;
-import rasterlab.contract.EyeView;
-import rasterlab.contract.FaceShader;
-import rasterlab.contract.LinePlane;
-import rasterlab.contract.LineRasterizer;
-import rasterlab.contract.MatrixFormula;
-import rasterlab.contract.PlaneRotation;
-import rasterlab.contract.PointInPolygon;
-import rasterlab.contract.PointInTriangle;
-import rasterlab.contract.PointShader;
-import rasterlab.contract.PointTransformer;
-import rasterlab.contract.PolygonClipper;
-import rasterlab.contract.PolygonFiller;
-import rasterlab.contract.SeedFiller;
-import rasterlab.contract.SegmentClipper;
-import rasterlab.contract.SplineFunction;
-import rasterlab.contract.TextureFilter;
-import rasterlab.contract.TextureMapper;
-import rasterlab.contract.Triangulator;
-import rasterlab.contract.VertexNormals;
-import rasterlab.contract.VisibleFaces;
-import rasterlab.contract.VolumeClipper;
+import rasterlab.contract.Pixels;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.graded.AnyGrading;
@@ -43,59 +16,49 @@ import rasterlab.exercises.graded.TopicPart;
 import rasterlab.exercises.graded.TriangleGrading;
 import rasterlab.exercises.line.LineGrading;
 
-/** The topics that can be graded, in the course's order. A further topic is one more line here. */
+/**
+ * The gradings of topics: of all whose contract students may see. Most are derived from the topic;
+ * those that add to it say themselves which topic they grade.
+ */
 public final class TopicGradings {
-    private static final List<Map.Entry<String, Class<?>>> CONTRACTS =
-            List.of(
-                    Map.entry("line", LineRasterizer.class),
-                    Map.entry("circle", CircleRasterizer.class),
-                    Map.entry("ellipse", EllipseRasterizer.class),
-                    Map.entry("fill", SeedFiller.class),
-                    Map.entry("polygon-fill", PolygonFiller.class),
-                    Map.entry("line-plane", LinePlane.class),
-                    Map.entry("point-in-triangle", PointInTriangle.class),
-                    Map.entry("point-in-polygon", PointInPolygon.class),
-                    Map.entry("triangulate", Triangulator.class),
-                    Map.entry("clip-segment", SegmentClipper.class),
-                    Map.entry("clip-polygon", PolygonClipper.class),
-                    Map.entry("clip-volume", VolumeClipper.class),
-                    Map.entry("matrix", MatrixFormula.class),
-                    Map.entry("transform", PointTransformer.class),
-                    Map.entry("view", EyeView.class),
-                    Map.entry("rotate", PlaneRotation.class),
-                    Map.entry("rotate-axis", AxisRotation.class),
-                    Map.entry("visible-faces", VisibleFaces.class),
-                    Map.entry("depth-order", DepthOrder.class),
-                    Map.entry("depth-buffer", DepthFormat.class),
-                    Map.entry("spline-function", SplineFunction.class),
-                    Map.entry("curve", CurveTracer.class),
-                    Map.entry("shade", PointShader.class),
-                    Map.entry("vertex-normals", VertexNormals.class),
-                    Map.entry("shade-face", FaceShader.class),
-                    Map.entry("color", ColorConverter.class),
-                    Map.entry("texture-mapping", TextureMapper.class),
-                    Map.entry("texture-filter", TextureFilter.class));
+    private static final String FOR_STUDENTS = Pixels.class.getPackageName();
 
     private TopicGradings() {}
 
+    /** The gradings that cannot be derived from their topics alone. */
+    static List<TopicGrading> own() {
+        return List.of(
+                new LineGrading(),
+                new TriangleGrading(),
+                new ClipGrading(),
+                new ShadeGrading(),
+                new FaceGrading());
+    }
+
+    /** The names of the topics that can be graded, in the course's order. */
     public static List<String> names() {
-        return CONTRACTS.stream().map(Map.Entry::getKey).toList();
+        return gradable().map(Topic::name).toList();
     }
 
     /** What a student may be asked to implement. */
     public static List<Class<?>> contracts() {
-        return Stream.concat(
-                        CONTRACTS.stream().<Class<?>>map(Map.Entry::getValue),
-                        TopicPart.all().stream().<Class<?>>map(TopicPart::contract))
+        return Stream.<Class<?>>concat(
+                        gradable().map(Topic::contract),
+                        TopicPart.all().stream().map(TopicPart::contract))
                 .toList();
+    }
+
+    private static Stream<Topic<?, ?, ?>> gradable() {
+        return Topics.all().stream().filter(TopicGradings::isGradable);
+    }
+
+    private static boolean isGradable(Topic<?, ?, ?> topic) {
+        return topic.contract().getPackageName().equals(FOR_STUDENTS);
     }
 
     /** Names of the smaller contracts that an exercise on that topic may ask for. */
     public static List<String> parts(String topic) {
-        return TopicPart.all().stream()
-                .filter(one -> one.topic().equals(topic))
-                .map(TopicPart::name)
-                .toList();
+        return TopicPart.of(Topics.named(topic)).map(TopicPart::name).toList();
     }
 
     /** The grading of an exercise: of its topic, or of the part that it asks for. */
@@ -109,48 +72,40 @@ public final class TopicGradings {
      * @param contract simple name of a smaller one; empty for the topic's own
      * @throws IllegalArgumentException when there is no such topic or part; names those there are
      */
-    public static TopicGrading named(String topic, Optional<String> contract) {
-        if (contract.isEmpty()) return named(topic);
+    public static TopicGrading named(String name, Optional<String> contract) {
+        if (contract.isEmpty()) return named(name);
+        Topic<?, ?, ?> topic = Topics.named(name);
         TopicPart<?, ?> part =
-                TopicPart.of(topic, contract.get())
+                TopicPart.of(topic)
+                        .filter(one -> one.name().equals(contract.get()))
+                        .findFirst()
                         .orElseThrow(
                                 () ->
                                         new IllegalArgumentException(
                                                 "no contract '%s' of '%s'; there are %s"
                                                         .formatted(
                                                                 contract.get(),
-                                                                topic,
-                                                                parts(topic))));
-        return AnyGrading.ofPart(Topics.named(topic), part);
+                                                                name,
+                                                                parts(name))));
+        return AnyGrading.ofPart(topic, part);
     }
 
     /**
-     * The topic of that name.
+     * The grading of the topic of that name.
      *
      * @throws IllegalArgumentException when there is none; names those there are
      */
     public static TopicGrading named(String name) {
-        return switch (name) {
-            case "line" -> new LineGrading();
-            case "point-in-triangle" -> new TriangleGrading();
-            case "clip-segment" -> new ClipGrading();
-            case "shade" -> new ShadeGrading();
-            case "shade-face" -> new FaceGrading();
-            default -> AnyGrading.of(Topics.named(name), contract(name));
-        };
+        return own().stream()
+                .filter(one -> one.name().equals(name))
+                .findFirst()
+                .orElseGet(() -> derived(Topics.named(name)));
     }
 
-    private static Class<?> contract(String topic) {
-        return CONTRACTS.stream()
-                .filter(one -> one.getKey().equals(topic))
-                .findFirst()
-                .<Class<?>>map(Map.Entry::getValue)
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no topic '"
-                                                + topic
-                                                + "' can be graded; there are "
-                                                + String.join(", ", names())));
+    private static TopicGrading derived(Topic<?, ?, ?> topic) {
+        if (isGradable(topic)) return AnyGrading.of(topic);
+        throw new IllegalArgumentException(
+                "no topic '%s' can be graded; there are %s"
+                        .formatted(topic.name(), String.join(", ", names())));
     }
 }

@@ -16,6 +16,7 @@ import rasterlab.contract.CurveTracer;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.WindowedLineRasterizer;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
 import rasterlab.exercises.child.ContractCalls;
 
 class TopicPartTest {
@@ -33,8 +34,13 @@ class TopicPartTest {
     @ParameterizedTest(name = "no right method of the topic does {0}")
     @MethodSource("parts")
     void aRightMethodOfTheTopicDoesThePart(TopicPart<?, ?> part) {
+        Topic<?, ?, ?> topic =
+                Topics.all().stream()
+                        .filter(one -> TopicPart.of(one).anyMatch(part::equals))
+                        .findFirst()
+                        .orElseThrow();
         assertTrue(
-                Topics.named(part.topic()).methods().stream()
+                topic.methods().stream()
                         .filter(one -> !one.faulty())
                         .map(one -> one.implementation())
                         .anyMatch(part.contract()::isInstance));
@@ -42,15 +48,17 @@ class TopicPartTest {
 
     @Test
     void aMethodOfTheWholeTopicStaysItself() {
-        Object adaptive = Topics.named("curve").method("adaptive").implementation();
-        for (TopicPart<?, ?> part : parts())
-            if (part.topic().equals("curve")) assertSame(adaptive, part.whole(adaptive));
+        Topic<?, ?, ?> curve = Topics.named("curve");
+        Object adaptive = curve.method("adaptive").implementation();
+        List<TopicPart<?, ?>> parts = TopicPart.of(curve).toList();
+        assertEquals(2, parts.size());
+        for (TopicPart<?, ?> part : parts) assertSame(adaptive, part.whole(adaptive));
     }
 
     @Test
     void aPartIsCalledForItsInputsAndRefusesOthers() {
         CurveEvaluator start = (curve, t, out) -> out.point(curve.x()[0], curve.y()[0]);
-        var whole = (CurveTracer) TopicPart.of("curve", "CurveEvaluator").get().whole(start);
+        var whole = (CurveTracer) part("curve", "CurveEvaluator").whole(start);
         var curve = new Curve(Curve.Kind.BEZIER, new double[] {3, 1}, new double[] {4, 1});
         var sent = new ArrayList<Double>();
         whole.at(curve, new double[] {0}, (x, y) -> sent.addAll(List.of(x, y)));
@@ -64,11 +72,18 @@ class TopicPartTest {
         WindowedLineRasterizer part =
                 (x0, y0, x1, y1, xmin, ymin, xmax, ymax, out) ->
                         given.addAll(List.of(x0, y0, x1, y1, xmin, ymin, xmax, ymax));
-        Object whole = TopicPart.of("line", "WindowedLineRasterizer").get().whole(part);
+        Object whole = part("line", "WindowedLineRasterizer").whole(part);
         ((WindowedLineRasterizer) whole).draw(1, 2, 3, 4, 5, 6, 7, 8, (x, y) -> {});
         assertEquals(List.of(1, 2, 3, 4, 5, 6, 7, 8), given);
         assertThrows(
                 IllegalArgumentException.class,
                 () -> ((LineRasterizer) whole).draw(1, 2, 3, 4, (x, y) -> {}));
+    }
+
+    private static TopicPart<?, ?> part(String topic, String name) {
+        return TopicPart.of(Topics.named(topic))
+                .filter(one -> one.name().equals(name))
+                .findFirst()
+                .orElseThrow();
     }
 }

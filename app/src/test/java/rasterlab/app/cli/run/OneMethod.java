@@ -19,6 +19,12 @@ record OneMethod<C, I, O>(C implementation, O answer) implements Topic<C, I, O> 
         return "topic";
     }
 
+    /** The runner does not ask for it. */
+    @Override
+    public Class<C> contract() {
+        throw new UnsupportedOperationException();
+    }
+
     /** A test gives the runner a format of its choice. */
     @Override
     public Format<C, I, O> format() {

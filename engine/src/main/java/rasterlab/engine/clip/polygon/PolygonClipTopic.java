@@ -38,6 +38,11 @@ public final class PolygonClipTopic
     }
 
     @Override
+    public Class<PolygonClipper> contract() {
+        return PolygonClipper.class;
+    }
+
+    @Override
     public List<Method<PolygonClipper>> methods() {
         return List.of(sutherlandHodgman(), weilerAtherton());
     }

@@ -41,6 +41,11 @@ public final class SegmentClipTopic
     }
 
     @Override
+    public Class<SegmentClipper> contract() {
+        return SegmentClipper.class;
+    }
+
+    @Override
     public List<Method<SegmentClipper>> methods() {
         return SegmentClipMethods.all();
     }

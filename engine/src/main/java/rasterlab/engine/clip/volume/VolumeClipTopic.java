@@ -38,6 +38,11 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
     }
 
     @Override
+    public Class<VolumeClipper> contract() {
+        return VolumeClipper.class;
+    }
+
+    @Override
     public List<Method<VolumeClipper>> methods() {
         return List.of(cohenSutherland(), divideFirstTextbook(), homogeneous());
     }

@@ -30,6 +30,11 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     }
 
     @Override
+    public Class<LinePlane> contract() {
+        return LinePlane.class;
+    }
+
+    @Override
     public List<Method<LinePlane>> methods() {
         return LinePlaneMethods.all();
     }

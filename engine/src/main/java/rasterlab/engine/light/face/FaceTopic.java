@@ -31,6 +31,11 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     }
 
     @Override
+    public Class<FaceShader> contract() {
+        return FaceShader.class;
+    }
+
+    @Override
     public List<Method<FaceShader>> methods() {
         return FaceMethods.all();
     }

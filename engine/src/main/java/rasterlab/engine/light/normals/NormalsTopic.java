@@ -32,6 +32,11 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
+    public Class<VertexNormals> contract() {
+        return VertexNormals.class;
+    }
+
+    @Override
     public List<Method<VertexNormals>> methods() {
         return NormalsMethods.all();
     }

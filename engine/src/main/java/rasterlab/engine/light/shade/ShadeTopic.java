@@ -32,6 +32,11 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
     }
 
     @Override
+    public Class<PointShader> contract() {
+        return PointShader.class;
+    }
+
+    @Override
     public List<Method<PointShader>> methods() {
         return ShadeMethods.all();
     }

@@ -33,6 +33,11 @@ public final class PointInPolygonTopic
     }
 
     @Override
+    public Class<PointInPolygon> contract() {
+        return PointInPolygon.class;
+    }
+
+    @Override
     public List<Method<PointInPolygon>> methods() {
         return InsideMethods.all();
     }

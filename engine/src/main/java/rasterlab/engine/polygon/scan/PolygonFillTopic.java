@@ -29,6 +29,11 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     }
 
     @Override
+    public Class<PolygonFiller> contract() {
+        return PolygonFiller.class;
+    }
+
+    @Override
     public List<Method<PolygonFiller>> methods() {
         return PolygonMethods.all();
     }

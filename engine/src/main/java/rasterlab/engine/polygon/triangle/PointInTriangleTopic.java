@@ -34,6 +34,11 @@ public final class PointInTriangleTopic
     }
 
     @Override
+    public Class<PointInTriangle> contract() {
+        return PointInTriangle.class;
+    }
+
+    @Override
     public List<Method<PointInTriangle>> methods() {
         return TriangleMethods.all();
     }

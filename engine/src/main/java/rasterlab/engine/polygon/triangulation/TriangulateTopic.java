@@ -23,6 +23,11 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
     }
 
     @Override
+    public Class<Triangulator> contract() {
+        return Triangulator.class;
+    }
+
+    @Override
     public List<Method<Triangulator>> methods() {
         return TriangulateMethods.all();
     }

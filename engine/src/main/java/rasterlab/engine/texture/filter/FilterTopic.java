@@ -33,6 +33,11 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     }
 
     @Override
+    public Class<TextureFilter> contract() {
+        return TextureFilter.class;
+    }
+
+    @Override
     public List<Method<TextureFilter>> methods() {
         return FilterMethods.all();
     }

@@ -35,6 +35,11 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     }
 
     @Override
+    public Class<TextureMapper> contract() {
+        return TextureMapper.class;
+    }
+
+    @Override
     public List<Method<TextureMapper>> methods() {
         return MappingMethods.all();
     }

@@ -32,6 +32,11 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
     }
 
     @Override
+    public Class<AxisRotation> contract() {
+        return AxisRotation.class;
+    }
+
+    @Override
     public List<Method<AxisRotation>> methods() {
         return AxisMethods.all();
     }

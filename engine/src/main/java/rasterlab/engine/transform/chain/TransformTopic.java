@@ -38,6 +38,11 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     }
 
     @Override
+    public Class<PointTransformer> contract() {
+        return PointTransformer.class;
+    }
+
+    @Override
     public List<Method<PointTransformer>> methods() {
         return TransformMethods.all();
     }

@@ -31,6 +31,11 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     }
 
     @Override
+    public Class<MatrixFormula> contract() {
+        return MatrixFormula.class;
+    }
+
+    @Override
     public List<Method<MatrixFormula>> methods() {
         return MatrixMethods.all();
     }

@@ -31,6 +31,11 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     }
 
     @Override
+    public Class<PlaneRotation> contract() {
+        return PlaneRotation.class;
+    }
+
+    @Override
     public List<Method<PlaneRotation>> methods() {
         return RotateMethods.all();
     }

@@ -57,6 +57,11 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
+    public Class<EyeView> contract() {
+        return EyeView.class;
+    }
+
+    @Override
     public List<Method<EyeView>> methods() {
         return METHODS;
     }

@@ -28,6 +28,11 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
     }
 
     @Override
+    public Class<DepthFormat> contract() {
+        return DepthFormat.class;
+    }
+
+    @Override
     public List<Method<DepthFormat>> methods() {
         return DepthMethods.all();
     }

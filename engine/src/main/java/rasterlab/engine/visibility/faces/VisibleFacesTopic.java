@@ -21,6 +21,11 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     }
 
     @Override
+    public Class<VisibleFaces> contract() {
+        return VisibleFaces.class;
+    }
+
+    @Override
     public List<Method<VisibleFaces>> methods() {
         return VisibleFacesMethods.all();
     }

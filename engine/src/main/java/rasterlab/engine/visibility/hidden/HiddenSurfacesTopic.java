@@ -33,6 +33,11 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     }
 
     @Override
+    public Class<Visibility> contract() {
+        return Visibility.class;
+    }
+
+    @Override
     public List<Method<Visibility>> methods() {
         return visibilities.methods();
     }

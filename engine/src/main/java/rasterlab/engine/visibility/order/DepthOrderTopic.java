@@ -32,6 +32,11 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
     }
 
     @Override
+    public Class<DepthOrder> contract() {
+        return DepthOrder.class;
+    }
+
+    @Override
     public List<Method<DepthOrder>> methods() {
         return DepthOrderMethods.all();
     }
