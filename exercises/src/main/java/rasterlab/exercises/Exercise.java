@@ -34,6 +34,7 @@ import rasterlab.exercises.score.Disclosure;
  *     empty where none are
  * @param evidence what the exercise is proved by
  * @param minutes that it usually takes; empty where nobody has said
+ * @param hints in steps of rising help; empty where there are none
  */
 public record Exercise(
         String id,
@@ -53,7 +54,8 @@ public record Exercise(
         Optional<Breaking> breaking,
         Optional<Predicting> predicting,
         Evidence evidence,
-        OptionalInt minutes) {
+        OptionalInt minutes,
+        List<Hint> hints) {
     /** In all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
 
@@ -66,6 +68,7 @@ public record Exercise(
         pictures = Map.copyOf(pictures);
         groups = List.copyOf(groups);
         cases = List.copyOf(cases);
+        hints = List.copyOf(hints);
     }
 
     /** An exercise each of whose cases asks for something else. */
@@ -131,7 +134,8 @@ public record Exercise(
                 breaking,
                 Optional.empty(),
                 Evidence.NONE,
-                OptionalInt.empty());
+                OptionalInt.empty(),
+                List.of());
     }
 
     /** The form of what is handed in. */

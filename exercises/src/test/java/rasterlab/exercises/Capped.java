@@ -25,6 +25,7 @@ public final class Capped {
                 one.breaking(),
                 one.predicting(),
                 one.evidence(),
-                one.minutes());
+                one.minutes(),
+                one.hints());
     }
 }

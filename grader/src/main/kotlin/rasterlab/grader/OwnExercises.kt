@@ -30,11 +30,18 @@ internal class OwnExercises(
         words: CommandWords,
     ): List<String> {
         val formulas = Formulas()
-        return exercise.statement().toSortedMap().flatMap { (language, markdown) ->
-            val file = folder.resolve(exercise.id()).resolve("statement.$language.md")
+        return texts(exercise).flatMap { (name, markdown) ->
+            val file = folder.resolve(exercise.id()).resolve(name)
             formulaFaults(markdown, formulas).map {
                 words.say("exercises.formula", "$file", it.source, it.mistake.`in`(words.language.language))
             }
         }
     }
+
+    /** Files that students read, with their texts. */
+    private fun texts(exercise: Exercise): List<Pair<String, String>> =
+        exercise.statement().toSortedMap().map { (language, text) -> "statement.$language.md" to text } +
+            exercise.hints().flatMap { hint ->
+                hint.text().toSortedMap().map { (language, text) -> "hints.$language.md" to text }
+            }
 }

@@ -8,6 +8,7 @@ import rasterlab.exercises.catalogue.Catalogue
 import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.createDirectory
+import kotlin.io.path.readText
 import kotlin.io.path.writeText
 
 class OwnExercisesTest {
@@ -57,9 +58,26 @@ class OwnExercisesTest {
         assertTrue(broken[1].endsWith("the closing \$\$ is missing"), broken[1])
     }
 
+    @Test
+    fun `only a student finds a broken formula of a hint`() {
+        exercise("sound")
+        val file = folder.resolve("$ID/hints.en.md")
+        file.writeText(file.readText().replace("## 2\n", "## 2\n\n\$\\nope\$"))
+        assertEquals(listOf("$file: formula \$\\nope\$: \\nope is no command that is known here"), told("en").drop(1))
+    }
+
     private companion object {
         const val ID = "my-line"
         val FILES =
-            listOf("exercise.json", "cases.json", "hidden-cases.json", "segment.svg", "Starter.java", "statement.en.md")
+            listOf(
+                "exercise.json",
+                "cases.json",
+                "hidden-cases.json",
+                "segment.svg",
+                "Starter.java",
+                "statement.en.md",
+                "hints.en.md",
+                "hints.ru.md",
+            )
     }
 }

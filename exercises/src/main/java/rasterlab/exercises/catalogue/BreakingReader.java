@@ -34,13 +34,15 @@ final class BreakingReader {
 
     private final ExerciseFolder folder;
     private final JsonFields fields;
+    private final Faults faults;
 
     /**
      * @param fields of {@code exercise.json}
      */
-    BreakingReader(ExerciseFolder folder, JsonFields fields) {
+    BreakingReader(ExerciseFolder folder, JsonFields fields, Faults faults) {
         this.folder = folder;
         this.fields = fields;
+        this.faults = faults;
     }
 
     /** A faulty method or mutant, and what it pays to break it. */
@@ -87,7 +89,8 @@ final class BreakingReader {
                 Optional.of(breaking),
                 Optional.empty(),
                 new Exercise.Evidence(Optional.empty(), Set.of()),
-                ExerciseReader.minutes(fields));
+                ExerciseReader.minutes(fields),
+                new HintReader(folder, fields, faults).read());
     }
 
     private static Case open(String name, Map<String, String> titles, int points) {

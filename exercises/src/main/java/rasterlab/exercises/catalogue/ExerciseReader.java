@@ -27,6 +27,7 @@ import rasterlab.exercises.Exercise.Group;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Hint;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
@@ -53,6 +54,7 @@ final class ExerciseReader {
         "notAsked",
         "kind",
         "minutes",
+        HintReader.COSTS,
         "break",
         "predict"
     };
@@ -117,7 +119,7 @@ final class ExerciseReader {
         Optional<String> form = faults.tried(() -> fields.word("kind", FORMS, Form.WRITE.code()));
         if (form.isEmpty()) return Optional.empty();
         if (form.get().equals(Form.BREAK.code()))
-            return faults.tried(() -> new BreakingReader(folder, fields).read());
+            return faults.tried(() -> new BreakingReader(folder, fields, faults).read());
         if (form.get().equals(Form.PREDICT.code()))
             return new PredictingReader(folder, fields, faults).read();
         return written(id, fields);
@@ -153,6 +155,8 @@ final class ExerciseReader {
                                 fields.has("timed")
                                         ? Optional.of(fields.json("timed"))
                                         : Optional.<String>empty());
+        String revision = Revision.of(folder.read());
+        List<Hint> hints = new HintReader(folder, fields, faults).read();
         if (!faults.all().isEmpty()) return Optional.empty();
         Exercise read =
                 new Exercise(
@@ -163,7 +167,7 @@ final class ExerciseReader {
                         statements,
                         pictures.orElseThrow(),
                         starter.orElseThrow(),
-                        Revision.of(folder.read()),
+                        revision,
                         tolerance.orElseThrow(),
                         points.orElseThrow(),
                         caps.orElseThrow(),
@@ -173,7 +177,8 @@ final class ExerciseReader {
                         Optional.empty(),
                         Optional.empty(),
                         evidence.orElseThrow(),
-                        minutes.orElseThrow());
+                        minutes.orElseThrow(),
+                        hints);
         faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));
         return Optional.of(read);
     }

@@ -18,6 +18,7 @@ import rasterlab.exercises.Exercise.Evidence;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Hint;
 import rasterlab.exercises.Picture;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.Asked;
@@ -74,6 +75,8 @@ final class PredictingReader {
                                 drawn.flatMap(
                                         one -> faults.tried(() -> pictures(one.topic(), texts))));
         var minutes = faults.tried(() -> ExerciseReader.minutes(fields));
+        String revision = Revision.of(folder.read());
+        List<Hint> hints = new HintReader(folder, fields, faults).read();
         if (!faults.all().isEmpty()) return Optional.empty();
         Predicting rules = drawn.orElseThrow().rules();
         return Optional.of(
@@ -85,7 +88,7 @@ final class PredictingReader {
                         statements.orElseThrow(),
                         pictures.orElseThrow(),
                         SheetText.open(folder.id(), drawn.get().sheet()),
-                        Revision.of(folder.read()),
+                        revision,
                         new Tolerance(false),
                         new PointPlan(Exercise.MOST_POINTS, 0, 0),
                         Exercise.Caps.NONE,
@@ -95,7 +98,8 @@ final class PredictingReader {
                         Optional.empty(),
                         Optional.of(rules),
                         new Evidence(Optional.empty(), Set.of()),
-                        minutes.orElseThrow()));
+                        minutes.orElseThrow(),
+                        hints));
     }
 
     private Map<String, Picture> pictures(String topic, Map<String, String> statements) {

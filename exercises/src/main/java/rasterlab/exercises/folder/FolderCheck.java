@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Hint;
 import rasterlab.exercises.Picture;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.formula.FormulaFaults;
@@ -43,17 +44,15 @@ public final class FolderCheck {
 
     private void checkFormulas(Exercise exercise) {
         new TreeMap<>(exercise.statement())
-                .forEach(
-                        (language, text) -> {
-                            String file = "statement." + language + ".md";
-                            for (FormulaFaults.Fault one : FormulaFaults.in(text))
-                                add(
-                                        file,
-                                        Phrase.of(
-                                                "folder.formula",
-                                                one.source(),
-                                                Phrase.of(one.mistake())));
-                        });
+                .forEach((language, text) -> checkFormulas("statement." + language + ".md", text));
+        for (Hint hint : exercise.hints())
+            new TreeMap<>(hint.text())
+                    .forEach((language, text) -> checkFormulas("hints." + language + ".md", text));
+    }
+
+    private void checkFormulas(String file, String text) {
+        for (FormulaFaults.Fault one : FormulaFaults.in(text))
+            add(file, Phrase.of("folder.formula", one.source(), Phrase.of(one.mistake())));
     }
 
     /** Draws the pictures that are drawn, for an input may have no right answer. */

@@ -53,6 +53,8 @@ public final class NewFolder {
         files.put("hidden-cases.json", hidden().toPrettyString() + "\n");
         files.put("statement.en.md", NewTexts.english(grading.contract()));
         files.put("statement.ru.md", NewTexts.russian(grading.contract()));
+        files.put("hints.en.md", NewTexts.englishHints());
+        files.put("hints.ru.md", NewTexts.russianHints());
         files.put("Starter.java", NewTexts.source(grading.contract(), "MyMethod"));
         files.put("Model.java", NewTexts.source(grading.contract(), "Model"));
         return files;
@@ -75,6 +77,7 @@ public final class NewFolder {
                 .put("accuracy", ACCURACY)
                 .put("stability", STABILITY)
                 .put("speed", SPEED);
+        root.putArray("hintCosts").add(1).add(2).add(4);
         root.putObject("timed").put("count", 20).set("given", given());
         root.putArray("groups")
                 .addObject()

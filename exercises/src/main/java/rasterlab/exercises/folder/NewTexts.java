@@ -55,6 +55,38 @@ final class NewTexts {
                 .formatted(contract.getName(), signatures(contract));
     }
 
+    static String englishHints() {
+        return """
+        ## 1
+
+        The idea …
+
+        ## 2
+
+        Where to look, and the value that decides …
+
+        ## 3
+
+        Nearly the program, in words …
+        """;
+    }
+
+    static String russianHints() {
+        return """
+        ## 1
+
+        Идея …
+
+        ## 2
+
+        Куда смотреть и какая величина решает …
+
+        ## 3
+
+        Почти вся программа, но словами …
+        """;
+    }
+
     /** A class that implements the contract and does nothing. */
     static String source(Class<?> contract, String name) {
         String imports =

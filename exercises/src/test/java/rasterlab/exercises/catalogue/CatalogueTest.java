@@ -44,7 +44,9 @@ class CatalogueTest {
                     "Starter.java",
                     "statement.en.md",
                     "statement.ru.md",
-                    "segment.svg");
+                    "segment.svg",
+                    "hints.en.md",
+                    "hints.ru.md");
 
     /** Two words that are no names. */
     private static final Pattern ENGLISH = Pattern.compile("[a-z]{2,} [a-z]{2,}");

@@ -75,6 +75,8 @@ class FolderCheckTest {
         "cases.json",
         "statement.en.md",
         "statement.ru.md",
+        "hints.en.md",
+        "hints.ru.md",
         "Starter.java",
         "Model.java"
     })

@@ -44,7 +44,8 @@ class ProofTest {
                 TRIANGLE.breaking(),
                 TRIANGLE.predicting(),
                 evidence,
-                OptionalInt.empty());
+                OptionalInt.empty(),
+                List.of());
     }
 
     private static List<String> keys(Proof proof) {
