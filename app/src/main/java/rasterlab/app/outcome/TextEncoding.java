@@ -78,7 +78,7 @@ public enum TextEncoding {
      *
      * @param text all of it
      */
-    static Optional<String> obstacle(byte[] text) {
+    public static Optional<String> obstacle(byte[] text) {
         return switch (of(text)) {
             case UTF_8 -> Optional.empty();
             case UTF_16LE, UTF_16BE -> Optional.of("is UTF-16 text; " + SourceEncoding.HOW_TO_SAVE);

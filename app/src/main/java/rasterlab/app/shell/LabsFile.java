@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,8 +23,10 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.KeptJson;
+import rasterlab.app.outcome.TextEncoding;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.exercises.json.JsonMistake;
+import rasterlab.exercises.json.JsonText;
+import rasterlab.exercises.json.NotJson;
 
 /**
  * What every lab shows, kept between runs in a JSON file beside the window's settings.
@@ -77,9 +80,11 @@ public final class LabsFile {
         return content;
     }
 
-    private Content content() throws IOException {
+    private Content content() throws IOException, NotJson {
         byte[] text = Files.readAllBytes(file);
-        if (KeptJson.MAPPER.readTree(text) instanceof ObjectNode root)
+        Optional<String> obstacle = TextEncoding.obstacle(text);
+        if (obstacle.isPresent()) throw new IOException(obstacle.get());
+        if (JsonText.tree(new String(text, StandardCharsets.UTF_8)) instanceof ObjectNode root)
             return new Content(text, root);
         throw new IOException("not a JSON object");
     }
@@ -222,8 +227,8 @@ public final class LabsFile {
                 Content content = content();
                 inTheWay = false;
                 return Optional.of(content);
-            } catch (JsonProcessingException e) {
-                setAside("not JSON: " + JsonMistake.in(e));
+            } catch (NotJson e) {
+                setAside("not JSON: " + e.said());
             } catch (IOException e) {
                 setAside(reason(e));
             }

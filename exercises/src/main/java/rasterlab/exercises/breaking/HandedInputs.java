@@ -1,14 +1,11 @@
 package rasterlab.exercises.breaking;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.StreamReadFeature;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.exercises.CatalogueException;
-import rasterlab.exercises.json.JsonMistake;
+import rasterlab.exercises.json.JsonText;
+import rasterlab.exercises.json.NotJson;
 import rasterlab.exercises.judging.MethodsOnInput;
 import rasterlab.exercises.score.Phrase;
 
@@ -20,13 +17,6 @@ import rasterlab.exercises.score.Phrase;
 public record HandedInputs(List<String> inputs) {
     /** Characters of everything that is handed in; a longer text is refused unread. */
     public static final int MOST_CHARACTERS = 64 * 1024;
-
-    private static final JsonMapper MAPPER =
-            JsonMapper.builder()
-                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-                    .enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS)
-                    .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-                    .build();
 
     public HandedInputs {
         inputs = List.copyOf(inputs);
@@ -52,13 +42,13 @@ public record HandedInputs(List<String> inputs) {
 
     private static JsonNode tree(String json) {
         try {
-            return MAPPER.readTree(json);
-        } catch (JsonProcessingException e) {
+            return JsonText.treeWithAllDigits(json);
+        } catch (NotJson e) {
             throw new CatalogueException(
                     Phrase.of(
                             "field.wrong",
                             Phrase.of("break.input"),
-                            Phrase.of("json.not", JsonMistake.in(e))),
+                            Phrase.of("json.not", e.said())),
                     e);
         }
     }

@@ -14,7 +14,7 @@ final class EndlessNumber {
      * @param path of the number, such as {@code $.camera.rho}
      */
     static String at(String path, String json) {
-        try (JsonParser parser = JsonPlace.WITH_ENDLESS_NUMBERS.createParser(json)) {
+        try (JsonParser parser = JsonText.parserWithEndlessNumbers(json)) {
             while (parser.nextToken() != null)
                 if (isEndless(parser) && path.equals(path(parser.getParsingContext())))
                     return parser.getText();

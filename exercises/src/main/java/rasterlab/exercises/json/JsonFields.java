@@ -1,6 +1,5 @@
 package rasterlab.exercises.json;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -73,6 +72,12 @@ public final class JsonFields {
 
     public String text(String field) {
         return required(field).text();
+    }
+
+    /** A text, which may be blank where whoever asks for it has a refusal of its own. */
+    public String anyText(String field) {
+        Value value = required(field);
+        return value.isText() ? value.node.textValue() : value.text();
     }
 
     /** One of the allowed words. */
@@ -163,9 +168,9 @@ public final class JsonFields {
 
         static JsonNode read(Phrase place, String json) {
             try {
-                return tree(json);
-            } catch (JsonProcessingException e) {
-                throw wrong(place, Phrase.of("json.not", JsonMistake.in(e)), e);
+                return JsonText.tree(json);
+            } catch (NotJson e) {
+                throw wrong(place, Phrase.of("json.not", e.said()), e);
             }
         }
 

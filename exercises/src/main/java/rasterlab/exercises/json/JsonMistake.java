@@ -9,10 +9,11 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import rasterlab.engine.format.Misfit;
 import rasterlab.exercises.score.Phrase;
 
 /** Where a text is not JSON, and why, in words that do not ask for knowledge of the parser. */
-public final class JsonMistake {
+final class JsonMistake {
     private static final String BEYOND = "\\((\\d+)\\) exceeds the maximum allowed \\((\\d+).*";
 
     /** What should stand there, by a part of the parser's own words; the first that is in them. */
@@ -54,11 +55,29 @@ public final class JsonMistake {
     private JsonMistake() {}
 
     /** Such as "line 3, column 8: Duplicate field 'name'"; beyond the parser's limits no place. */
-    public static Phrase in(JsonProcessingException e) {
+    static Phrase in(JsonProcessingException e) {
         JsonLocation at = e.getLocation();
         return at == null
                 ? reason(e)
                 : Phrase.of("json.at", at.getLineNr(), at.getColumnNr(), reason(e));
+    }
+
+    /**
+     * A refusal of an input.
+     *
+     * @param reached where the reader stands; an exception about a limit has no place of its own
+     */
+    static Misfit misfit(JsonProcessingException e, JsonLocation reached) {
+        JsonLocation at = e.getLocation() == null ? reached : e.getLocation();
+        return new Misfit(place(at), "not JSON: " + reason(e));
+    }
+
+    static String place(JsonLocation at) {
+        return place(at.getLineNr(), at.getColumnNr());
+    }
+
+    static String place(int line, int column) {
+        return "line " + line + ", column " + column;
     }
 
     private static Phrase reason(JsonProcessingException e) {

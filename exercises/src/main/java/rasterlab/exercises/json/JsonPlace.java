@@ -1,11 +1,6 @@
 package rasterlab.exercises.json;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.StreamReadFeature;
-import com.fasterxml.jackson.core.json.JsonReadFeature;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Iterator;
@@ -24,29 +19,10 @@ import rasterlab.exercises.score.Phrase;
 public abstract class JsonPlace<P extends JsonPlace<P>> {
     private static final int SHOWN = 60;
 
-    private static final JsonMapper STRICT =
-            JsonMapper.builder()
-                    .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-                    .build();
-
-    static final JsonMapper WITH_ENDLESS_NUMBERS =
-            STRICT.rebuild().enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
-
     private final JsonNode node;
 
     protected JsonPlace(JsonNode node) {
         this.node = node;
-    }
-
-    /** The tree of a text that is JSON, without a field twice and with nothing behind it. */
-    protected static JsonNode tree(String json) throws JsonProcessingException {
-        return STRICT.readTree(json);
-    }
-
-    /** The same with NaN and infinite numbers, so that they can be refused with their place. */
-    protected static JsonNode treeWithEndlessNumbers(String json) throws JsonProcessingException {
-        return WITH_ENDLESS_NUMBERS.readTree(json);
     }
 
     /** The place of a field, which need not be there. */

@@ -1,8 +1,8 @@
 package rasterlab.exercises.json;
 
-import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.json.JsonReadFeature;
@@ -27,7 +27,7 @@ import rasterlab.engine.format.ValueSource;
  */
 public final class StrictJson implements ValueSource {
     /** The most characters of one name, text or number that is read, to be complained about. */
-    static final int LONGEST_TOKEN = 1 << 20;
+    private static final int LONGEST_TOKEN = 1 << 20;
 
     /** NaN is read as a number, so that the complaint about it can name its place. */
     private static final JsonFactory FACTORY =
@@ -66,20 +66,20 @@ public final class StrictJson implements ValueSource {
      * @throws Misfit if the text is anything else
      */
     public static Given read(byte[] text, int length, List<Field<?>> fields, boolean open) {
+        new Utf8Text(text, length).require();
         try (JsonParser parser = FACTORY.createParser(text, 0, length)) {
-            return read(parser, text, length, fields, open);
+            return read(parser, fields, open);
         } catch (IOException e) {
             throw new AssertionError("reading from memory failed", e);
         }
     }
 
-    private static Given read(
-            JsonParser parser, byte[] text, int length, List<Field<?>> fields, boolean open)
+    private static Given read(JsonParser parser, List<Field<?>> fields, boolean open)
             throws IOException {
         try {
             return whole(parser, fields, open);
-        } catch (JacksonException e) {
-            throw new NotJson(text, length).misfit(e, parser.currentLocation());
+        } catch (JsonProcessingException e) {
+            throw JsonMistake.misfit(e, parser.currentLocation());
         }
     }
 
@@ -92,7 +92,7 @@ public final class StrictJson implements ValueSource {
         Given given = new StrictJson(parser, refusals).object(open, fields);
         if (parser.nextToken() != null)
             throw new Misfit(
-                    NotJson.place(parser.currentTokenLocation()),
+                    JsonMistake.place(parser.currentTokenLocation()),
                     refusals.quoted() + " follows the object; expected nothing more");
         return given;
     }

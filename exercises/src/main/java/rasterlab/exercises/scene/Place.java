@@ -1,12 +1,12 @@
 package rasterlab.exercises.scene;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.function.Function;
-import rasterlab.exercises.json.JsonMistake;
 import rasterlab.exercises.json.JsonPlace;
+import rasterlab.exercises.json.JsonText;
+import rasterlab.exercises.json.NotJson;
 import rasterlab.exercises.score.Phrase;
 
 /** A place of a JSON text that knows its path; whatever is wrong there is refused with it. */
@@ -27,9 +27,9 @@ final class Place extends JsonPlace<Place> {
 
     static Place root(String json) {
         try {
-            return new Place(json, "$", treeWithEndlessNumbers(json));
-        } catch (JsonProcessingException e) {
-            throw new IllegalArgumentException("not JSON: " + JsonMistake.in(e), e);
+            return new Place(json, "$", JsonText.treeWithEndlessNumbers(json));
+        } catch (NotJson e) {
+            throw new IllegalArgumentException("not JSON: " + e.said(), e);
         }
     }
 

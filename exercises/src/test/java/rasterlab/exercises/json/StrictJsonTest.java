@@ -100,14 +100,58 @@ class StrictJsonTest {
                         "/items/0/size: unknown field; allowed are count, points"));
     }
 
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("broken")
+    void aByteThatIsNotUtf8IsNamed(String latin, String refusal) {
+        byte[] text = latin.getBytes(StandardCharsets.ISO_8859_1);
+        assertEquals(refusal, refusal(text));
+    }
+
+    static Stream<Arguments> broken() {
+        String far = "{\"name\":" + " ".repeat(20_000);
+        return Stream.of(
+                argumentSet(
+                        "a letter of Latin 1",
+                        "{\"name\":\"caf\u00e9\"}",
+                        "line 1, column 13: not UTF-8: byte E9 after 12 bytes"),
+                argumentSet(
+                        "a letter in two bytes where one is enough",
+                        "{\"name\":\"\u00c1\u0081\"}",
+                        "line 1, column 10: not UTF-8: byte C1 after 9 bytes"),
+                argumentSet(
+                        "a sign in three bytes where one is enough",
+                        "{\n\"name\"\r\n:\"\u00e0\u0080\u00af\"}",
+                        "line 3, column 3: not UTF-8: byte E0 after 12 bytes"),
+                argumentSet(
+                        "half of a surrogate pair",
+                        "{\r\"name\":\"\u00ed\u00a0\u0080\"}",
+                        "line 2, column 9: not UTF-8: byte ED after 10 bytes"),
+                argumentSet(
+                        "a character that the text's end cuts",
+                        "{\"name\":\"\u00d0",
+                        "line 1, column 10: not UTF-8: byte D0 after 9 bytes"),
+                argumentSet(
+                        "the other sign of a mark of UTF-16",
+                        "\u00fe{}",
+                        "line 1, column 1: not UTF-8: byte FE after 0 bytes"),
+                argumentSet(
+                        "far behind what is decoded at once",
+                        far + "\u00ff",
+                        "line 1, column 20009: not UTF-8: byte FF after 20008 bytes"));
+    }
+
     @Test
-    void aByteThatIsNotUtf8IsNamed() {
-        byte[] latin = "{\"name\":\"caf\u00e9\"}".getBytes(StandardCharsets.ISO_8859_1);
+    void textInUtf16IsRead() {
+        byte[] wide = "{\"name\":\"b\"}".getBytes(StandardCharsets.UTF_16LE);
+        assertEquals("b", StrictJson.read(wide, wide.length, List.of(NAME), false).get(NAME));
+    }
+
+    private static String refusal(byte[] text) {
         Misfit refused =
                 assertThrows(
                         Misfit.class,
-                        () -> StrictJson.read(latin, latin.length, List.of(NAME), false));
-        assertEquals("not UTF-8: byte E9 after 12 bytes", refused.reason());
+                        () -> StrictJson.read(text, text.length, List.of(NAME), false));
+        return refused.getMessage();
     }
 
     private static Given read(String text) {

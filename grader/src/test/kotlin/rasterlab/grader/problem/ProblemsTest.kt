@@ -80,7 +80,19 @@ class ProblemsTest {
     fun tellsWhatAnAnswerAcceptsAndWhere() =
         Classroom(folder).open(grades = false) {
             suspend fun detail(answer: HttpResponse) = answer.json().text("detail")
-            assertTrue("'name' in line 1, column 19" in detail(course("""{"name":"a","name":"b"}""")))
+            assertEquals(
+                "the body is not JSON: line 1, column 19: Duplicate field 'name'",
+                detail(course("""{"name":"a","name":"b"}""")),
+            )
+            assertEquals("the body, field 'name' is missing", detail(course("{}")))
+            assertEquals(
+                "the body, field 'nick' is not known here; known are [name]",
+                detail(course("""{"name":"a","nick":"b"}""")),
+            )
+            assertEquals(
+                "the body, field 'name' must be a text that is not blank, got 7",
+                detail(course("""{"name":7}""")),
+            )
             assertTrue("byte 10 of 12 is 0xE9" in detail(course("""{"name":"é"}""", ISO_8859_1)))
             assertTrue("en, ru" in detail(look(instructor, "/api/v1/exercises?lang=xx")))
             val short = detail(join("Ada", key = "1"))
