@@ -155,7 +155,8 @@ final class PolygonClipHazards {
                         "1e199 1e199, 9e199 1e199, 5e199 9e199"),
                 hazard(
                         "window-one-double-high",
-                        "The right corner is no double: its neighbours are a window apart.",
+                        "The right corner does not fit in a double: its neighbours are a window"
+                                + " apart.",
                         PolygonInWindow.rectangle(0, 0, 1, Double.MIN_VALUE),
                         recorded(EXACT, EXACT),
                         "0 0, 2 4.9e-324, 0 1"),
