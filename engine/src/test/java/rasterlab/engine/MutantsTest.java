@@ -32,7 +32,6 @@ import rasterlab.engine.study.Verdict;
 @Tag("slow")
 class MutantsTest {
     private static final Duration AMPLE = Duration.ofMinutes(2);
-    private static final Method.About ABOUT = new Method.About("", "", "", "", "");
 
     static Stream<Named<Topic<?, ?, ?>>> topics() {
         return Topics.all().stream().map(topic -> Named.of(topic.name(), topic));
@@ -87,7 +86,7 @@ class MutantsTest {
     private static <I> Stream<Hazard<I>> inputs(Topic<?, I, ?> topic) {
         Stream<Hazard<I>> smallest =
                 topic.workloads().get(0).inputs().stream()
-                        .map(input -> new Hazard<>("workload", "Ordinary.", input, Map.of()));
+                        .map(input -> new Hazard<>("workload", input, Map.of()));
         return Stream.concat(topic.hazards().stream(), smallest);
     }
 
@@ -100,7 +99,7 @@ class MutantsTest {
     }
 
     private static <C> Method<C> method(Mutant<C> mutant) {
-        return new Method<>("mutant", ABOUT, mutant.implementation());
+        return Method.failing("mutant", mutant.implementation());
     }
 
     @ParameterizedTest

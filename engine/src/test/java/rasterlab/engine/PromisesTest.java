@@ -23,8 +23,6 @@ import rasterlab.engine.visibility.depth.DepthCoding;
  * is not here again: directions of pieces and polylines, the order of rows, ends that stay.
  */
 class PromisesTest {
-    private static final Method.About ABOUT = new Method.About("", "", "", "", "");
-
     @Test
     void aFillInAnotherColourIsWrong() {
         SeedFiller right = right("fill", "stack");
@@ -131,10 +129,7 @@ class PromisesTest {
                         .findFirst()
                         .orElseThrow();
         return HazardTrial.judge(
-                        topic,
-                        new Method<>("made-up", ABOUT, (C) method),
-                        found,
-                        Duration.ofMinutes(2))
+                        topic, Method.failing("made-up", (C) method), found, Duration.ofMinutes(2))
                 .kind();
     }
 }

@@ -111,22 +111,6 @@ class TopicsTest {
 
     @ParameterizedTest
     @MethodSource("topics")
-    void everyMethodTellsAboutItself(Topic<?, ?, ?> topic) {
-        for (Method<?> method : topic.methods()) {
-            Method.About about = method.about();
-            for (String text :
-                    List.of(
-                            about.formula(),
-                            about.invariant(),
-                            about.cost(),
-                            about.failures(),
-                            about.source()))
-                assertFalse(text.isBlank(), topic.name() + " " + method.name());
-        }
-    }
-
-    @ParameterizedTest
-    @MethodSource("topics")
     void workloadsGrowAndNoNameStandsTwice(Topic<?, ?, ?> topic) {
         List<Integer> sizes = topic.workloads().stream().map(w -> w.size()).toList();
         assertEquals(sizes.stream().sorted().toList(), sizes, topic.name());

@@ -50,7 +50,7 @@ class VandalTest {
                 if (hazard.recorded().get(method.name()) != Verdict.Kind.EXACT) continue;
                 String before = Written.out(hazard.input());
                 var vandal = new Vandal(method.implementation());
-                Method<C> vandalizing = new Method<>("vandal", method.about(), vandal.method());
+                Method<C> vandalizing = Method.failing("vandal", vandal.method());
                 Verdict verdict = judging.apply(vandalizing);
                 String place = topic.name() + ", " + hazard.name() + ", " + method.name();
                 assertEquals(before, Written.out(hazard.input()), place);

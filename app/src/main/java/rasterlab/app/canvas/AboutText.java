@@ -8,7 +8,6 @@ import javax.swing.JEditorPane;
 import javax.swing.text.DefaultCaret;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Method;
 
 /** A method in a teacher's words: formula, invariant, cost, failures, source. */
 public final class AboutText extends JEditorPane {
@@ -32,77 +31,43 @@ public final class AboutText extends JEditorPane {
     }
 
     /**
-     * @param translations texts {@code METHOD.formula} and so on, where there are any
+     * Shows a method, or what is told as one is.
+     *
+     * @param texts {@code KEY.formula} and so on, for each part
      * @param decision what the decision variable is; "" for a method without one
      * @param refusal what the method said to the present input; "" when it drew
      */
-    public void show(Texts translations, Method<?> method, String decision, String refusal) {
-        show(translations, method.name(), method, decision, refusal);
-    }
-
-    /**
-     * @param key what the texts' keys begin with, where methods of two topics have one name
-     */
-    public void show(
-            Texts translations, String key, Method<?> method, String decision, String refusal) {
-        show(paragraphs(parts("", translations, key, method, decision, refusal)));
+    public void show(Texts texts, String key, String decision, String refusal) {
+        show(paragraphs(parts("", texts, key, decision, refusal)));
     }
 
     /**
      * A method that no chooser beside the text names.
      *
      * @param name what it is called there
-     * @param translations texts {@code KEY.formula} and so on, where there are any
+     * @param texts {@code KEY.formula} and so on
      */
-    public record Called(String name, Texts translations, String key, Method<?> method) {}
+    public record Called(String name, Texts texts, String key) {}
 
     /** Several methods, each by its name first. */
     public void show(List<Called> methods) {
         show(
                 methods.stream()
-                        .map(
-                                one ->
-                                        parts(
-                                                one.name(),
-                                                one.translations(),
-                                                one.key(),
-                                                one.method(),
-                                                "",
-                                                ""))
+                        .map(one -> parts(one.name(), one.texts(), one.key(), "", ""))
                         .map(this::paragraphs)
                         .collect(Collectors.joining("<p style='margin: 0 0 5 0'>&nbsp;</p>")));
     }
 
     private static Map<String, String> parts(
-            String name,
-            Texts translations,
-            String key,
-            Method<?> method,
-            String decision,
-            String refusal) {
-        Method.About about = method.about();
+            String name, Texts texts, String key, String decision, String refusal) {
         var parts = new LinkedHashMap<String, String>();
         parts.put("method", name);
         parts.put("refusal", refusal);
-        parts.put("formula", translated(translations, key, "formula", about.formula()));
+        parts.put("formula", texts.text(key + ".formula"));
         parts.put("decision", decision);
-        parts.put("invariant", translated(translations, key, "invariant", about.invariant()));
-        parts.put("cost", translated(translations, key, "cost", about.cost()));
-        parts.put("failures", translated(translations, key, "failures", about.failures()));
-        parts.put("source", translated(translations, key, "source", about.source()));
+        for (String part : List.of("invariant", "cost", "failures", "source"))
+            parts.put(part, texts.text(key + "." + part));
         return parts;
-    }
-
-    /**
-     * What is no method of a topic.
-     *
-     * @param texts {@code about.formula} and so on, for each part
-     */
-    public void show(Texts texts) {
-        var parts = new LinkedHashMap<String, String>();
-        for (String part : List.of("formula", "invariant", "cost", "failures", "source"))
-            parts.put(part, texts.text("about." + part));
-        show(paragraphs(parts));
     }
 
     /** Shows a text unless it is shown already, so that a selection in it stays. */
@@ -112,10 +77,6 @@ public final class AboutText extends JEditorPane {
         shown = html;
         setText(html);
         setCaretPosition(0);
-    }
-
-    private static String translated(Texts translations, String key, String part, String english) {
-        return translations.textOr(key + "." + part, english);
     }
 
     private String paragraphs(Map<String, String> parts) {

@@ -7,8 +7,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /**
- * Words of a lab about a topic's methods and hazards, in the window's language. The engine's
- * English serves where the texts have no words of their own.
+ * Words of a lab about a topic's methods and hazards, in one language.
  *
  * @param part what stands before names in the keys of a lab with several topics; "" for one
  * @param labels of the lab that shows the hazards
@@ -32,15 +31,14 @@ public record TopicTexts(Texts texts, String part, Texts labels, String shownAs)
 
     /** A sentence on why the hazard is special. */
     public String hazard(Hazard<?> hazard) {
-        return texts.textOr("hazard." + part + hazard.name(), hazard.description());
+        return texts.text("hazard." + part + hazard.name());
     }
 
     /**
-     * @param what "formula", "cost" or "failures"
-     * @param english the engine's, where the lab has no other words
+     * @param what "formula", "invariant", "cost", "failures" or "source"
      */
-    public String about(Method<?> method, String what, String english) {
-        return texts.textOr(key(method) + "." + what, english);
+    public String about(Method<?> method, String what) {
+        return texts.text(key(method) + "." + what);
     }
 
     /** The beginning of the keys of a method's texts. */

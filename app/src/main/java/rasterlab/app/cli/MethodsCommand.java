@@ -90,15 +90,9 @@ final class MethodsCommand implements Callable<Integer> {
         out.println();
         for (Method<?> method : topic.methods()) {
             out.println("  " + texts.text("method") + " " + method.name());
-            printWrapped(
-                    label("    ", "computes", ABOUT),
-                    said.about(method, "formula", method.about().formula()));
-            printWrapped(
-                    label("    ", "costs", ABOUT),
-                    said.about(method, "cost", method.about().cost()));
-            printWrapped(
-                    label("    ", "fails", ABOUT),
-                    said.about(method, "failures", method.about().failures()));
+            printWrapped(label("    ", "computes", ABOUT), said.about(method, "formula"));
+            printWrapped(label("    ", "costs", ABOUT), said.about(method, "cost"));
+            printWrapped(label("    ", "fails", ABOUT), said.about(method, "failures"));
             out.println();
         }
         Map<String, String> vocabulary = forms.vocabulary(topic);

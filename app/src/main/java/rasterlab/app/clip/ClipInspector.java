@@ -221,7 +221,7 @@ final class ClipInspector {
         String formula = ClipTopics.decisionFormula(chosen);
         about.show(
                 translations,
-                chosen,
+                chosen.name(),
                 formula.isEmpty() ? "" : translations.textOr("decision." + chosen.name(), formula),
                 refusal(state));
     }

@@ -119,7 +119,7 @@ public final class ClipPanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.textOr(key, hazard.name()),
-                            translations.textOr(key, hazard.description()),
+                            translations.text(key),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
         }

@@ -114,7 +114,7 @@ final class ColourInspector {
         }
         method.show(colour.method());
         colour.roundTrips().forEach((each, error) -> errors.get(each).setText(error(error)));
-        about.show(translations, new ColorTopic().method(colour.method()), "", "");
+        about.show(translations, colour.method(), "", "");
     }
 
     private String error(double error) {

@@ -5,13 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.light.face.FaceTopic;
-import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.pipeline.ShadingMethod;
-import rasterlab.engine.study.Topic;
 
-/** The methods by which a choice is lit, as the engine describes them. */
+/** The methods by which a choice is lit, each with its texts. */
 final class LightMethods {
     private final Texts texts;
     private final Texts translations;
@@ -25,17 +21,15 @@ final class LightMethods {
     List<AboutText.Called> of(LightChoice choice) {
         var methods = new ArrayList<AboutText.Called>();
         for (ShadingMethod shading : LightFrame.SHADINGS)
-            methods.add(called("shading.", "face.", new FaceTopic(), shading.code()));
+            methods.add(called("shading.", "face.", shading.code()));
         String reflection = choice.reflection().name().toLowerCase(Locale.ROOT).replace('_', '-');
-        methods.add(called("reflection.", "shade.", new ShadeTopic(), reflection));
+        methods.add(called("reflection.", "shade.", reflection));
         String normals = choice.body().normals();
-        if (!normals.equals(Body.OWN))
-            methods.add(called("normals.", "normals.", new NormalsTopic(), normals));
+        if (!normals.equals(Body.OWN)) methods.add(called("normals.", "normals.", normals));
         return methods;
     }
 
-    private AboutText.Called called(String label, String key, Topic<?, ?, ?> topic, String name) {
-        return new AboutText.Called(
-                texts.text(label + name), translations, key + name, topic.method(name));
+    private AboutText.Called called(String label, String key, String name) {
+        return new AboutText.Called(texts.text(label + name), translations, key + name);
     }
 }

@@ -17,8 +17,6 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelMark;
-import rasterlab.engine.study.Method;
-import rasterlab.engine.surface.Pen;
 
 /** Choosers, numbers and live readings of the figures, and the chosen method explained. */
 final class FigureInspector {
@@ -216,26 +214,12 @@ final class FigureInspector {
                             about.show(
                                     translations,
                                     key,
-                                    chosen,
                                     formula.isEmpty()
                                             ? ""
                                             : translations.textOr(key + ".decision", formula),
                                     refusal(state));
                         },
-                        () -> about.show(texts, pen(), "", ""));
-    }
-
-    /** What a pen does, told as a method is. */
-    private Method<Class<Pen>> pen() {
-        return new Method<>(
-                "pen",
-                new Method.About(
-                        texts.text("pen.formula"),
-                        texts.text("pen.invariant"),
-                        texts.text("pen.cost"),
-                        texts.text("pen.failures"),
-                        texts.text("pen.source")),
-                Pen.class);
+                        () -> about.show(texts, "pen", "", ""));
     }
 
     /** Why the method refused: in its own words where those are the window's language. */

@@ -123,7 +123,7 @@ final class FigurePanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.textOr(key, hazard.name()),
-                            translations.textOr(key, hazard.description()),
+                            translations.text(key),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
         }

@@ -135,7 +135,7 @@ final class LineInspector {
                         .filter(each -> each.name().equals(state.choice().method()))
                         .findFirst()
                         .orElseThrow();
-        about.show(translations, chosen, decisionFormula(chosen), refusal(state));
+        about.show(translations, chosen.name(), decisionFormula(chosen), refusal(state));
     }
 
     private String decisionFormula(Method<LineRasterizer> chosen) {

@@ -112,7 +112,7 @@ final class SegmentPanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.textOr("hazard." + hazard.name(), hazard.name()),
-                            translations.textOr("hazard." + hazard.name(), hazard.description()),
+                            translations.text("hazard." + hazard.name()),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

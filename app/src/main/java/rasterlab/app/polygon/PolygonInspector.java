@@ -223,7 +223,6 @@ final class PolygonInspector {
         about.show(
                 translations,
                 key,
-                chosen,
                 formula.isEmpty() ? "" : translations.textOr(key + ".decision", formula),
                 refusal(state));
     }

@@ -118,7 +118,7 @@ public final class PolygonPanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.textOr(key, hazard.name()),
-                            translations.textOr(key, hazard.description()),
+                            translations.text(key),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
         }

@@ -15,7 +15,6 @@ import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.study.Topic;
 
 /** The method, what is special about the row, the chosen pixel's numbers and the verdict. */
 final class RowInspector {
@@ -94,12 +93,10 @@ final class RowInspector {
             column.showRow(methods.get(i), shown);
             if (shown) methods.get(i).show(choice.method());
         }
-        description.show(
-                translations.textOr("hazard." + choice.hazard(), model.hazard().description()));
+        description.show(translations.text("hazard." + choice.hazard()));
         pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
         model.shown().ifPresentOrElse(this::show, this::showNothing);
-        Topic<?, ?, ?> topic = model.topic();
-        about.show(translations, topic.method(choice.method()), "", "");
+        about.show(translations, choice.method(), "", "");
     }
 
     private void show(RowScene scene) {

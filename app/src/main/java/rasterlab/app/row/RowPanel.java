@@ -67,7 +67,7 @@ public final class RowPanel extends LabCard {
                                     HazardCase.of(
                                             each.hazard(),
                                             texts.text(key),
-                                            translations.textOr(key, each.hazard().description()),
+                                            translations.text(key),
                                             model.methods(each.topic()).stream()
                                                     .map(Method::name)
                                                     .toList(),

@@ -245,7 +245,7 @@ final class CurveInspector {
                         && drawing.ending() == CurveDrawing.Ending.REFUSED;
         about.show(
                 translations,
-                chosen,
+                chosen.name(),
                 decisionFormula(chosen),
                 refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
     }

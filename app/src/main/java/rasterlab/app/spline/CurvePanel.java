@@ -144,7 +144,7 @@ final class CurvePanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.text("hazard." + hazard.name()),
-                            translations.textOr("hazard." + hazard.name(), hazard.description()),
+                            translations.text("hazard." + hazard.name()),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

@@ -140,7 +140,7 @@ final class FunctionInspector {
                         && drawing.ending() == FunctionDrawing.Ending.REFUSED;
         about.show(
                 translations,
-                chosen,
+                chosen.name(),
                 decisionFormula(chosen),
                 refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
     }

@@ -249,10 +249,7 @@ final class StudyInspector {
     private void explain(StudyLabState state) {
         Method<?> method = state.topic().method(state.method());
         TopicTexts said = said(state);
-        about.show(
-                List.of(
-                        new AboutText.Called(
-                                method.name(), said.texts(), said.key(method), method)));
+        about.show(List.of(new AboutText.Called(method.name(), said.texts(), said.key(method))));
     }
 
     private String number(double value) {

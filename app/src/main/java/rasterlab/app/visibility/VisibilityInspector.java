@@ -241,9 +241,8 @@ final class VisibilityInspector {
         List<String> texts = readings.view();
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
         look.refresh();
-        model.methods().stream()
-                .filter(method -> method.name().equals(choice.visibility()))
-                .forEach(method -> about.show(translations, method, readings.decision(), ""));
+        if (model.methods().stream().anyMatch(one -> one.name().equals(choice.visibility())))
+            about.show(translations, choice.visibility(), readings.decision(), "");
     }
 
     /** What has no name of its own is in the list as long as it is shown. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -34,7 +35,10 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 
-/** The Russian of what the engine says in English about methods and hazards. */
+/**
+ * The texts on methods and hazards in both languages, and the Russian of what the engine itself
+ * says in English.
+ */
 class TopicTextsTest {
     static Stream<String> features() {
         return LabRooms.cards().stream().map(card -> card.texts().feature()).distinct();
@@ -42,7 +46,7 @@ class TopicTextsTest {
 
     @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
     @MethodSource("features")
-    void eachTranslationWasMadeForWhatTheEngineSays(String feature) throws IOException {
+    void eachTranslationWasMadeForTheEnglish(String feature) throws IOException {
         assertEquals(List.of(), Translations.of(feature).outdated(english(feature)));
     }
 
@@ -52,7 +56,25 @@ class TopicTextsTest {
         assertEquals(List.of(), Translations.of(feature).unmatched(english(feature)));
     }
 
-    @ParameterizedTest(name = "a sentence of the engine gets a placeholder: {0}")
+    @ParameterizedTest(name = "a method or hazard is not explained, or what is none is: {0}")
+    @MethodSource("features")
+    void explainsWhatThereIsAndNothingElse(String feature) throws IOException {
+        assertEquals(explained(feature), new TreeSet<>(Translations.english(feature).keySet()));
+    }
+
+    @ParameterizedTest(name = "a text has no words: {0}")
+    @MethodSource("features")
+    void hasNoEmptyText(String feature) throws IOException {
+        var empty = new TreeSet<String>();
+        for (var texts : List.of(Translations.english(feature), Translations.of(feature).texts()))
+            texts.forEach(
+                    (key, text) -> {
+                        if (text.isBlank()) empty.add(key);
+                    });
+        assertEquals(new TreeSet<>(), empty);
+    }
+
+    @ParameterizedTest(name = "a sentence about a topic gets a placeholder: {0}")
     @MethodSource("features")
     void hasNoPlaceholderThatNothingFills(String feature) throws IOException {
         Map<String, String> english = english(feature);
@@ -88,41 +110,49 @@ class TopicTextsTest {
                 .anyMatch(key -> key.startsWith(hazards));
     }
 
-    /** The engine's English on the topics that are explained in that package, by the keys. */
-    private static Map<String, String> english(String feature) {
-        var said = new TreeMap<String, String>();
+    /** The keys of the texts on methods and hazards that are explained in that package. */
+    private static TreeSet<String> explained(String feature) {
+        var keys = new TreeSet<String>();
         for (TopicCard<?> card : LabRooms.cards())
-            if (card.texts().feature().equals(feature)) english(card, said);
+            if (card.texts().feature().equals(feature)) explained(card, keys);
+        return keys;
+    }
+
+    private static void explained(TopicCard<?> card, Set<String> keys) {
+        Topic<?, ?, ?> topic = Topics.named(card.topic());
+        TopicTexts said = TopicTexts.of(card, Language.ENGLISH);
+        for (Method<?> method : topic.methods()) explained(said.key(method), keys);
+        for (Hazard<?> hazard : topic.hazards()) keys.add("hazard." + said.part() + hazard.name());
+        if (topic.name().equals("hidden-surfaces"))
+            for (Method<?> method : Renderer.visibilityMethods()) explained(method.name(), keys);
+    }
+
+    private static void explained(String method, Set<String> keys) {
+        for (String part : List.of("formula", "invariant", "cost", "failures", "source"))
+            keys.add(method + "." + part);
+    }
+
+    /** The English on the topics that are explained in that package, by the keys. */
+    private static Map<String, String> english(String feature) throws IOException {
+        Map<String, String> said = new TreeMap<>(Translations.english(feature));
+        for (TopicCard<?> card : LabRooms.cards())
+            if (card.texts().feature().equals(feature)) ofTheEngine(card, said);
         return said;
     }
 
-    private static void english(TopicCard<?> card, Map<String, String> said) {
+    /** Puts what the engine writes into the JSON of the topic's steps, and its words. */
+    private static void ofTheEngine(TopicCard<?> card, Map<String, String> said) {
         Topic<?, ?, ?> topic = Topics.named(card.topic());
         TopicTexts russian = TopicTexts.of(card, Language.RUSSIAN);
         for (Method<?> method : topic.methods()) {
-            String key = russian.key(method);
-            about(key, method.about(), said);
             String decision = decision(method.implementation());
-            String own = key + ".decision";
+            String own = russian.key(method) + ".decision";
             if (!decision.isEmpty())
                 said.put(russian.texts().has(own) ? own : "decision." + method.name(), decision);
         }
-        for (Hazard<?> hazard : topic.hazards())
-            said.put("hazard." + russian.part() + hazard.name(), hazard.description());
         if (topic.name().equals("matrix"))
             for (NamedMatrix matrix : NamedMatrices.all())
                 said.put("matrix." + matrix.name(), matrix.meaning());
-        if (topic.name().equals("hidden-surfaces"))
-            for (Method<?> method : Renderer.visibilityMethods())
-                about(method.name(), method.about(), said);
-    }
-
-    private static void about(String key, Method.About about, Map<String, String> said) {
-        said.put(key + ".formula", about.formula());
-        said.put(key + ".invariant", about.invariant());
-        said.put(key + ".cost", about.cost());
-        said.put(key + ".failures", about.failures());
-        said.put(key + ".source", about.source());
     }
 
     private static String decision(Object method) {

@@ -14,8 +14,8 @@ import java.util.TreeSet;
 import java.util.zip.CRC32;
 
 /**
- * A Russian file whose English is elsewhere: above each text stands, as a comment, the checksum of
- * the English that it was made for, so that no sentence is kept twice.
+ * The Russian of what is said of topics: above each text stands, as a comment, the checksum of the
+ * English that it was made for, so that a change of one language alone is seen.
  */
 public final class Translations {
     private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
@@ -35,8 +35,16 @@ public final class Translations {
 
     /** The translations of a package below {@code rasterlab.app}, such as {@code line}. */
     public static Translations of(String feature) throws IOException {
-        Path folder = ROOT.resolve(feature.replace('.', '/'));
-        return new Translations(Files.readAllLines(folder.resolve("topic_ru.properties")));
+        return new Translations(Files.readAllLines(file(feature, "topic_ru.properties")));
+    }
+
+    /** The English texts of such a package, by their keys. */
+    static Map<String, String> english(String feature) throws IOException {
+        return new Translations(Files.readAllLines(file(feature, "topic.properties"))).texts();
+    }
+
+    private static Path file(String feature, String name) {
+        return ROOT.resolve(feature.replace('.', '/')).resolve(name);
     }
 
     public Map<String, String> texts() {

@@ -25,17 +25,17 @@ class LightMethodsTest {
         List<AboutText.Called> methods = of(LightChoice.first().with(reflection), Language.RUSSIAN);
         assertEquals(4, methods.size());
         assertEquals(
-                reflection.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'),
-                methods.get(3).method().name());
+                "shade." + reflection.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'),
+                methods.get(3).key());
         for (AboutText.Called each : methods)
-            assertTrue(each.translations().has(each.key() + ".formula"), each.key());
+            assertTrue(each.texts().has(each.key() + ".formula"), each.key());
     }
 
     @Test
     void mixedNormalsAreExplainedToo() {
         LightChoice choice = LightChoice.first();
         LightChoice mixed = choice.with(choice.body().withNormals("angle"));
-        assertEquals("angle", of(mixed, Language.ENGLISH).get(4).method().name());
+        assertEquals("normals.angle", of(mixed, Language.ENGLISH).get(4).key());
     }
 
     @Test

@@ -109,16 +109,8 @@ class ShownTopicsTest {
         line.add(hex(colours.among(names).get(method.name())));
         for (Language language : Language.values()) {
             TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), language);
-            Method.About about = method.about();
-            var english =
-                    Map.of(
-                            "formula", about.formula(),
-                            "invariant", about.invariant(),
-                            "cost", about.cost(),
-                            "failures", about.failures(),
-                            "source", about.source());
             for (String what : List.of("formula", "invariant", "cost", "failures", "source"))
-                line.add(sum(said.about(method, what, english.get(what))));
+                line.add(sum(said.about(method, what)));
         }
         return line.toString();
     }

@@ -30,53 +30,26 @@ final class EllipseHazards {
 
     private static List<Hazard<Ellipse>> nearlyStraight() {
         return List.of(
-                hazard(
-                        "point",
-                        "Without extent it is one pixel.",
-                        new Ellipse(5, 3, 0, 0),
-                        Map.of()),
-                hazard(
-                        "flat-line",
-                        "A half-axis of 0 leaves a straight line.",
-                        new Ellipse(5, 3, 9, 0),
-                        Map.of(TEXTBOOK, WRONG)),
-                hazard(
-                        "upright-line",
-                        "The same along a column.",
-                        new Ellipse(5, 3, 0, 9),
-                        Map.of()),
-                hazard(
-                        "very-flat",
-                        "The curve reaches row 0 before its end: the tip is lost easily.",
-                        new Ellipse(0, 0, 100, 1),
-                        Map.of(TEXTBOOK, WRONG)),
-                hazard(
-                        "very-tall",
-                        "The same along columns.",
-                        new Ellipse(0, 0, 1, 100),
-                        Map.of()));
+                hazard("point", new Ellipse(5, 3, 0, 0), Map.of()),
+                hazard("flat-line", new Ellipse(5, 3, 9, 0), Map.of(TEXTBOOK, WRONG)),
+                hazard("upright-line", new Ellipse(5, 3, 0, 9), Map.of()),
+                hazard("very-flat", new Ellipse(0, 0, 100, 1), Map.of(TEXTBOOK, WRONG)),
+                hazard("very-tall", new Ellipse(0, 0, 1, 100), Map.of()));
     }
 
     private static List<Hazard<Ellipse>> whereColumnsGiveWay() {
         return List.of(
-                hazard(
-                        "corner",
-                        "Where columns give way to rows a pixel is lost easily.",
-                        new Ellipse(0, 0, 10, 18),
-                        Map.of(PARAMETRIC, DEGRADED)),
+                hazard("corner", new Ellipse(0, 0, 10, 18), Map.of(PARAMETRIC, DEGRADED)),
                 hazard(
                         "corner-through-a-pixel",
-                        "The curve goes through a pixel centre there.",
                         new Ellipse(0, 0, 3, 2),
                         Map.of(PARAMETRIC, DEGRADED)),
                 hazard(
                         "products-beyond-int",
-                        "F does not fit into an int.",
                         new Ellipse(0, 0, 1500, 1000),
                         Map.of(PARAMETRIC, DEGRADED, TEXTBOOK, WRONG)),
                 hazard(
                         "products-beyond-long",
-                        "a²·b² does not fit into a long.",
                         new Ellipse(0, 0, 60_000, 60_001),
                         Map.of(PARAMETRIC, DEGRADED, TEXTBOOK, ENDLESS)));
     }
@@ -85,12 +58,10 @@ final class EllipseHazards {
         return List.of(
                 hazard(
                         "beyond-the-edge",
-                        "The ellipse would leave the range of int.",
                         new Ellipse(0, Integer.MIN_VALUE + 4, 9, 5),
                         refusedByAll()),
                 hazard(
                         "too-large",
-                        "Half-axes whose decisions would not fit into a long.",
                         new Ellipse(0, 0, 1 << 20, 7),
                         Map.of(
                                 PARAMETRIC,
@@ -101,20 +72,16 @@ final class EllipseHazards {
                                 REFUSED,
                                 "midpoint",
                                 REFUSED)),
-                hazard(
-                        "negative-radius",
-                        "There is no such ellipse.",
-                        new Ellipse(0, 0, 4, -1),
-                        refusedByAll()));
+                hazard("negative-radius", new Ellipse(0, 0, 4, -1), refusedByAll()));
     }
 
     /** Methods that are not named are exact. */
     private static Hazard<Ellipse> hazard(
-            String name, String description, Ellipse input, Map<String, Verdict.Kind> failing) {
+            String name, Ellipse input, Map<String, Verdict.Kind> failing) {
         var recorded = new HashMap<String, Verdict.Kind>();
         for (var method : EllipseMethods.all()) recorded.put(method.name(), EXACT);
         recorded.putAll(failing);
-        return new Hazard<>(name, description, input, recorded);
+        return new Hazard<>(name, input, recorded);
     }
 
     private static Map<String, Verdict.Kind> refusedByAll() {

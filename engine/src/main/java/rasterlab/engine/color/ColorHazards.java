@@ -24,7 +24,6 @@ final class ColorHazards {
         return List.of(
                 hazard(
                         "pure-colours",
-                        "The six pure colours of the cube.",
                         Colors.of(
                                 ColorModel.RGB,
                                 1,
@@ -48,23 +47,15 @@ final class ColorHazards {
                         EXACT,
                         DEGRADED,
                         EXACT),
-                hazard(
-                        "full-turn",
-                        "Hue 360°, which is 0°: a seventh sector that no formula has.",
-                        Colors.of(ColorModel.HSV, 360, 1, 0.5),
-                        EXACT,
-                        DEGRADED,
-                        EXACT),
+                hazard("full-turn", Colors.of(ColorModel.HSV, 360, 1, 0.5), EXACT, DEGRADED, EXACT),
                 hazard(
                         "to-itself",
-                        "A model to itself is written as usual: 360° is 0°, a grey has no hue.",
                         Colors.of(ColorModel.HSV, 210, 0.6, 0.7, 360, 0.5, 0.5, 77, 0, 0.5),
                         WRONG,
                         DEGRADED,
                         EXACT),
                 hazard(
                         "between-levels",
-                        "Shares beside every level of a byte.",
                         Colors.of(ColorModel.RGB, 0.301, 0.6999, 0.4567),
                         EXACT,
                         DEGRADED,
@@ -73,62 +64,34 @@ final class ColorHazards {
 
     private static List<Hazard<Colors>> greys() {
         return List.of(
-                hazard(
-                        "grey",
-                        "A grey, which has no hue.",
-                        Colors.of(ColorModel.RGB, 0.6, 0.6, 0.6),
-                        WRONG,
-                        EXACT,
-                        EXACT),
+                hazard("grey", Colors.of(ColorModel.RGB, 0.6, 0.6, 0.6), WRONG, EXACT, EXACT),
                 hazard(
                         "nearly-grey",
-                        "One level from grey.",
                         Colors.of(ColorModel.RGB, 200 / 255.0, 200 / 255.0, 201 / 255.0),
                         DEGRADED,
                         DEGRADED,
                         EXACT),
-                hazard(
-                        "black",
-                        "Nothing is left for the other inks.",
-                        Colors.of(ColorModel.RGB, 0, 0, 0),
-                        WRONG,
-                        EXACT,
-                        EXACT),
-                hazard(
-                        "blackest",
-                        "So little red that 1 less it is 1.",
-                        Colors.of(ColorModel.RGB, 1e-18, 0, 0),
-                        WRONG,
-                        WRONG,
-                        EXACT),
-                hazard(
-                        "white",
-                        "No ink at all.",
-                        Colors.of(ColorModel.CMY, 0, 0, 0),
-                        WRONG,
-                        EXACT,
-                        EXACT));
+                hazard("black", Colors.of(ColorModel.RGB, 0, 0, 0), WRONG, EXACT, EXACT),
+                hazard("blackest", Colors.of(ColorModel.RGB, 1e-18, 0, 0), WRONG, WRONG, EXACT),
+                hazard("white", Colors.of(ColorModel.CMY, 0, 0, 0), WRONG, EXACT, EXACT));
     }
 
     private static List<Hazard<Colors>> ranges() {
         return List.of(
                 hazard(
                         "brighter-than-white",
-                        "A share above 1, as a sum of lights gives.",
                         Colors.of(ColorModel.RGB, 1.2, 0.5, 0.5),
                         WRONG,
                         REFUSED,
                         REFUSED),
                 hazard(
                         "too-dark-for-digits",
-                        "A value of 10⁻³²⁰: shares made of it keep no digits.",
                         Colors.of(ColorModel.HSV, 20, 0.3, 1e-320),
                         WRONG,
                         WRONG,
                         REFUSED),
                 hazard(
                         "outside-the-cube",
-                        "A hue, value and saturation of which each is in range and all are not.",
                         Colors.of(ColorModel.HVS, 0, 1.7, 0.8),
                         REFUSED,
                         REFUSED,
@@ -137,14 +100,12 @@ final class ColorHazards {
 
     private static Hazard<Colors> hazard(
             String name,
-            String description,
             Colors colors,
             Verdict.Kind textbook,
             Verdict.Kind eightBit,
             Verdict.Kind formula) {
         return new Hazard<>(
                 name,
-                description,
                 colors,
                 Map.of("formula-textbook", textbook, "eight-bit", eightBit, "formula", formula));
     }

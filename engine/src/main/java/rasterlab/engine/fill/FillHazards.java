@@ -26,55 +26,36 @@ final class FillHazards {
         return List.of(
                 hazard(
                         "hole",
-                        "The region surrounds a hole, which stays.",
                         task(2, 1, 4, "........ ........ ..####.. ..#..#.. ..####.. ........"),
                         Map.of()),
-                hazard(
-                        "each-pixel-once",
-                        "An open square, each pixel of which can be reached by many ways.",
-                        task(2, 2, 4, "..... ..... ..... ..... ....."),
-                        Map.of()),
+                hazard("each-pixel-once", task(2, 2, 4, "..... ..... ..... ..... ....."), Map.of()),
                 hazard(
                         "large-region",
-                        "A corridor of 400,000 pixels that turns again and again.",
                         new FillTask(maze(), MAZE - 2, MAZE - 2, '*', 4),
                         Map.of(TEXTBOOK, CRASHED)),
                 hazard(
                         "same-colour",
-                        "The new colour is the old one: nothing is to be done, around a hole.",
                         new FillTask(List.of("........", "..###...", "........"), 0, 0, '.', 4),
                         Map.of(TEXTBOOK, ENDLESS)),
                 hazard(
                         "diagonal-gap-4",
-                        "The outline has a diagonal gap, closed to four neighbours.",
                         task(1, 1, 4, "####.. #..#.. #...#. ##..#. .####. ......"),
                         Map.of()),
                 hazard(
                         "diagonal-gap-8",
-                        "The same gap, open to eight neighbours: the fill leaks.",
                         task(1, 1, 8, "####.. #..#.. #...#. ##..#. .####. ......"),
                         Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "corridor-behind",
-                        "A corridor one pixel wide goes on behind the seed.",
                         task(1, 1, 4, "#.# #.# #.# #.# #.#"),
                         Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "last-column-behind",
-                        "The region goes on behind the seed only under its run's last column.",
                         task(0, 0, 4, ".... ###. ...."),
                         Map.of(TEXTBOOK, WRONG)),
-                hazard("one-pixel", "The whole picture is the seed.", task(0, 0, 8, "."), Map.of()),
-                hazard(
-                        "seed-outside",
-                        "There is no pixel to fill from.",
-                        task(3, 0, 4, "..."),
-                        refusedByAll()),
-                hazard(
-                        "connectivity-6",
-                        "Pixels have no six neighbours.",
-                        task(0, 0, 6, "..."),
-                        refusedByAll()));
+                hazard("one-pixel", task(0, 0, 8, "."), Map.of()),
+                hazard("seed-outside", task(3, 0, 4, "..."), refusedByAll()),
+                hazard("connectivity-6", task(0, 0, 6, "..."), refusedByAll()));
     }
 
     private static FillTask task(int x, int y, int connectivity, String picture) {
@@ -99,11 +80,11 @@ final class FillHazards {
 
     /** Methods that are not named are exact. */
     private static Hazard<FillTask> hazard(
-            String name, String description, FillTask input, Map<String, Verdict.Kind> failing) {
+            String name, FillTask input, Map<String, Verdict.Kind> failing) {
         var recorded = new HashMap<String, Verdict.Kind>();
         for (var method : FillMethods.all()) recorded.put(method.name(), EXACT);
         recorded.putAll(failing);
-        return new Hazard<>(name, description, input, recorded);
+        return new Hazard<>(name, input, recorded);
     }
 
     private static Map<String, Verdict.Kind> refusedByAll() {

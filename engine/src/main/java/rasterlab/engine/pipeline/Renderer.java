@@ -70,18 +70,8 @@ public final class Renderer implements AutoCloseable {
 
     private static List<Method<Visibility>> methods() {
         List<Method<Visibility>> methods = new ArrayList<>(new Visibilities().methods());
-        methods.add(new Method<>(PIPELINE, pipeline(), new NumberedFaces()));
+        methods.add(Method.failing(PIPELINE, new NumberedFaces()));
         return List.copyOf(methods);
-    }
-
-    private static Method.About pipeline() {
-        return new Method.About(
-                "edge functions on 1/256 pixel; depth A + B/z from 0 (near) to 1 (far), linear on"
-                        + " the picture; the smaller one wins",
-                "a band of 32 rows holds the nearest of the triangles drawn so far",
-                "vertices + triangles + pixels of all triangles, shared by all cores",
-                "triangles closer together than a float can tell; triangles in one plane",
-                "J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988");
     }
 
     /** Names of the visibility methods, in teaching order. */
@@ -99,7 +89,7 @@ public final class Renderer implements AutoCloseable {
         return Projection.names();
     }
 
-    /** The visibility methods with what a teacher says about each. */
+    /** The visibility methods, in teaching order. */
     public static List<Method<Visibility>> visibilityMethods() {
         return KNOWN;
     }

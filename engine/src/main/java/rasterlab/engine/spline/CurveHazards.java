@@ -39,49 +39,30 @@ final class CurveHazards {
                 highDegree(),
                 joined("catmull-rom-joints", CATMULL_ROM, WRONG),
                 joined("b-spline-joints", B_SPLINE, EXACT),
-                flat("arch", "A plain arch.", ARCH_X, ARCH_Y, Map.of(BLENDING, WRONG)),
+                flat("arch", ARCH_X, ARCH_Y, Map.of(BLENDING, WRONG)),
                 flat(
                         "from-start-to-end",
-                        "The polyline starts where the curve does and ends where it ends.",
                         of(30, 90, 40, 200),
                         of(10, 150, 230, 60),
                         Map.of(BLENDING, WRONG)),
                 flat(
                         "s-curve",
-                        "The middle of an S lies on its chord, and both bows are overlooked.",
                         X_OF_S,
                         of(100, 250, -50, 100),
                         Map.of(BLENDING, WRONG, NAIVE, WRONG)),
-                flat(
-                        "cusp",
-                        "The curve stops and turns back: there is no direction at the cusp.",
-                        of(10, 310, 10, 310),
-                        of(20, 320, 320, 20),
-                        Map.of(BLENDING, WRONG)),
-                flat(
-                        "loop",
-                        "The curve crosses itself.",
-                        of(0, 400, -250, 150),
-                        of(200, 0, 0, 200),
-                        Map.of(BLENDING, WRONG)),
+                flat("cusp", of(10, 310, 10, 310), of(20, 320, 320, 20), Map.of(BLENDING, WRONG)),
+                flat("loop", of(0, 400, -250, 150), of(200, 0, 0, 200), Map.of(BLENDING, WRONG)),
                 flat(
                         "closed-loop",
-                        "The curve ends where it starts: its chord has no direction.",
                         of(100, 300, -100, 100),
                         of(200, 0, 0, 200),
                         Map.of(BLENDING, WRONG)),
                 flat(
                         "collinear-beyond-the-ends",
-                        "All points lie on one line, but the curve runs beyond its ends.",
                         of(10, 510, -390, 110),
                         of(50, 50, 50, 50),
                         Map.of(BLENDING, WRONG, NAIVE, WRONG)),
-                flat(
-                        "coincident-points",
-                        "All control points are one, so that even faulty weights are right at the ends.",
-                        of(70, 70, 70, 70),
-                        of(40, 40, 40, 40),
-                        Map.of()),
+                flat("coincident-points", of(70, 70, 70, 70), of(40, 40, 40, 40), Map.of()),
                 huge(),
                 tiny(),
                 tooFine());
@@ -90,7 +71,6 @@ final class CurveHazards {
     private static Hazard<CurveTask> first() {
         return hazard(
                 "bezier-erratum",
-                "A Bézier curve away from the origin, where weights must add up to 1.",
                 CurveTask.at(new Curve(BEZIER, ARCH_X, ARCH_Y), equalSteps(8)),
                 Map.of(BLENDING, WRONG));
     }
@@ -98,7 +78,6 @@ final class CurveHazards {
     private static Hazard<CurveTask> hermite() {
         return hazard(
                 "hermite",
-                "Start, end and two derivatives: what the printed formulas are right for.",
                 CurveTask.flat(
                         new Curve(HERMITE, of(20, 240, 400, -300), of(30, 60, 500, 450)), 0.25),
                 Map.of());
@@ -107,7 +86,6 @@ final class CurveHazards {
     private static Hazard<CurveTask> drift() {
         return hazard(
                 "drift",
-                "Ten thousand equal steps: rounding errors add up from step to step.",
                 CurveTask.at(new Curve(BEZIER, ARCH_X, ARCH_Y), equalSteps(10_000)),
                 Map.of(BLENDING, WRONG, FLOAT, WRONG));
     }
@@ -115,7 +93,6 @@ final class CurveHazards {
     private static Hazard<CurveTask> unequalSteps() {
         return hazard(
                 "unequal-steps",
-                "Forward differences know only one step.",
                 CurveTask.at(new Curve(BEZIER, ARCH_X, ARCH_Y), 0, 0.1, 0.9, 1),
                 Map.of(BLENDING, WRONG, DIFFERENCES, REFUSED, FLOAT, REFUSED));
     }
@@ -125,7 +102,6 @@ final class CurveHazards {
         double[] y = IntStream.range(0, 41).mapToDouble(i -> (i & 1) * 300.0).toArray();
         return hazard(
                 "degree-40",
-                "Coefficients of powers are 10¹⁸ times the points and cancel.",
                 CurveTask.at(new Curve(BEZIER, x, y), equalSteps(16)),
                 Map.of(
                         BLENDING, REFUSED,
@@ -140,7 +116,6 @@ final class CurveHazards {
         double[] y = of(0, 200, 10, 90, 90, 300, 150);
         return hazard(
                 name,
-                "Four spans with a doubled control point.",
                 CurveTask.flat(new Curve(kind, x, y), 0.25),
                 Map.of(BLENDING, REFUSED, NAIVE, naive));
     }
@@ -149,7 +124,6 @@ final class CurveHazards {
         double[] x = of(0, 1e90, 2e90, 3e90);
         return hazard(
                 "huge",
-                "Coordinates whose fourth powers are beyond the doubles.",
                 CurveTask.flat(new Curve(BEZIER, x, of(1e90, 2e90, 2e90, 0)), 1e87),
                 Map.of(BLENDING, WRONG, FLOAT, REFUSED));
     }
@@ -158,7 +132,6 @@ final class CurveHazards {
         double[] x = of(0, 1e-90, 2e-90, 3e-90);
         return hazard(
                 "tiny",
-                "Coordinates whose fourth powers vanish.",
                 CurveTask.flat(new Curve(BEZIER, x, of(1e-90, 2e-90, 2e-90, 0)), 1e-93),
                 Map.of(BLENDING, WRONG, FLOAT, WRONG));
     }
@@ -167,27 +140,19 @@ final class CurveHazards {
         var curve = new Curve(BEZIER, of(1e9, 2e9, 3e9, 4e9), of(0, 1e9, 1e9, 0));
         var verdicts = new TreeMap<String, Verdict.Kind>();
         for (var method : CurveMethods.all()) verdicts.put(method.name(), REFUSED);
-        return hazard(
-                "finer-than-doubles",
-                "A flatness of a nanopixel at a billion pixels: less than rounding.",
-                CurveTask.flat(curve, 1e-9),
-                verdicts);
+        return hazard("finer-than-doubles", CurveTask.flat(curve, 1e-9), verdicts);
     }
 
     private static Hazard<CurveTask> flat(
-            String name,
-            String description,
-            double[] x,
-            double[] y,
-            Map<String, Verdict.Kind> failing) {
+            String name, double[] x, double[] y, Map<String, Verdict.Kind> failing) {
         var task = CurveTask.flat(new Curve(BEZIER, x, y), 0.25);
-        return hazard(name, description, task, failing);
+        return hazard(name, task, failing);
     }
 
     /** Methods that are not named are exact. */
     private static Hazard<CurveTask> hazard(
-            String name, String description, CurveTask task, Map<String, Verdict.Kind> failing) {
-        return Hazard.allExactBut(failing, CurveMethods.all(), name, description, task);
+            String name, CurveTask task, Map<String, Verdict.Kind> failing) {
+        return Hazard.allExactBut(failing, CurveMethods.all(), name, task);
     }
 
     private static double[] equalSteps(int steps) {

@@ -17,27 +17,19 @@ final class SplineHazards {
         return List.of(
                 refused(
                         "equal-knots",
-                        "Two knots are equal: no function has two values there.",
                         problem(points(0, 1, 1, 2), points(0, 1, 2, 3), SplineEnds.natural())),
                 refused(
                         "unordered-knots",
-                        "The knots go back: pieces would lie over each other.",
                         problem(points(0, 2, 1, 3), points(0, 1, 2, 3), SplineEnds.natural())),
                 refused(
                         "not-a-number",
-                        "One value is NaN, which would spread to every piece.",
                         problem(points(0, 1, 2), points(0, Double.NaN, 2), SplineEnds.natural())),
-                refused(
-                        "single-knot",
-                        "One point makes no piece.",
-                        problem(points(1), points(1), SplineEnds.natural())),
+                refused("single-knot", problem(points(1), points(1), SplineEnds.natural())),
                 refused(
                         "period-does-not-close",
-                        "Periodic ends, but the last value is not the first.",
                         problem(points(0, 1, 2), points(0, 1, 0.5), SplineEnds.periodic())),
                 refused(
                         "widths-at-the-limit",
-                        "Knots at the ends of the doubles: their distance is infinite.",
                         problem(
                                 points(-Double.MAX_VALUE, 0, Double.MAX_VALUE),
                                 points(0, 1, 0),
@@ -45,33 +37,26 @@ final class SplineHazards {
                 overshoot(),
                 exact(
                         "uneven-knots",
-                        "Neighbouring widths differ by a factor of a million.",
                         problem(
                                 points(0, 1, 1.000001, 2, 2.000001, 5, 5.5),
                                 points(0, 1, 1.5, -1, -1.000001, 2, 0),
                                 SplineEnds.notAKnot())),
                 exact(
                         "far-from-zero",
-                        "Knots and values whose differences are a billionth of themselves.",
                         problem(
                                 points(1e9, 1e9 + 1, 1e9 + 3, 1e9 + 4),
                                 points(5e9, 5e9 + 2, 5e9 - 1, 5e9),
                                 SplineEnds.slopes(1, -1))),
                 exact(
                         "periodic",
-                        "The first and the last knot are the same point of a closed curve.",
                         problem(
                                 points(0, 1, 2.5, 3, 4),
                                 points(0, 1, 0.5, -1, 0),
                                 SplineEnds.periodic())),
                 exact(
                         "three-knots",
-                        "Not-a-knot ends at three knots fall together: a parabola.",
                         problem(points(0, 1, 3), points(0, 1, 9), SplineEnds.notAKnot())),
-                exact(
-                        "two-knots",
-                        "One piece, all of it given by the ends.",
-                        problem(points(0, 2), points(1, 2), SplineEnds.slopes(3, 0.5))));
+                exact("two-knots", problem(points(0, 2), points(1, 2), SplineEnds.slopes(3, 0.5))));
     }
 
     private static Hazard<SplineProblem> overshoot() {
@@ -79,26 +64,21 @@ final class SplineHazards {
         double[] step = points(0, 0, 0, 0, 1, 1, 1, 1);
         return hazard(
                 "overshoot",
-                "Data with one step: the smooth curve has to swing above 1 and below 0, one that"
-                        + " keeps the shape must not.",
                 new SplineProblem(x, step, SplineEnds.natural(), between(x), true),
                 Map.of());
     }
 
-    private static Hazard<SplineProblem> refused(String name, String description, SplineProblem p) {
-        return hazard(name, description, p, Map.of("cubic", REFUSED, "monotone", REFUSED));
+    private static Hazard<SplineProblem> refused(String name, SplineProblem p) {
+        return hazard(name, p, Map.of("cubic", REFUSED, "monotone", REFUSED));
     }
 
-    private static Hazard<SplineProblem> exact(String name, String description, SplineProblem p) {
-        return hazard(name, description, p, Map.of());
+    private static Hazard<SplineProblem> exact(String name, SplineProblem p) {
+        return hazard(name, p, Map.of());
     }
 
     private static Hazard<SplineProblem> hazard(
-            String name,
-            String description,
-            SplineProblem problem,
-            Map<String, Verdict.Kind> failing) {
-        return Hazard.allExactBut(failing, SplineMethods.all(), name, description, problem);
+            String name, SplineProblem problem, Map<String, Verdict.Kind> failing) {
+        return Hazard.allExactBut(failing, SplineMethods.all(), name, problem);
     }
 
     private static SplineProblem problem(double[] x, double[] y, SplineEnds ends) {

@@ -43,8 +43,8 @@ class LargeFillTest {
     private static Kind kind(SeedFiller method) {
         return HazardTrial.judge(
                         TOPIC,
-                        new Method<>("made-up", TOPIC.methods().get(0).about(), method),
-                        new Hazard<>("made-up", "Made up by a test.", TASK, Map.of()),
+                        Method.failing("made-up", method),
+                        new Hazard<>("made-up", TASK, Map.of()),
                         Duration.ofMinutes(2))
                 .kind();
     }

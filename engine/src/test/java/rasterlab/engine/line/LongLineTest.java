@@ -55,8 +55,8 @@ class LongLineTest {
     private static Verdict verdict(LineRasterizer method, Segment segment) {
         return HazardTrial.judge(
                 TOPIC,
-                new Method<>("made-up", TOPIC.methods().get(0).about(), method),
-                new Hazard<>("made-up", "Made up by a test.", segment, Map.of()),
+                Method.failing("made-up", method),
+                new Hazard<>("made-up", segment, Map.of()),
                 Duration.ofMinutes(2));
     }
 }

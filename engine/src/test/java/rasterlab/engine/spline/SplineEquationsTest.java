@@ -1,16 +1,13 @@
 package rasterlab.engine.spline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.SplineEnds;
@@ -70,22 +67,6 @@ class SplineEquationsTest {
                 argumentSet("natural ends break the curve", SplineEnds.natural()),
                 argumentSet("not-a-knot ends break the curve", SplineEnds.notAKnot()),
                 argumentSet("a period breaks the curve", SplineEnds.periodic()));
-    }
-
-    /** "Two steps per knot" and "one step per piece", as the methods say of themselves. */
-    @ParameterizedTest(name = "{0} is said to take other steps than it does")
-    @CsvSource({"cubic, 2, two steps per knot", "monotone, 1, one step per piece"})
-    void aboutSaysWhatTheWalkCounts(String name, long steps, String said) {
-        var topic = new SplineFunctionTopic();
-        var method = topic.method(name);
-        assertTrue(method.about().cost().startsWith(said), method.about().cost());
-        assertEquals(steps * 50, steps(topic, name, 150) - steps(topic, name, 100));
-    }
-
-    private static long steps(SplineFunctionTopic topic, String name, int knots) {
-        double[] x = IntStream.range(0, knots).mapToDouble(i -> i).toArray();
-        var problem = new SplineProblem(x, x, SplineEnds.natural(), new double[] {0}, false);
-        return topic.operations(topic.method(name).implementation(), problem).get("steps");
     }
 
     /** By elimination with the largest pivot. */

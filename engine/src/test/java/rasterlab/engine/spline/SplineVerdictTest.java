@@ -22,7 +22,6 @@ import rasterlab.engine.study.Verdict.Kind;
 class SplineVerdictTest {
     private static final SplineFunctionTopic TOPIC = new SplineFunctionTopic();
     private static final SplineFunction RIGHT = new CubicSpline();
-    private static final Method.About ABOUT = new Method.About("", "", "", "", "");
 
     /** Coefficients of straight lines, which divide 0 by 0 where two knots are equal. */
     private static final SplineFunction DIVIDING =
@@ -82,7 +81,7 @@ class SplineVerdictTest {
     private static Verdict verdict(SplineFunction function, String name) {
         Hazard<SplineProblem> hazard =
                 TOPIC.hazards().stream().filter(h -> h.name().equals(name)).findFirst().get();
-        var method = new Method<>("own", ABOUT, function);
+        var method = Method.failing("own", function);
         return HazardTrial.judge(TOPIC, method, hazard, Duration.ofMinutes(2));
     }
 }

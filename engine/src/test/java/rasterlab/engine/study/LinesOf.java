@@ -13,11 +13,11 @@ record LinesOf(List<Method<LineRasterizer>> methods)
     private static final LineTopic LINE = new LineTopic();
 
     static Method<LineRasterizer> method(String name, LineRasterizer implementation) {
-        return new Method<>(name, new Method.About("", "", "", "", ""), implementation);
+        return Method.failing(name, implementation);
     }
 
     static Hazard<Segment> hazard(Segment segment) {
-        return new Hazard<>("made-up", "Made up by a test.", segment, Map.of());
+        return new Hazard<>("made-up", segment, Map.of());
     }
 
     @Override

@@ -10,7 +10,6 @@ import rasterlab.engine.polygon.scan.PolygonFillTopic;
 import rasterlab.engine.polygon.scan.PolygonTask;
 
 class MethodTrialTest {
-    private static final Method.About ABOUT = new Method.About("", "", "", "", "");
     private static final StudySettings SHORT =
             new StudySettings(Duration.ZERO, Duration.ofMillis(1), 1, Duration.ofMinutes(2));
 
@@ -29,7 +28,7 @@ class MethodTrialTest {
         var trial =
                 new MethodTrial<>(
                         topic,
-                        new Method<>("easier", ABOUT, easier),
+                        Method.failing("easier", easier),
                         workload,
                         answers(topic, workload.inputs()),
                         SHORT);

@@ -13,7 +13,6 @@ import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.study.Method.About;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -31,8 +30,6 @@ import rasterlab.exercises.score.Phrase;
 public final class MethodsOnInput<C, I, O> {
     /** The wall time of one method: much more than any needs for a small input. */
     private static final Duration LIMIT = Duration.ofSeconds(2);
-
-    private static final About NOTHING = new About("", "", "", "", "");
 
     private final Topic<C, I, O> topic;
     private final I input;
@@ -135,7 +132,7 @@ public final class MethodsOnInput<C, I, O> {
 
     private Tried tried(String name, C implementation) {
         if (trial == null) trial = HazardTrial.trying(topic, input, LIMIT);
-        HazardTrial.Tried<O> tried = trial.apply(new Method<>(name, NOTHING, implementation));
+        HazardTrial.Tried<O> tried = trial.apply(Method.failing(name, implementation));
         Verdict verdict = tried.verdict();
         Message said =
                 switch (verdict.kind()) {

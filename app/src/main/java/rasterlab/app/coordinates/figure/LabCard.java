@@ -161,7 +161,7 @@ public abstract class LabCard extends LabPanel {
                     HazardCase.of(
                             each,
                             texts.textOr("hazard." + each.name(), each.name()),
-                            translations.textOr("hazard." + each.name(), each.description()),
+                            translations.text("hazard." + each.name()),
                             methods,
                             () -> chosen.accept(each)));
         return chips;

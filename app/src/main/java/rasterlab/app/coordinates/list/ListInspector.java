@@ -156,7 +156,7 @@ final class ListInspector {
         table.show(readings.headings(), readings.rows(), -1);
         about.show(
                 translations,
-                model.method(),
+                model.method().name(),
                 "",
                 model.scene().isRefused() ? ListReadings.refusal(model.scene(), texts) : "");
     }

@@ -93,7 +93,7 @@ final class TrialRows {
         Trial trial = model.choice().trial().orElseThrow();
         Method<?> method = model.trials().method(trial);
         TrialTexts said = model.trials().kind(trial.topic()).texts();
-        about.show(said.in(texts.language()), said.key(method), method, "", refusal());
+        about.show(said.in(texts.language()), said.key(method), "", refusal());
     }
 
     /** What the method says to the hazard, where it says that it cannot. */

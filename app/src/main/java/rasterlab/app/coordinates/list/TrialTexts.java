@@ -6,7 +6,7 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /**
- * Where a topic's methods and hazards are explained in other languages than the engine's.
+ * Tells where a topic's methods and hazards are explained.
  *
  * @param lab whose texts those are
  * @param part what stands before names in their keys, "" for nothing
@@ -23,6 +23,6 @@ record TrialTexts(String lab, String part) {
 
     /** What is special about the hazard. */
     String said(Hazard<?> hazard, Language language) {
-        return in(language).textOr("hazard." + part + hazard.name(), hazard.description());
+        return in(language).text("hazard." + part + hazard.name());
     }
 }

@@ -72,7 +72,7 @@ final class MeetingInspector {
         angle.setText(readings.angle());
         heights.setText(readings.heights());
         table.show(readings.headings(), readings.rows(), readings.chosenRow());
-        about.show(translations, model.method(), "", refusal());
+        about.show(translations, model.method().name(), "", refusal());
     }
 
     /** Why the method refused: in its own words where those are the window's language. */

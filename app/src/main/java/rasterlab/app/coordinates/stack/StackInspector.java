@@ -78,7 +78,7 @@ final class StackInspector {
         for (MatrixMode each : MatrixMode.values())
             depths.put(each, column.value("depth." + each.name()));
         column.wide(formulas);
-        parts.about().show(texts);
+        parts.about().show(texts, "about", "", "");
     }
 
     private String said(String code) {

@@ -111,7 +111,7 @@ final class TurnInspector {
         showStep();
         operations.setText(operations(model.operations()));
         table.show(headings(), rows(), own());
-        about.show(translations, model.method(), "", refusal());
+        about.show(translations, model.method().name(), "", refusal());
     }
 
     private String refusal() {

@@ -188,7 +188,7 @@ final class ViewInspector {
         table.show(readings.headings(), readings.rows(), model.choice().vertex() - 1);
         about.show(
                 translations,
-                model.method(),
+                model.method().name(),
                 "",
                 model.scene().refusal().isEmpty() ? "" : texts.text("note.refused"));
     }

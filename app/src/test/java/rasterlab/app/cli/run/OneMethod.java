@@ -33,8 +33,7 @@ record OneMethod<C, I, O>(C implementation, O answer) implements Topic<C, I, O> 
 
     @Override
     public List<Method<C>> methods() {
-        return List.of(
-                new Method<>("broken", new Method.About("", "", "", "", ""), implementation));
+        return List.of(Method.failing("broken", implementation));
     }
 
     @Override

@@ -12,7 +12,6 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.study.Method.About;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
@@ -44,38 +43,9 @@ public final class PolygonClipTopic
 
     @Override
     public List<Method<PolygonClipper>> methods() {
-        return List.of(sutherlandHodgman(), weilerAtherton());
-    }
-
-    private static Method<PolygonClipper> sutherlandHodgman() {
-        return new Method<>(
-                "sutherland-hodgman",
-                new About(
-                        "for each side, keep the corners on its left and add p + d/(d − e)·(q − p)"
-                                + " where an edge passes its line",
-                        "after each side the ring lies within the sides so far",
-                        "a test for each side and corner left so far, a division for each crossing",
-                        "pieces of a non-convex subject stay joined by bridges along the window's"
-                                + " sides: one ring, the right area",
-                        "I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping,"
-                                + " Communications of the ACM 17(1), 1974"),
-                new SutherlandHodgman());
-    }
-
-    private static Method<PolygonClipper> weilerAtherton() {
-        return new Method<>(
-                "weiler-atherton",
-                new About(
-                        "along the subject inside the window, along the rim from each leaving to"
-                                + " the next entering place",
-                        "the piece lies to the left of the way",
-                        "at most two tests for each edge and side, and one more for corners before"
-                                + " the first outside; each crossing is computed without rounding"
-                                + " and ordered along the rim",
-                        "none known for simple subjects; others are refused",
-                        "K. Weiler and P. Atherton, Hidden surface removal using polygon area"
-                                + " sorting, SIGGRAPH 1977"),
-                new WeilerAtherton());
+        return List.of(
+                Method.failing("sutherland-hodgman", new SutherlandHodgman()),
+                Method.right("weiler-atherton", new WeilerAtherton()));
     }
 
     @Override

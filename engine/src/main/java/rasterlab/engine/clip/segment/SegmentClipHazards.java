@@ -34,7 +34,6 @@ final class SegmentClipHazards {
         return List.of(
                 hazard(
                         "inside-and-above",
-                        "What the listings are made for: whole numbers, inside or cut by the top.",
                         TEN,
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         s(1, 2, 9, 8),
@@ -42,27 +41,23 @@ final class SegmentClipHazards {
                         s(5, 15, 5, 5)),
                 hazard(
                         "wholly-outside",
-                        "Beyond one side, which the codes tell at once.",
                         TEN,
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         s(-5, 2, -1, 8),
                         s(3, 12, 7, 15)),
                 hazard(
                         "past-a-corner",
-                        "No side that both ends are beyond, yet nothing is left.",
                         TEN,
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(-6, 4, 4, -6),
                         s(-4, 8, 3, 16)),
                 hazard(
                         "shallow-slope",
-                        "A slope below 1, which is 0 as a quotient of whole numbers.",
                         TEN,
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(0, 2, 20, 8)),
                 hazard(
                         "fractions",
-                        "Neither the ends nor the crossings are whole numbers.",
                         TEN,
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         s(0.25, 0.5, 5.5, 11.75)));
@@ -71,34 +66,21 @@ final class SegmentClipHazards {
     /** Ends in the regions around the window, in whole numbers. */
     private static List<Hazard<SegmentsInWindow>> around() {
         return List.of(
-                hazard(
-                        "only-left",
-                        "An end to the left, neither above nor below.",
-                        TEN,
-                        recorded(EXACT, ENDLESS, EXACT, EXACT),
-                        s(-5, 5, 5, 5)),
+                hazard("only-left", TEN, recorded(EXACT, ENDLESS, EXACT, EXACT), s(-5, 5, 5, 5)),
                 hazard(
                         "ends-stay",
-                        "An end in the window stays as it is, to its last digit.",
                         TEN,
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         s(0.1, 0.3, 0.7, 0.9),
                         s(9.7, 0.1, 0.3, 9.9)),
-                hazard(
-                        "only-below",
-                        "An end below, neither to the left nor to the right.",
-                        TEN,
-                        recorded(EXACT, ENDLESS, EXACT, EXACT),
-                        s(5, -5, 5, 5)),
+                hazard("only-below", TEN, recorded(EXACT, ENDLESS, EXACT, EXACT), s(5, -5, 5, 5)),
                 hazard(
                         "below-and-left",
-                        "An end in the corner region, where the text has x1 for y1.",
                         TEN,
                         recorded(WRONG, WRONG, EXACT, EXACT),
                         s(-2, -3, 8, 12)),
                 hazard(
                         "through-the-window",
-                        "Both ends outside, each of the four sides in turn.",
                         TEN,
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(-3, 4, 14, 7),
@@ -106,13 +88,11 @@ final class SegmentClipHazards {
                         s(2, 18, 15, -4)),
                 hazard(
                         "window-not-square",
-                        "An end below and to the right, where the text has ymax for xmax as well.",
                         new ClipWindow(0, 0, 20, 10),
                         recorded(WRONG, WRONG, EXACT, EXACT),
                         s(8, 1, 26, -4)),
                 hazard(
                         "swapped-ends",
-                        "The same segments from their far ends leave the same, the other way round.",
                         TEN,
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(14, 7, -3, 4),
@@ -124,28 +104,24 @@ final class SegmentClipHazards {
         return List.of(
                 hazard(
                         "touches-a-corner",
-                        "One point is left, exactly.",
                         TEN,
                         recorded(EXACT, ENDLESS, EXACT, EXACT),
                         s(-3, 3, 3, -3),
                         s(7, 13, 13, 7)),
                 hazard(
                         "ends-at-a-corner",
-                        "From outside to a corner: a line of the rounded slope passes it outside.",
                         TEN,
                         recorded(WRONG, EXACT, ENDLESS, EXACT),
                         s(-5, 21, 10, 10),
                         s(15, -8, 10, 10)),
                 hazard(
                         "misses-a-corner-by-one-step",
-                        "The nearest double beyond a touched corner: nothing is left.",
                         TEN,
                         recorded(WRONG, ENDLESS, WRONG, EXACT),
                         s(-3, Math.nextDown(3.0), 3, -3),
                         s(7, Math.nextUp(13.0), 13, 7)),
                 hazard(
                         "along-a-side",
-                        "On a side or in its line, an end at a corner.",
                         TEN,
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(-4, 0, 4, 0),
@@ -153,7 +129,6 @@ final class SegmentClipHazards {
                         s(12, 10, 20, 10)),
                 hazard(
                         "single-points",
-                        "Both ends are the same: inside, on a corner, outside.",
                         TEN,
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         s(5, 5, 5, 5),
@@ -161,7 +136,6 @@ final class SegmentClipHazards {
                         s(11, 5, 11, 5)),
                 hazard(
                         "window-without-area",
-                        "A window that is a line and segments that cross it, run along it and miss it.",
                         new ClipWindow(0, 5, 10, 5),
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(3, 0, 6, 10),
@@ -169,7 +143,6 @@ final class SegmentClipHazards {
                         s(-5, 0, 5, 4)),
                 hazard(
                         "window-of-one-point",
-                        "A window without width and height, hit and missed.",
                         new ClipWindow(5, 5, 5, 5),
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         s(0, 0, 10, 10),
@@ -181,7 +154,6 @@ final class SegmentClipHazards {
         return List.of(
                 hazard(
                         "ends-at-1e30",
-                        "Coordinates so far out that a rounded crossing is anywhere.",
                         TEN,
                         recorded(ENDLESS, ENDLESS, WRONG, EXACT),
                         s(-1e30, -1e30, 1e30, 1e30),
@@ -189,33 +161,28 @@ final class SegmentClipHazards {
                         s(-1e30, 3, 2e30, 3 + 1e15)),
                 hazard(
                         "largest-doubles",
-                        "The difference of the ends does not fit in a double.",
                         TEN,
                         recorded(EXACT, ENDLESS, WRONG, EXACT),
                         s(-MOST, -MOST, MOST, MOST),
                         s(-MOST, 4, MOST, 4)),
                 hazard(
                         "smallest-doubles",
-                        "A window between two neighbours of 0: products vanish.",
                         new ClipWindow(0, 0, 2 * TINY, 2 * TINY),
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(-TINY, TINY, 3 * TINY, TINY),
                         s(-TINY, 0, TINY, 2 * TINY)),
                 hazard(
                         "far-window",
-                        "Coordinates are large against the window; doubles there are a thousandth of it apart.",
                         new ClipWindow(1e12, 1e12, 1e12 + 1, 1e12 + 1),
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(1e12 - 1, 1e12 + 0.25, 1e12 + 2, 1e12 + 0.75)),
                 hazard(
                         "not-a-number",
-                        "NaN is on no side of anything.",
                         TEN,
                         recorded(WRONG, WRONG, WRONG, REFUSED),
                         s(Double.NaN, 5, 5, 5)),
                 hazard(
                         "infinite",
-                        "An end that is nowhere.",
                         TEN,
                         recorded(WRONG, ENDLESS, WRONG, REFUSED),
                         s(Double.NEGATIVE_INFINITY, 5, 5, 5)));
@@ -226,26 +193,22 @@ final class SegmentClipHazards {
         return List.of(
                 hazard(
                         "signed-zeros",
-                        "On a side at −0.0, whose difference from 0.0 has a sign bit.",
                         new ClipWindow(0, 0, 3, 6),
                         recorded(EXACT, EXACT, EXACT, EXACT),
                         s(0, -0.0, 0, -0.0),
                         s(1, -0.0, 2, -0.0)),
                 hazard(
                         "beyond-by-the-smallest-double",
-                        "An end so little outside that its share of the segment does not fit in a double.",
                         new ClipWindow(0, 0, 5, 3),
                         recorded(WRONG, ENDLESS, EXACT, EXACT),
                         s(-3, 5, 5, -TINY)),
                 hazard(
                         "as-wide-as-the-smallest-double",
-                        "A segment whose extent in x cannot be halved; its last point alone is left.",
                         new ClipWindow(0, 3, 0, 6),
                         recorded(WRONG, ENDLESS, WRONG, EXACT),
                         s(TINY, 0, 0, 6)),
                 hazard(
                         "rise-of-smallest-doubles",
-                        "Five smallest doubles up, cut at the second: their products keep no digits.",
                         new ClipWindow(-7, 2 * TINY, 1.5, 6.375),
                         recorded(WRONG, ENDLESS, WRONG, EXACT),
                         s(-3.75, 0, 6.75, 5 * TINY)));
@@ -257,12 +220,10 @@ final class SegmentClipHazards {
 
     private static Hazard<SegmentsInWindow> hazard(
             String name,
-            String description,
             ClipWindow window,
             Map<String, Verdict.Kind> recorded,
             double[]... segments) {
-        return new Hazard<>(
-                name, description, new SegmentsInWindow(window, List.of(segments)), recorded);
+        return new Hazard<>(name, new SegmentsInWindow(window, List.of(segments)), recorded);
     }
 
     private static Map<String, Verdict.Kind> recorded(

@@ -30,7 +30,6 @@ final class VolumeClipHazards {
         return List.of(
                 hazard(
                         "through-each-plane",
-                        "One end inside, the other beyond each of the six planes in turn.",
                         NEAREST,
                         recorded(EXACT, EXACT),
                         s(0, 0, 0.5, 0.1, 2, 0.5),
@@ -41,28 +40,24 @@ final class VolumeClipHazards {
                         s(0, 0, 0.5, 0, 0, 0.01)),
                 hazard(
                         "from-far-to-near",
-                        "The part keeps the segment's direction, here towards the eye.",
                         NEAREST,
                         recorded(EXACT, DEGRADED),
                         s(0.1, 0.2, 0.9, 0.15, 0.1, 0.3),
                         s(0.2, 0.1, 1.75, 0, 0.1, 0.5)),
                 hazard(
                         "past-an-edge",
-                        "Beyond no plane with both ends, yet nothing is left.",
                         NEAREST,
                         recorded(EXACT, EXACT),
                         s(0.9, 0.2, 0.5, 0.2, 0.9, 0.25),
                         s(2, 0, 0.9, 0, 0, 1.5)),
                 hazard(
                         "through-the-eye",
-                        "From behind the eye through it: H = 0 on the way.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(0, 0, -1, 0, 0, 1),
                         s(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5)),
                 hazard(
                         "behind-the-eye",
-                        "In the mirrored pyramid behind the eye, which a division by H < 0 folds to the front.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(0.1, 0.1, -0.5, -0.2, 0.1, -0.9),
@@ -70,7 +65,6 @@ final class VolumeClipHazards {
                         s(3, 0, -1, -0.2, 0, 0.6)),
                 hazard(
                         "at-the-eye",
-                        "An end at the eye itself, where H = 0.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(0, 0, 0, 0.3, 0.2, 0.7),
@@ -82,14 +76,12 @@ final class VolumeClipHazards {
         return List.of(
                 hazard(
                         "along-an-edge",
-                        "On the pyramid, from the eye to a far corner: x = y = z.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(0, 0, 0, 1, 1, 1),
                         s(0.25, -0.25, 0.25, 2, -2, 2)),
                 hazard(
                         "touches-an-edge",
-                        "One point of an edge or of a corner is left, exactly.",
                         NEAREST,
                         recorded(EXACT, EXACT),
                         s(0.75, 0.25, 0.5, 0.25, 0.75, 0.5),
@@ -97,14 +89,12 @@ final class VolumeClipHazards {
                         s(1, 1, 0.5, 1, 1, 2)),
                 hazard(
                         "misses-an-edge-by-one-step",
-                        "The nearest doubles beyond a touched edge and a touched corner: nothing is left.",
                         NEAREST,
                         recorded(EXACT, EXACT),
                         s(Math.nextUp(0.75), 0.25, 0.5, 0.25, 0.75, 0.5),
                         s(1, Math.nextUp(1.0), 0.5, 1, 1, 1.5)),
                 hazard(
                         "single-points",
-                        "Both ends are the same: inside, at the far corner, outside.",
                         NEAREST,
                         recorded(EXACT, EXACT),
                         s(0, 0, 0.5, 0, 0, 0.5),
@@ -117,7 +107,6 @@ final class VolumeClipHazards {
         return List.of(
                 hazard(
                         "nearest-plane-at-the-eye",
-                        "With a tiny zmin, W − Z has lost all its digits.",
                         1e-12,
                         recorded(EXACT, WRONG),
                         s(0, 0, 0.5, 0, 0, 1.5),
@@ -125,7 +114,6 @@ final class VolumeClipHazards {
                         s(0.2, 0.1, 0.999999, 0.2, 0.1, 1.000001)),
                 hazard(
                         "thin-volume",
-                        "The nearest plane one step before the farthest.",
                         Math.nextDown(1.0),
                         recorded(EXACT, WRONG),
                         s(0, 0, 0, 0, 0, 2),
@@ -133,27 +121,23 @@ final class VolumeClipHazards {
                         s(0, 0, 1.5, 0.5, 0.5, 1.25)),
                 hazard(
                         "ends-at-1e30",
-                        "Coordinates so far out that a rounded crossing is anywhere.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(-1e30, -1e30, -1e30, 1e30, 1e30, 1e30),
                         s(0, 0, -1e30, 0.25, 0.125, 1e30)),
                 hazard(
                         "largest-doubles",
-                        "The difference of the ends does not fit in a double.",
                         NEAREST,
                         recorded(EXACT, WRONG),
                         s(-MOST, 0, -MOST, MOST, 0, MOST),
                         s(0, 0, 0.5, MOST, 0, MOST)),
                 hazard(
                         "not-a-number",
-                        "NaN is beyond no plane.",
                         NEAREST,
                         recorded(REFUSED, WRONG),
                         s(Double.NaN, 0, 0.5, 0, 0, 0.5)),
                 hazard(
                         "infinite",
-                        "An end that is nowhere.",
                         NEAREST,
                         recorded(REFUSED, WRONG),
                         s(0, 0, 0.5, 0, 0, Double.POSITIVE_INFINITY)));
@@ -164,13 +148,8 @@ final class VolumeClipHazards {
     }
 
     private static Hazard<SegmentsInVolume> hazard(
-            String name,
-            String description,
-            double zmin,
-            Map<String, Verdict.Kind> recorded,
-            double[]... segments) {
-        return new Hazard<>(
-                name, description, new SegmentsInVolume(zmin, List.of(segments)), recorded);
+            String name, double zmin, Map<String, Verdict.Kind> recorded, double[]... segments) {
+        return new Hazard<>(name, new SegmentsInVolume(zmin, List.of(segments)), recorded);
     }
 
     private static Map<String, Verdict.Kind> recorded(

@@ -15,7 +15,6 @@ import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.study.Method.About;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
@@ -44,56 +43,10 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
 
     @Override
     public List<Method<VolumeClipper>> methods() {
-        return List.of(cohenSutherland(), divideFirstTextbook(), homogeneous());
-    }
-
-    private static Method<VolumeClipper> cohenSutherland() {
-        return new Method<>(
-                "cohen-sutherland-6",
-                new About(
-                        "bits y > z, y < −z, x > z, x < −z, z > 1, z < zmin; t = d0/(d0 − d1) at"
-                                + " each plane whose bit one end has",
-                        "what is left of the planes so far is enter ≤ t ≤ leave",
-                        "twelve signs, and a division for each plane between the ends",
-                        "none known; intervals about as short as rounding are handed over to"
-                                + " unrounded arithmetic",
-                        "the course's textbook, chapter on the view volume; W. M. Newman and"
-                                + " R. F. Sproull, Principles of Interactive Computer Graphics,"
-                                + " 1973"),
-                new CohenSutherland6());
-    }
-
-    private static Method<VolumeClipper> divideFirstTextbook() {
-        return new Method<>(
-                "divide-first-textbook",
-                new About(
-                        "X = x/z, Y = y/z, Z = (z − zmin)/((1 − zmin)·z); −1 ≤ X ≤ 1, −1 ≤ Y ≤ 1,"
-                                + " 0 ≤ Z ≤ 1; back by z = zmin/(1 − (1 − zmin)·Z)",
-                        "none; the segment between the divided ends is the segment's picture only"
-                                + " where both ends are in front of the eye",
-                        "six divisions for both ends, one for each side between them, two to take"
-                                + " what is left back",
-                        "an end behind the eye gives what does not lie between the ends; an end at"
-                                + " the eye gives infinities or NaN",
-                        "the order that J. F. Blinn and M. E. Newell, Clipping using homogeneous"
-                                + " coordinates, SIGGRAPH 1978, warn of"),
-                new DivideFirstTextbook());
-    }
-
-    private static Method<VolumeClipper> homogeneous() {
-        return new Method<>(
-                "homogeneous",
-                new About(
-                        "[x y z 1]·M_p = [X Y Z W]; −W ≤ X ≤ W, −W ≤ Y ≤ W, 0 ≤ Z ≤ W; t ="
-                                + " b0/(b0 − b1) at each border",
-                        "what is left of the borders so far is enter ≤ t ≤ leave, with no division"
-                                + " by W",
-                        "two divisions for M_p, and one for each border between the ends",
-                        "none known; where W − Z loses too many digits, as with a small zmin, the"
-                                + " segment is handed over to unrounded arithmetic",
-                        "J. F. Blinn and M. E. Newell, Clipping using homogeneous coordinates,"
-                                + " SIGGRAPH 1978; the matrix is the course textbook's"),
-                new HomogeneousClip());
+        return List.of(
+                Method.right("cohen-sutherland-6", new CohenSutherland6()),
+                Method.failing("divide-first-textbook", new DivideFirstTextbook()),
+                Method.right("homogeneous", new HomogeneousClip()));
     }
 
     @Override

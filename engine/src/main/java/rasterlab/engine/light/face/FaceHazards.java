@@ -30,7 +30,6 @@ final class FaceHazards {
         return List.of(
                 hazard(
                         "dull-and-flat",
-                        "A flat dull face, lamp and eye far: one intensity is enough.",
                         Faces.face(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                 new double[] {0, 0, 1, 0, 0, 1, 0, 0, 1},
@@ -43,7 +42,6 @@ final class FaceHazards {
                         EXACT),
                 hazard(
                         "highlight-inside",
-                        "A highlight in the middle of a face, far from its corners.",
                         Faces.dome(0.5, ABOVE, ABOVE, Faces.grey(0.4, 0.5, 60)),
                         WRONG,
                         WRONG,
@@ -51,7 +49,6 @@ final class FaceHazards {
                         WRONG),
                 hazard(
                         "curved",
-                        "Corners' normals diverge by 60°: their mean is short.",
                         Faces.dome(0.6, FAR, FAR, Faces.grey(0.8, 0, 0)),
                         WRONG,
                         WRONG,
@@ -59,7 +56,6 @@ final class FaceHazards {
                         WRONG),
                 hazard(
                         "sum-above-1-at-the-corners",
-                        "Corners brighter than white are cut before they are mixed.",
                         Faces.face(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                 new double[] {0, 0, 1, 1, 0, 0.2, 0, 1, 0.2},
@@ -72,7 +68,6 @@ final class FaceHazards {
                         WRONG),
                 hazard(
                         "close-and-slanted",
-                        "A slanted face before the eye: its normal turns in the division.",
                         Faces.face(tilted, across, FAR, ABOVE, Faces.grey(0.6, 0, 0)),
                         WRONG,
                         DEGRADED,
@@ -84,8 +79,6 @@ final class FaceHazards {
         return List.of(
                 hazard(
                         "lamp-in-the-plane",
-                        "The lamp lies in the plane of the face: rounding lights highlights all over"
-                                + " it.",
                         Faces.face(
                                 new double[] {0, 0, 0, 5, 0, -6, 0, 5, -8},
                                 new double[] {6, 8, 5, 6, 8, 5, 12, 16, 10},
@@ -103,7 +96,6 @@ final class FaceHazards {
         return List.of(
                 hazard(
                         "zero-area-face",
-                        "Three corners on a line: the face has no normal, its corners have.",
                         Faces.face(
                                 new double[] {0, 0, 0, 1, 0, 0, 2, 0, 0},
                                 up,
@@ -116,7 +108,6 @@ final class FaceHazards {
                         EXACT),
                 new Hazard<>(
                         "normals-cancel",
-                        "Half way between two opposite normals there is none.",
                         new FacePoints(
                                 Faces.face(
                                         new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
@@ -130,7 +121,6 @@ final class FaceHazards {
 
     private static Hazard<FacePoints> hazard(
             String name,
-            String description,
             LitFace face,
             Verdict.Kind flatTextbook,
             Verdict.Kind flat,
@@ -138,7 +128,6 @@ final class FaceHazards {
             Verdict.Kind phongTextbook) {
         return new Hazard<>(
                 name,
-                description,
                 FacePoints.grid(face, ROWS),
                 recorded(flatTextbook, flat, gouraud, phongTextbook, EXACT));
     }

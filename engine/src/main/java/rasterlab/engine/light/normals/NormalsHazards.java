@@ -26,7 +26,6 @@ final class NormalsHazards {
         return List.of(
                 hazard(
                         "flat",
-                        "Two triangles in one plane.",
                         new Triangles(
                                 new double[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0},
                                 new int[] {0, 1, 2, 0, 2, 3}),
@@ -35,22 +34,14 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "to-the-outside",
-                        "One triangle, counter-clockwise seen from below: its normal points down.",
                         new Triangles(
                                 new double[] {0, 0, 0, 0, 2, 0, 3, 0, 1}, new int[] {0, 1, 2}),
                         EXACT,
                         EXACT,
                         EXACT),
-                hazard(
-                        "cube-cut-one-way",
-                        "A cube's corner has three faces, and one to six triangles by their cut.",
-                        new Triangles(CUBE, cube()),
-                        WRONG,
-                        WRONG,
-                        WRONG),
+                hazard("cube-cut-one-way", new Triangles(CUBE, cube()), WRONG, WRONG, WRONG),
                 hazard(
                         "roof-with-a-long-side",
-                        "Two slopes meet in a ridge; one is ten times as long as the other.",
                         new Triangles(
                                 new double[] {
                                     0, 0, 1, 0, 1, 1, 10, 0, -9, 10, 1, -9, -1, 0, 0, -1, 1, 0
@@ -65,7 +56,6 @@ final class NormalsHazards {
         return List.of(
                 hazard(
                         "zero-area-face",
-                        "A face with two corners in one place has no normal to give.",
                         new Triangles(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0},
                                 new int[] {0, 1, 2, 0, 1, 3}),
@@ -74,7 +64,6 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "both-sides-of-a-sheet",
-                        "A face and its back cancel out: no normal.",
                         new Triangles(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                 new int[] {0, 1, 2, 0, 2, 1}),
@@ -83,7 +72,6 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "vertex-without-a-face",
-                        "A vertex that no face has.",
                         new Triangles(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5},
                                 new int[] {0, 1, 2}),
@@ -92,7 +80,6 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "tiny-faces",
-                        "Edges of 10⁻¹⁰⁰, whose areas have squares that are 0.",
                         new Triangles(
                                 new double[] {0, 0, 0, 1e-100, 0, 0, 0, 1e-100, 0},
                                 new int[] {0, 1, 2}),
@@ -101,7 +88,6 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "smallest-face",
-                        "Edges of 10⁻²⁰⁰, whose cross product is 0.",
                         new Triangles(
                                 new double[] {0, 0, 0, 1e-200, 0, 0, 0, 1e-200, 0},
                                 new int[] {0, 1, 2}),
@@ -120,14 +106,12 @@ final class NormalsHazards {
 
     private static Hazard<Triangles> hazard(
             String name,
-            String description,
             Triangles surface,
             Verdict.Kind textbook,
             Verdict.Kind plain,
             Verdict.Kind area) {
         return new Hazard<>(
                 name,
-                description,
                 surface,
                 Map.of("plain-textbook", textbook, "plain", plain, "area", area, "angle", EXACT));
     }

@@ -33,29 +33,15 @@ final class ShadeHazards {
 
     private static List<Hazard<LitPoints>> signs() {
         return List.of(
-                hazard(
-                        "facing",
-                        "Light and eye before the surface.",
-                        EXACT,
-                        EXACT,
-                        lit(UP, SLANTED, UP)),
-                hazard(
-                        "light-behind",
-                        "The light is behind the surface: the cosine is negative.",
-                        WRONG,
-                        EXACT,
-                        lit(UP, BELOW, UP)),
+                hazard("facing", EXACT, EXACT, lit(UP, SLANTED, UP)),
+                hazard("light-behind", WRONG, EXACT, lit(UP, BELOW, UP)),
                 hazard(
                         "lit-by-the-smallest-double",
-                        "The light is before the surface by less than a direction of length 1 can"
-                                + " say; shininess 0 mirrors all of it.",
                         EXACT,
                         EXACT,
                         lit(UP, new double[] {4, 0, Double.MIN_VALUE}, UP, material(0, 0, 0.5, 0))),
                 hazard(
                         "light-in-the-plane",
-                        "The light lies in the plane of the surface, which directions brought to"
-                                + " length 1 miss by a rounding.",
                         WRONG,
                         EXACT,
                         lit(
@@ -64,7 +50,6 @@ final class ShadeHazards {
                                 new double[] {-1, 0, 1})),
                 hazard(
                         "light-behind-beside-ambient",
-                        "The light is behind the surface, and ambient light still reaches it.",
                         WRONG,
                         EXACT,
                         new LitPoint(
@@ -81,14 +66,11 @@ final class ShadeHazards {
         return List.of(
                 hazard(
                         "eye-against-the-mirror",
-                        "The eye is away from the mirrored light, and an even power hides the sign.",
                         WRONG,
                         EXACT,
                         lit(UP, SLANTED, new double[] {0.96, 0, 0.28}, material(0.1, 0.5, 0.3, 2))),
                 hazard(
                         "eye-across-the-mirror",
-                        "The eye is at right angles to the mirrored light; shininess 0.01 makes much"
-                                + " of a rounding.",
                         WRONG,
                         EXACT,
                         lit(
@@ -98,8 +80,6 @@ final class ShadeHazards {
                                 material(0, 0, 0.5, 0.01))),
                 hazard(
                         "mirrored-light-a-hair-this-side",
-                        "The eye is less than a right angle from the mirrored light by 10⁻³⁰⁰, of"
-                                + " which shininess 0.001 makes a half.",
                         WRONG,
                         EXACT,
                         lit(
@@ -109,41 +89,27 @@ final class ShadeHazards {
                                 material(0, 0, 0.5, 0.001))),
                 hazard(
                         "eye-opposite-the-light",
-                        "The eye looks at the light through the surface: h has no direction.",
                         DEGRADED,
                         EXACT,
                         lit(UP, SLANTED, new double[] {-0.6, 0, -0.8})),
-                hazard(
-                        "grazing",
-                        "The light is a hair above the surface.",
-                        EXACT,
-                        EXACT,
-                        lit(UP, new double[] {1, 0, 1e-17}, UP)));
+                hazard("grazing", EXACT, EXACT, lit(UP, new double[] {1, 0, 1e-17}, UP)));
     }
 
     private static List<Hazard<LitPoints>> lengths() {
         return List.of(
                 hazard(
                         "interpolated-normal",
-                        "Half way between two normals 90° apart: its length is 0.71.",
                         WRONG,
                         EXACT,
                         lit(new double[] {0.5, 0, 0.5}, SLANTED, UP)),
-                hazard(
-                        "zero-area-face",
-                        "A face without area has no normal.",
-                        WRONG,
-                        REFUSED,
-                        lit(new double[3], SLANTED, UP)),
+                hazard("zero-area-face", WRONG, REFUSED, lit(new double[3], SLANTED, UP)),
                 hazard(
                         "huge-normal",
-                        "A cross product of long edges, whose square does not fit in a double.",
                         WRONG,
                         EXACT,
                         lit(new double[] {3e200, 0, 4e200}, SLANTED, UP)),
                 hazard(
                         "tiny-normal",
-                        "A cross product of short edges, whose square is 0.",
                         WRONG,
                         EXACT,
                         lit(new double[] {3e-200, 0, 4e-200}, SLANTED, UP)));
@@ -151,15 +117,9 @@ final class ShadeHazards {
 
     private static List<Hazard<LitPoints>> sums() {
         return List.of(
-                hazard(
-                        "sum-above-1",
-                        "The terms add up to more than a screen can show.",
-                        WRONG,
-                        EXACT,
-                        lit(UP, UP, UP, material(0.5, 0.9, 0.9, 10))),
+                hazard("sum-above-1", WRONG, EXACT, lit(UP, UP, UP, material(0.5, 0.9, 0.9, 10))),
                 hazard(
                         "sharp-highlight",
-                        "Shininess 200: rounding of the cosine counts 200 times.",
                         EXACT,
                         EXACT,
                         lit(
@@ -175,13 +135,11 @@ final class ShadeHazards {
         return List.of(
                 hazard(
                         "light-in-the-point",
-                        "Distance 0 and 1/d²: no number.",
                         WRONG,
                         REFUSED,
                         new LitPoint(UP, SLANTED, UP, 0, DIM, square, new double[3])),
                 hazard(
                         "global-ambient-and-distance",
-                        "Distance weakens the light, not what comes from everywhere.",
                         EXACT,
                         EXACT,
                         new LitPoint(
@@ -194,7 +152,6 @@ final class ShadeHazards {
                                 grey(0.8))),
                 hazard(
                         "own-ambient-and-distance",
-                        "Distance weakens the light's own ambient part as its other parts.",
                         WRONG,
                         EXACT,
                         new LitPoint(
@@ -207,7 +164,6 @@ final class ShadeHazards {
                                 grey(0))),
                 hazard(
                         "outside-the-cone",
-                        "A spot light that shines past the point, which the printed formula has not.",
                         WRONG,
                         EXACT,
                         new LitPoint(UP, SLANTED, UP, 1, DIM, spot, new double[3])));
@@ -238,14 +194,9 @@ final class ShadeHazards {
     }
 
     private static Hazard<LitPoints> hazard(
-            String name,
-            String description,
-            Verdict.Kind printed,
-            Verdict.Kind right,
-            LitPoint point) {
+            String name, Verdict.Kind printed, Verdict.Kind right, LitPoint point) {
         return new Hazard<>(
                 name,
-                description,
                 new LitPoints(List.of(point)),
                 Map.of(
                         "lambert",

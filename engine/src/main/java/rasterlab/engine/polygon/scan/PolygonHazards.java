@@ -26,97 +26,62 @@ final class PolygonHazards {
         return List.of(
                 hazard(
                         "corners-on-centres",
-                        "Edges and corners lie on pixel centres: only left and top ones own them.",
                         PolygonTask.of(EVEN_ODD, 12, 12, 2, 2, 8, 2, 8, 8, 2, 8),
                         DEGRADED),
                 hazard(
                         "corner-in-a-row",
-                        "A row passes through a corner where the outline goes on downward.",
                         PolygonTask.of(EVEN_ODD, 20, 12, 2, 1, 12, 5, 2, 9),
                         DEGRADED),
                 hazard(
                         "corner-on-the-left",
-                        "The same with the corner on the left, where two crossings make no pair.",
                         PolygonTask.of(EVEN_ODD, 20, 12, 12, 1, 2, 5, 12, 9),
                         DEGRADED),
                 hazard(
                         "valley-in-a-row",
-                        "A row passes through a corner between two peaks.",
                         PolygonTask.of(EVEN_ODD, 24, 12, 2, 10, 6, 1, 11, 5, 16, 1, 20, 10),
                         DEGRADED),
                 hazard(
                         "rows-from-the-top",
-                        "The first corner is the lowest, and yet the topmost row comes first.",
                         PolygonTask.of(EVEN_ODD, 16, 12, 7.5, 10.5, 2.5, 5.3, 8.2, 1.4, 13.1, 6.2),
                         DEGRADED),
                 hazard(
                         "level-edges",
-                        "Steps whose level edges lie on rows of centres.",
                         PolygonTask.of(EVEN_ODD, 16, 12, 1, 1, 5, 1, 5, 4, 10, 4, 10, 8, 1, 8),
                         DEGRADED));
     }
 
     private static List<Hazard<PolygonTask>> crossings() {
         return List.of(
-                hazard(
-                        "star-non-zero",
-                        "A five-pointed star drawn in one stroke: its middle is wound around twice.",
-                        star(NON_ZERO),
-                        WRONG),
-                hazard(
-                        "star-even-odd",
-                        "The same star by the even-odd rule: its middle stays empty.",
-                        star(EVEN_ODD),
-                        DEGRADED),
+                hazard("star-non-zero", star(NON_ZERO), WRONG),
+                hazard("star-even-odd", star(EVEN_ODD), DEGRADED),
                 hazard(
                         "hair-beside-centres",
-                        "An edge passes centres at 1/2^50 of a pixel, nearer than doubles tell.",
                         PolygonTask.of(EVEN_ODD, 12, 12, 0.1, 0.1, 9.1, 9.1 + 0x1p-49, 0.1, 9),
                         DEGRADED),
-                hazard(
-                        "slit",
-                        "A triangle thinner than a pixel owns single centres or none.",
-                        PolygonTask.of(EVEN_ODD, 40, 12, 0, 0.4, 39, 7.2, 39, 7.4),
-                        WRONG));
+                hazard("slit", PolygonTask.of(EVEN_ODD, 40, 12, 0, 0.4, 39, 7.2, 39, 7.4), WRONG));
     }
 
     private static List<Hazard<PolygonTask>> limits() {
         return List.of(
-                hazard(
-                        "no-area",
-                        "Three corners on a line own nothing.",
-                        PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, 9, 9, 5, 5),
-                        WRONG),
-                hazard(
-                        "two-corners",
-                        "There and back again owns nothing.",
-                        PolygonTask.of(NON_ZERO, 12, 12, 1, 1, 9, 4),
-                        WRONG),
-                hazard(
-                        "outside",
-                        "The polygon lies beside the picture.",
-                        PolygonTask.of(EVEN_ODD, 12, 12, 30, 1, 50, 5, 30, 9),
-                        EXACT),
+                hazard("no-area", PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, 9, 9, 5, 5), WRONG),
+                hazard("two-corners", PolygonTask.of(NON_ZERO, 12, 12, 1, 1, 9, 4), WRONG),
+                hazard("outside", PolygonTask.of(EVEN_ODD, 12, 12, 30, 1, 50, 5, 30, 9), EXACT),
                 hazard(
                         "left-of-the-picture",
-                        "Columns left of the picture are not filled, those in it are.",
                         PolygonTask.of(EVEN_ODD, 12, 12, -6.3, 1.2, 7.4, 2.1, 5.2, 10.4, -4.1, 9.3),
                         DEGRADED),
                 hazard(
                         "far-corners",
-                        "Corners far beyond the picture: a crossing in doubles is off by many pixels.",
                         PolygonTask.of(
                                 EVEN_ODD, 40, 40, -1e20, -1e20, 1e20, 1e20, -1e20, 1e20 + 1e5),
                         WRONG),
                 hazard(
                         "no-number",
-                        "A corner's coordinate is no number.",
                         PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, Double.NaN, 5, 1, 9),
                         REFUSED,
                         REFUSED),
                 hazard(
                         "beyond-the-range",
-                        "A coordinate whose products overflow.",
                         PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, Double.MAX_VALUE, 5, 1, 9),
                         REFUSED,
                         REFUSED));
@@ -131,21 +96,13 @@ final class PolygonHazards {
         return PolygonTask.of(rule, 40, 40, corners);
     }
 
-    private static Hazard<PolygonTask> hazard(
-            String name, String description, PolygonTask input, Verdict.Kind naive) {
-        return hazard(name, description, input, naive, EXACT);
+    private static Hazard<PolygonTask> hazard(String name, PolygonTask input, Verdict.Kind naive) {
+        return hazard(name, input, naive, EXACT);
     }
 
     private static Hazard<PolygonTask> hazard(
-            String name,
-            String description,
-            PolygonTask input,
-            Verdict.Kind naive,
-            Verdict.Kind others) {
+            String name, PolygonTask input, Verdict.Kind naive, Verdict.Kind others) {
         return new Hazard<>(
-                name,
-                description,
-                input,
-                Map.of("naive", naive, "scanline", others, "edge-function", others));
+                name, input, Map.of("naive", naive, "scanline", others, "edge-function", others));
     }
 }

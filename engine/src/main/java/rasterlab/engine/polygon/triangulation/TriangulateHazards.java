@@ -36,42 +36,22 @@ final class TriangulateHazards {
         return List.of(
                 hazard(
                         "one-triangle",
-                        "A triangle, which needs no cut: the listing as printed fails even here.",
                         Points.of(0, 0, 4, 0, 0, 3),
                         recorded(EXACT, EXACT, EXACT, EXACT)),
-                hazard(
-                        "convex",
-                        "A convex polygon, given counter-clockwise: any diagonals will do.",
-                        HEXAGON,
-                        recorded(EXACT, EXACT, EXACT, EXACT)),
-                hazard(
-                        "not-convex",
-                        "One corner turns inward.",
-                        CORNER_PIECE,
-                        recorded(REFUSED, EXACT, EXACT, EXACT)),
+                hazard("convex", HEXAGON, recorded(EXACT, EXACT, EXACT, EXACT)),
+                hazard("not-convex", CORNER_PIECE, recorded(REFUSED, EXACT, EXACT, EXACT)),
                 hazard(
                         "fan-leaves",
-                        "One corner turns inward, and a fan from corner 0 would leave the polygon.",
                         Points.of(8, 0, 8, 3, 4, 3, 4, 6, 0, 6, 0, 0),
                         recorded(REFUSED, EXACT, EXACT, EXACT)),
-                hazard(
-                        "corner-in-the-ear",
-                        "The shortest diagonal cuts off a triangle in which another corner lies.",
-                        ARROW,
-                        recorded(REFUSED, WRONG, EXACT, EXACT)),
-                hazard(
-                        "clockwise",
-                        "The same kind of polygon, given clockwise, has no left turn to cut.",
-                        HEXAGON.reversed(),
-                        recorded(EXACT, WRONG, EXACT, EXACT)),
+                hazard("corner-in-the-ear", ARROW, recorded(REFUSED, WRONG, EXACT, EXACT)),
+                hazard("clockwise", HEXAGON.reversed(), recorded(EXACT, WRONG, EXACT, EXACT)),
                 hazard(
                         "corners-on-a-side",
-                        "Corners on straight sides, where cutting must leave area on both sides.",
                         Points.of(0, 0, 2, 0, 4, 0, 6, 0, 6, 6, 3, 6, 0, 6, 0, 1),
                         recorded(REFUSED, EXACT, EXACT, EXACT)),
                 hazard(
                         "one-long-side",
-                        "A triangle with five more corners on one side: only the apex sees them.",
                         Points.of(0, 0, 1, 0, 2, 0, 3, 0, 4, 0, 5, 0, 6, 0, 3, 9),
                         recorded(REFUSED, WRONG, EXACT, EXACT)));
     }
@@ -81,52 +61,36 @@ final class TriangulateHazards {
         return List.of(
                 hazard(
                         "repeated-corners",
-                        "Corners that stand twice or three times in a row, also last and first.",
                         Points.of(0, 0, 8, 0, 8, 0, 8, 3, 4, 3, 4, 3, 4, 3, 4, 6, 0, 6, 0, 0),
                         recorded(REFUSED, WRONG, EXACT, EXACT)),
                 hazard(
                         "small-units",
-                        "In units of 10⁻⁴ no turn exceeds the absolute threshold of 10⁻⁶.",
                         CORNER_PIECE.scaled(1e-4),
                         recorded(REFUSED, WRONG, EXACT, EXACT)),
                 hazard(
                         "diagonals-beyond-10-15",
-                        "Squared diagonals exceed the 10³⁰ that stands for infinity.",
                         CORNER_PIECE.scaled(1e16),
                         recorded(REFUSED, WRONG, EXACT, EXACT)),
                 hazard(
                         "coordinates-of-10-308",
-                        "Differences and products of coordinates overflow.",
                         CORNER_PIECE.scaled(0.2e308),
                         recorded(REFUSED, WRONG, EXACT, EXACT)),
                 hazard(
                         "one-step-from-straight",
-                        "Corners one step of their doubles off a straight side, in and out.",
                         nearlyStraight(),
                         recorded(REFUSED, EXACT, EXACT, EXACT)),
-                hazard(
-                        "crossing-edges",
-                        "A five-pointed star crosses itself; no set of its triangles is it.",
-                        PENTAGRAM,
-                        recorded(REFUSED, WRONG, REFUSED, REFUSED)),
-                hazard(
-                        "keyhole",
-                        "A hole joined to the outside by a bridge, gone along once each way.",
-                        KEYHOLE,
-                        recorded(REFUSED, EXACT, EXACT, EXACT)),
+                hazard("crossing-edges", PENTAGRAM, recorded(REFUSED, WRONG, REFUSED, REFUSED)),
+                hazard("keyhole", KEYHOLE, recorded(REFUSED, EXACT, EXACT, EXACT)),
                 hazard(
                         "hole-the-wrong-way",
-                        "The hole is gone round the same way as the outside: its inside twice.",
                         Points.of(0, 0, 6, 0, 6, 6, 0, 6, 0, 0, 2, 2, 4, 2, 4, 4, 2, 4, 2, 2),
                         recorded(REFUSED, WRONG, REFUSED, REFUSED)),
                 hazard(
                         "touching-corner",
-                        "A corner lies on an edge that it does not belong to.",
                         Points.of(0, 0, 8, 0, 8, 6, 4, 0, 0, 6),
                         recorded(REFUSED, WRONG, REFUSED, REFUSED)),
                 hazard(
                         "no-area",
-                        "All corners lie on one line.",
                         Points.of(0, 0, 2, 1, 6, 3, 4, 2),
                         recorded(REFUSED, WRONG, REFUSED, REFUSED)));
     }
@@ -139,8 +103,8 @@ final class TriangulateHazards {
     }
 
     private static Hazard<Points> hazard(
-            String name, String description, Points corners, Map<String, Verdict.Kind> recorded) {
-        return new Hazard<>(name, description, corners, recorded);
+            String name, Points corners, Map<String, Verdict.Kind> recorded) {
+        return new Hazard<>(name, corners, recorded);
     }
 
     /** The listing as printed crashes at its first turn, whatever the polygon. */

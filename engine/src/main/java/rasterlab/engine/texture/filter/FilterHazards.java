@@ -21,18 +21,9 @@ final class FilterHazards {
 
     private static List<Hazard<FilteredPixels>> smaller() {
         return List.of(
-                hazard(
-                        "one-to-one",
-                        "Each pixel is one texel.",
-                        row(checkers(16), 1, 1, 0),
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                hazard("one-to-one", row(checkers(16), 1, 1, 0), EXACT, EXACT, EXACT, EXACT, EXACT),
                 hazard(
                         "aliasing",
-                        "Stripes three texels wide made eight times smaller: nearly even grey.",
                         row(thirds(), 8, 8, 0.1),
                         WRONG,
                         WRONG,
@@ -41,7 +32,6 @@ final class FilterHazards {
                         EXACT),
                 hazard(
                         "between-levels",
-                        "Stairs of grey made three times smaller, between levels 1 and 2.",
                         row(stairs(), 3, 3, 0.3),
                         WRONG,
                         WRONG,
@@ -54,7 +44,6 @@ final class FilterHazards {
         return List.of(
                 hazard(
                         "long-and-narrow",
-                        "Upright stripes on a floor: 16 texels deep, one wide.",
                         row(stripes(64), 1, 16, 0),
                         EXACT,
                         EXACT,
@@ -63,7 +52,6 @@ final class FilterHazards {
                         EXACT),
                 hazard(
                         "long-over-rows",
-                        "Level stripes on a floor: a footprint 16 texels deep lies over all of them.",
                         row(rows(64), 1, 16, 0),
                         WRONG,
                         WRONG,
@@ -76,8 +64,6 @@ final class FilterHazards {
         return List.of(
                 hazard(
                         "hair",
-                        "A footprint narrower than a millionth of a texel, next to a border: it"
-                                + " shows its own column alone.",
                         new FilteredPixels(
                                 4,
                                 2,
@@ -94,8 +80,6 @@ final class FilterHazards {
         return List.of(
                 hazard(
                         "no-area",
-                        "Footprints without area, on the border of two texels: the texel to the"
-                                + " right and above is shown.",
                         new FilteredPixels(
                                 4,
                                 4,
@@ -111,7 +95,6 @@ final class FilterHazards {
                         EXACT),
                 hazard(
                         "bottom-row-first",
-                        "Stairs from black at the bottom to white at the top.",
                         row(picture(8, (i, j) -> 32 * j), 1, 1, 0),
                         EXACT,
                         EXACT,
@@ -120,7 +103,6 @@ final class FilterHazards {
                         EXACT),
                 hazard(
                         "beyond-the-border",
-                        "Sixteen pixels along a picture of four, which repeats itself.",
                         row(picture(4, (i, j) -> 64 * i), 1, 1, 0),
                         EXACT,
                         EXACT,
@@ -129,7 +111,6 @@ final class FilterHazards {
                         EXACT),
                 hazard(
                         "magnified",
-                        "An edge made eight times larger: a linear filter makes it soft.",
                         row(stripes(4), 0.125, 0.125, 0),
                         EXACT,
                         WRONG,
@@ -138,7 +119,6 @@ final class FilterHazards {
                         EXACT),
                 hazard(
                         "turned",
-                        "A footprint turned by 45°.",
                         new FilteredPixels(
                                 48,
                                 48,
@@ -202,7 +182,6 @@ final class FilterHazards {
 
     private static Hazard<FilteredPixels> hazard(
             String name,
-            String description,
             FilteredPixels pixels,
             Verdict.Kind nearest,
             Verdict.Kind linear,
@@ -211,7 +190,6 @@ final class FilterHazards {
             Verdict.Kind summed) {
         return new Hazard<>(
                 name,
-                description,
                 pixels,
                 Map.of(
                         "nearest",

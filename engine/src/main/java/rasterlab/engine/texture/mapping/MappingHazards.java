@@ -18,49 +18,27 @@ final class MappingHazards {
         return List.of(
                 hazard(
                         "parallel",
-                        "A wall parallel to the picture: no perspective at all.",
                         new TexturedSpan(0, 0.25, 4, 1, 0.25, 4, 200),
                         EXACT,
                         EXACT,
                         DEGRADED),
                 hazard(
                         "both-ends",
-                        "Three pixels: the first has the first coordinates, the last the last ones.",
                         new TexturedSpan(0.25, 0.5, 4, 0.75, 1, 4, 3),
                         EXACT,
                         EXACT,
                         EXACT),
-                hazard(
-                        "s-is-not-t",
-                        "s falls while t grows.",
-                        new TexturedSpan(1, 0, 2, 0, 0.5, 2, 5),
-                        EXACT,
-                        EXACT,
-                        EXACT),
-                hazard(
-                        "floor",
-                        "A floor that runs away from the eye.",
-                        new TexturedSpan(0, 0, 2, 0.5, 1, 10, 300),
-                        WRONG,
-                        WRONG,
-                        DEGRADED),
+                hazard("s-is-not-t", new TexturedSpan(1, 0, 2, 0, 0.5, 2, 5), EXACT, EXACT, EXACT),
+                hazard("floor", new TexturedSpan(0, 0, 2, 0.5, 1, 10, 300), WRONG, WRONG, DEGRADED),
                 hazard(
                         "at-the-near-plane",
-                        "A face from next to the eye into the distance.",
                         new TexturedSpan(0, 0, 0.01, 1, 1, 10, 300),
                         WRONG,
                         WRONG,
                         DEGRADED),
-                hazard(
-                        "long-row",
-                        "8192 pixels: float sums drift.",
-                        new TexturedSpan(0, 0, 1, 8, 8, 50, 8192),
-                        WRONG,
-                        WRONG,
-                        WRONG),
+                hazard("long-row", new TexturedSpan(0, 0, 1, 8, 8, 50, 8192), WRONG, WRONG, WRONG),
                 hazard(
                         "single-pixel",
-                        "A row of one pixel: its length is 0.",
                         new TexturedSpan(0.5, 0.25, 1, 0.75, 1, 2, 1),
                         EXACT,
                         EXACT,
@@ -69,14 +47,12 @@ final class MappingHazards {
 
     private static Hazard<TexturedSpan> hazard(
             String name,
-            String description,
             TexturedSpan span,
             Verdict.Kind affine,
             Verdict.Kind pieces,
             Verdict.Kind stepped) {
         return new Hazard<>(
                 name,
-                description,
                 span,
                 Map.of(
                         "affine",

@@ -22,88 +22,44 @@ final class AxisHazards {
 
     private static List<Hazard<AxisTurn>> turns() {
         return List.of(
-                hazard(
-                        "no-turn",
-                        "By 0° every point stays, whatever way the steps go.",
-                        AxisTurn.about(1, 2, 2, 0, 5, -3, 8),
-                        EXACT),
-                hazard(
-                        "quarter-turn",
-                        "Counter-clockwise seen from where the direction points to.",
-                        AxisTurn.about(1, 2, 2, 90, 3, 0, 0),
-                        WRONG),
+                hazard("no-turn", AxisTurn.about(1, 2, 2, 0, 5, -3, 8), EXACT),
+                hazard("quarter-turn", AxisTurn.about(1, 2, 2, 90, 3, 0, 0), WRONG),
                 hazard(
                         "axis-itself",
-                        "A point of the axis has to stay where it is.",
                         AxisTurn.about(
                                 THIRD, 2 * THIRD, 2 * THIRD, 37, THIRD, 2 * THIRD, 2 * THIRD),
                         WRONG),
-                hazard(
-                        "axis-along-x",
-                        "The axis is the x axis: θ = 0, and only the turn onto z is left.",
-                        AxisTurn.about(1, 0, 0, 30, 3, 4, 5),
-                        WRONG));
+                hazard("axis-along-x", AxisTurn.about(1, 0, 0, 30, 3, 4, 5), WRONG));
     }
 
     private static List<Hazard<AxisTurn>> axesAlongZ() {
         return List.of(
-                hazard(
-                        "axis-along-z",
-                        "d = 0: the axis is already where it should be, θ has no value.",
-                        AxisTurn.about(0, 0, 2, 90, 1, 0, 7),
-                        WRONG),
-                hazard(
-                        "axis-against-z",
-                        "d = 0 and the axis points down.",
-                        AxisTurn.about(0, 0, -0.5, 90, 1, 0, 7),
-                        WRONG),
-                hazard(
-                        "axis-nearly-z",
-                        "d is so small that its square does not fit in a double.",
-                        AxisTurn.about(3e-170, -4e-170, 1, 45, 1, 2, 3),
-                        WRONG),
-                hazard(
-                        "axis-beside-z",
-                        "l and m are smallest doubles: d cannot be √2 of them.",
-                        AxisTurn.about(TINY, TINY, 1, 45, 1, 0, 0),
-                        WRONG));
+                hazard("axis-along-z", AxisTurn.about(0, 0, 2, 90, 1, 0, 7), WRONG),
+                hazard("axis-against-z", AxisTurn.about(0, 0, -0.5, 90, 1, 0, 7), WRONG),
+                hazard("axis-nearly-z", AxisTurn.about(3e-170, -4e-170, 1, 45, 1, 2, 3), WRONG),
+                hazard("axis-beside-z", AxisTurn.about(TINY, TINY, 1, 45, 1, 0, 0), WRONG));
     }
 
     private static List<Hazard<AxisTurn>> sizes() {
         return List.of(
                 hazard(
                         "axis-through-far-point",
-                        "The line passes far from the origin: the shift rounds the point.",
                         new AxisTurn(
                                 new double[] {1e9, -2e9, 1e9},
                                 new double[] {1, 1, 1},
                                 120,
                                 new double[] {1e9 + 1, -2e9, 1e9, 0, 0, 0}),
                         WRONG),
-                hazard(
-                        "huge-direction",
-                        "The direction's square is too large for a double.",
-                        AxisTurn.about(1e300, -1e300, 1e300, 100, 1, 2, 3),
-                        WRONG),
+                hazard("huge-direction", AxisTurn.about(1e300, -1e300, 1e300, 100, 1, 2, 3), WRONG),
                 hazard(
                         "tiny-direction",
-                        "The direction is so short that its square is 0.",
                         AxisTurn.about(1e-320, 2e-320, 2e-320, 100, 1, 2, 3),
                         WRONG),
-                hazard(
-                        "many-turns",
-                        "An angle of ten million turns and 1°.",
-                        AxisTurn.about(1, -1, 0.5, 3_600_000_001.0, 1, 2, 3),
-                        WRONG));
+                hazard("many-turns", AxisTurn.about(1, -1, 0.5, 3_600_000_001.0, 1, 2, 3), WRONG));
     }
 
-    private static Hazard<AxisTurn> hazard(
-            String name, String description, AxisTurn turn, Verdict.Kind textbook) {
+    private static Hazard<AxisTurn> hazard(String name, AxisTurn turn, Verdict.Kind textbook) {
         return Hazard.allExactBut(
-                Map.of("seven-steps-textbook", textbook),
-                AxisMethods.all(),
-                name,
-                description,
-                turn);
+                Map.of("seven-steps-textbook", textbook), AxisMethods.all(), name, turn);
     }
 }

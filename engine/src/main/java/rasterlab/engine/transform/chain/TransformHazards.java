@@ -27,14 +27,12 @@ final class TransformHazards {
         return List.of(
                 hazard(
                         "shift-then-turn",
-                        "The order counts: shifted first, turned then.",
                         Map.of(),
                         new double[] {1, 2, 3},
                         cells("TRANSL3D", 4, 0, 0),
                         cells("ROT3DZ", 90)),
                 hazard(
                         "shift-in-the-last-row",
-                        "Points are rows, so a shift stands in the last row of its matrix.",
                         Map.of(),
                         new double[] {1, 2, 3},
                         cells("TRANSL3D", 4, 5, 6)));
@@ -44,45 +42,38 @@ final class TransformHazards {
         return List.of(
                 hazard(
                         "at-the-eye",
-                        "H = 0 exactly: the point goes to infinity and has no image.",
                         Map.of(TEXTBOOK, WRONG),
                         new double[] {3, 4, 512},
                         cells("PERSPECTIVE", 0, 0, -1 / 512.0)),
                 hazard(
                         "behind-the-eye",
-                        "H < 0: the division mirrors the point, so clip first.",
                         Map.of(TEXTBOOK, WRONG),
                         new double[] {3, 4, 1024},
                         cells("PERSPECTIVE", 0, 0, -1 / 512.0)),
                 hazard(
                         "nearly-at-the-eye",
-                        "H = 1 − 700·r where r is the double next to 1/700: all digits cancel.",
                         Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, WRONG),
                         new double[] {3, 4, 700},
                         cells("PERSPECTIVE", 0, 0, -1 / 700.0)),
                 hazard(
                         "close-to-the-eye",
-                        "H is about 10⁻⁹: nine digits of the image are lost.",
                         Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, DEGRADED),
                         new double[] {3, 4, 700 - 7e-7},
                         cells("PERSPECTIVE", 0, 0, -1 / 700.0)),
                 homogeneous(
                         "vanishing-point",
-                        "h = 0, a point at infinity: its image is where parallels meet.",
                         Map.of(TEXTBOOK, WRONG),
                         new double[] {0, 0, 1},
                         0,
                         cells("PERSPECTIVE", 0, 0, 0.25)),
                 homogeneous(
                         "stays-at-infinity",
-                        "h = 0 and no perspective: the image is at infinity, shifts move nothing.",
                         Map.of(TEXTBOOK, WRONG),
                         new double[] {3, 4, 0},
                         0,
                         cells("TRANSL3D", 5, 6, 7)),
                 homogeneous(
                         "many-representations",
-                        "h = −2: one point has many representations, this one is (−1.5, −2, −2.5).",
                         Map.of(TEXTBOOK, WRONG),
                         new double[] {3, 4, 5},
                         -2,
@@ -93,7 +84,6 @@ final class TransformHazards {
         return List.of(
                 hazard(
                         "shift-there-and-back",
-                        "A shift by 0.1 between one by 10¹⁵ and its inverse.",
                         Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, WRONG),
                         new double[] {0.25, 0.5, 0.75},
                         cells("TRANSL3D", 1e15, 0, 0),
@@ -101,7 +91,6 @@ final class TransformHazards {
                         cells("TRANSL3D", -1e15, 0, 0)),
                 hazard(
                         "turn-about-a-far-point",
-                        "T · R · T⁻¹ about a point a million units away.",
                         Map.of(TEXTBOOK, DEGRADED, FLOAT, WRONG, DOUBLE, DEGRADED),
                         new double[] {1e6 + 1, 2, 1e6},
                         cells("TRANSL3D", -1e6, 0, -1e6),
@@ -110,14 +99,12 @@ final class TransformHazards {
                         cells("TRANSL3D", -1e6, 0, -1e6)),
                 hazard(
                         "flattened",
-                        "A singular matrix in the list: everything lands in one plane.",
                         Map.of(),
                         new double[] {3, 4, 5},
                         cells("ORTHOZ", 2),
                         cells("SCALE3DX", 2)),
                 hazard(
                         "beyond-float",
-                        "Coordinates that a float cannot hold.",
                         Map.of(FLOAT, REFUSED),
                         new double[] {1e200, 2e200, 3e200},
                         cells("SCALE3DX", 2)));
@@ -125,7 +112,6 @@ final class TransformHazards {
 
     private static Hazard<Chain> homogeneous(
             String name,
-            String description,
             Map<String, Verdict.Kind> failing,
             double[] point,
             double h,
@@ -134,17 +120,12 @@ final class TransformHazards {
                 failing,
                 TransformMethods.all(),
                 name,
-                description,
                 new Chain(3, matrices, point, new double[] {h}));
     }
 
     private static Hazard<Chain> hazard(
-            String name,
-            String description,
-            Map<String, Verdict.Kind> failing,
-            double[] points,
-            double[]... matrices) {
+            String name, Map<String, Verdict.Kind> failing, double[] points, double[]... matrices) {
         return Hazard.allExactBut(
-                failing, TransformMethods.all(), name, description, new Chain(3, matrices, points));
+                failing, TransformMethods.all(), name, new Chain(3, matrices, points));
     }
 }

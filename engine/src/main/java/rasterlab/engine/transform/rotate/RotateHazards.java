@@ -30,17 +30,11 @@ final class RotateHazards {
         return List.of(
                 hazard(
                         "whole-degrees",
-                        "An angle that the table has.",
                         new Turns(37, 1, new double[] {3, 4}),
                         Map.of(FLOAT, DEGRADED)),
-                hazard(
-                        "quarter-turn",
-                        "Counter-clockwise: x turns to y.",
-                        new Turns(90, 1, new double[] {3, 4}),
-                        Map.of()),
+                hazard("quarter-turn", new Turns(90, 1, new double[] {3, 4}), Map.of()),
                 hazard(
                         "between-degrees",
-                        "Half a degree beside every entry of the table.",
                         new Turns(12.5, 1, new double[] {3, 4}),
                         Map.of(FLOAT, DEGRADED, TABLE, DEGRADED)));
     }
@@ -49,12 +43,10 @@ final class RotateHazards {
         return List.of(
                 hazard(
                         "half-turn",
-                        "θ = 180°: tan θ/2 is tan 90°.",
                         new Turns(180, 1, new double[] {3, 4}),
                         Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "nearly-half-turn",
-                        "A millionth of a degree before 180°: tan θ/2 is about 10⁸.",
                         new Turns(180 - 1e-6, 1, new double[] {3, 4}),
                         Map.of(FLOAT, DEGRADED, TABLE, DEGRADED, TEXTBOOK, DEGRADED)));
     }
@@ -63,7 +55,6 @@ final class RotateHazards {
         return List.of(
                 hazard(
                         "hundred-thousand-turns",
-                        "A hundred thousand turns by 0.1°, which the table takes for 0°.",
                         new Turns(0.1, 100_000, new double[] {60, 80}),
                         Map.of(
                                 DIRECT,
@@ -82,7 +73,6 @@ final class RotateHazards {
                                 DEGRADED)),
                 hazard(
                         "ten-million-turns",
-                        "Ten million turns by 33.3°: roundings add up.",
                         new Turns(33.3, 10_000_000, new double[] {60, 80}),
                         Map.of(
                                 DIRECT,
@@ -105,18 +95,16 @@ final class RotateHazards {
         return List.of(
                 hazard(
                         "huge-angle",
-                        "10¹⁵ turns and 64° in one angle.",
                         new Turns(360e15 + 64, 1, new double[] {3, 4}),
                         Map.of(FLOAT, DEGRADED)),
                 hazard(
                         "beyond-float",
-                        "Coordinates that a float cannot hold.",
                         new Turns(45, 1, new double[] {3e200, -4e200}),
                         Map.of(FLOAT, REFUSED)));
     }
 
     private static Hazard<Turns> hazard(
-            String name, String description, Turns turns, Map<String, Verdict.Kind> failing) {
-        return Hazard.allExactBut(failing, RotateMethods.all(), name, description, turns);
+            String name, Turns turns, Map<String, Verdict.Kind> failing) {
+        return Hazard.allExactBut(failing, RotateMethods.all(), name, turns);
     }
 }

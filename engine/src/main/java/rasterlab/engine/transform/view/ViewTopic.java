@@ -9,7 +9,6 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.study.Method.About;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
@@ -25,31 +24,10 @@ import rasterlab.engine.transform.Images;
 public final class ViewTopic implements Topic<EyeView, Look, Images> {
     private static final double CORRECT = 16 * 0x1p-53;
     private static final long SEED = 400;
-    private static final String SOURCE =
-            "Ponomarev, course text on computer graphics, view transformation";
     private static final List<Method<EyeView>> METHODS =
             List.of(
-                    new Method<>(
-                            "one-matrix",
-                            new About(
-                                    "[x y z 1] · VP_L, the matrix made once",
-                                    "VP_L's first three rows are orthonormal",
-                                    "4 multiplications for the matrix, then 6 additions and 8"
-                                            + " multiplications per point: 18 for one point, since"
-                                            + " the text's 17 forgets to add ρ",
-                                    "none known",
-                                    SOURCE),
-                            new OneMatrixView()),
-                    new Method<>(
-                            "taken-apart",
-                            new About(
-                                    "a = x·cos θ + y·sin θ; y·cos θ − x·sin θ, z·sin φ − a·cos φ, ρ −"
-                                            + " a·sin φ − z·cos φ",
-                                    "a is the distance from the z axis towards the eye",
-                                    "5 additions and 8 multiplications per point: 13, as the text says",
-                                    "none known",
-                                    SOURCE),
-                            new TakenApartView()));
+                    Method.right("one-matrix", new OneMatrixView()),
+                    Method.right("taken-apart", new TakenApartView()));
 
     @Override
     public String name() {
@@ -69,19 +47,19 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     @Override
     public List<Hazard<Look>> hazards() {
         return List.of(
-                hazard("pole", "φ = 0: the eye is above the north pole.", 30, 0, 10, 1, 2, 3),
-                hazard("origin", "The origin lies ρ straight ahead.", 30, 60, 400, 0, 0, 0),
-                hazard("upwards", "What is above the origin is seen above it.", 30, 60, 9, 0, 0, 2),
-                hazard("to-the-right", "Seen from +x, +y is to the right.", 0, 90, 9, 0, 2, 0),
-                hazard("quarter-turn", "θ = 90° stands on the y axis.", 90, 90, 9, 1, 2, 3),
-                hazard("from-below", "φ = 120°: the eye is below the equator.", 0, 120, 9, 1, 2, 3),
-                hazard("at-the-eye", "A point where the eye is.", 0, 90, 5, 5, 0, 0),
-                hazard("far-eye", "ρ swallows the points' depths.", 20, 70, 1e12, 1, 2, 3));
+                hazard("pole", 30, 0, 10, 1, 2, 3),
+                hazard("origin", 30, 60, 400, 0, 0, 0),
+                hazard("upwards", 30, 60, 9, 0, 0, 2),
+                hazard("to-the-right", 0, 90, 9, 0, 2, 0),
+                hazard("quarter-turn", 90, 90, 9, 1, 2, 3),
+                hazard("from-below", 0, 120, 9, 1, 2, 3),
+                hazard("at-the-eye", 0, 90, 5, 5, 0, 0),
+                hazard("far-eye", 20, 70, 1e12, 1, 2, 3));
     }
 
     private static Hazard<Look> hazard(
-            String name, String text, double theta, double phi, double rho, double... points) {
-        return Hazard.allExactBut(Map.of(), METHODS, name, text, new Look(theta, phi, rho, points));
+            String name, double theta, double phi, double rho, double... points) {
+        return Hazard.allExactBut(Map.of(), METHODS, name, new Look(theta, phi, rho, points));
     }
 
     @Override

@@ -23,19 +23,13 @@ final class DepthHazards {
 
     private static List<Hazard<DepthRows>> ratios() {
         return List.of(
-                hazard(
-                        "far-near-10",
-                        "Two surfaces one unit apart close to the far plane, far/near = 10.",
-                        DepthRows.pixel(new DepthRange(1, 10), 8, 9),
-                        Map.of()),
+                hazard("far-near-10", DepthRows.pixel(new DepthRange(1, 10), 8, 9), Map.of()),
                 hazard(
                         "far-near-1000",
-                        "Two surfaces one unit apart close to the far plane, far/near = 1000.",
                         DepthRows.pixel(new DepthRange(1, 1e3), 900, 901),
                         Map.of("z16", WRONG, "incremental-z16", WRONG)),
                 hazard(
                         "far-near-million",
-                        "Two surfaces one unit apart close to the far plane, far/near = 10⁶.",
                         DepthRows.pixel(new DepthRange(1, 1e6), 900_010, 900_011),
                         Map.of(
                                 "z16", WRONG,
@@ -48,7 +42,6 @@ final class DepthHazards {
                                 "incremental-float", WRONG)),
                 hazard(
                         "no-far-plane",
-                        "Two surfaces one unit apart, a million away, far = ∞.",
                         DepthRows.pixel(
                                 new DepthRange(1, Double.POSITIVE_INFINITY), 1_000_000, 1_000_001),
                         Map.of(
@@ -62,7 +55,6 @@ final class DepthHazards {
                                 "incremental-float", WRONG)),
                 hazard(
                         "near-next-to-the-eye",
-                        "A near plane at 10⁻⁹, as if there were none: all is far away.",
                         DepthRows.pixel(new DepthRange(1e-9, 100), 10, 10.5),
                         Map.of(
                                 "z16", WRONG,
@@ -78,12 +70,10 @@ final class DepthHazards {
         return List.of(
                 hazard(
                         "on-the-planes",
-                        "Surfaces on both planes and one hundredth of their depth off them.",
                         DepthRows.pixel(new DepthRange(1, 100), 1, 1.01, 99, 100),
                         Map.of()),
                 hazard(
                         "twice-the-same",
-                        "One surface drawn twice: equal depths need equal codes.",
                         new DepthRows(
                                 new DepthRange(1, 1e3),
                                 new double[] {3, 3},
@@ -92,7 +82,6 @@ final class DepthHazards {
                         Map.of()),
                 hazard(
                         "close-to-the-eye",
-                        "Surfaces close to the near plane, far/near = 10⁶.",
                         DepthRows.pixel(new DepthRange(0.01, 1e4), 0.02, 0.05),
                         Map.of("linear-16", WRONG)));
     }
@@ -101,7 +90,6 @@ final class DepthHazards {
         return List.of(
                 hazard(
                         "crossing",
-                        "Two surfaces that pass through each other in the middle of 8192 pixels.",
                         new DepthRows(
                                 new DepthRange(1, 100),
                                 new double[] {10, 20},
@@ -113,7 +101,6 @@ final class DepthHazards {
                                 "incremental-float", WRONG)),
                 hazard(
                         "slope-through-a-wall",
-                        "A slope passes through a wall: along a row 1/z is linear, z is not.",
                         new DepthRows(
                                 new DepthRange(1, 100),
                                 new double[] {10, 15},
@@ -122,7 +109,6 @@ final class DepthHazards {
                         Map.of()),
                 hazard(
                         "drift-8192",
-                        "A floor runs 8192 pixels up to a wall: sums drift by the time it is there.",
                         new DepthRows(
                                 new DepthRange(1, 1e3),
                                 new double[] {900, 1.5},
@@ -136,7 +122,7 @@ final class DepthHazards {
     }
 
     private static Hazard<DepthRows> hazard(
-            String name, String description, DepthRows rows, Map<String, Verdict.Kind> failing) {
-        return Hazard.allExactBut(failing, DepthMethods.all(), name, description, rows);
+            String name, DepthRows rows, Map<String, Verdict.Kind> failing) {
+        return Hazard.allExactBut(failing, DepthMethods.all(), name, rows);
     }
 }

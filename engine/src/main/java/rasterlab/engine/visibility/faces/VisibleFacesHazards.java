@@ -20,84 +20,40 @@ final class VisibleFacesHazards {
 
     private static List<Hazard<Body>> ofEyes() {
         return List.of(
-                hazard(
-                        "cube",
-                        "A cube seen corner on: three faces of six.",
-                        Bodies.cube(5, -6, 7),
-                        recorded(EXACT, EXACT)),
-                hazard(
-                        "edge-on",
-                        "The eye lies in the plane of the top, which is seen as a line: C = 0.",
-                        Bodies.cube(5, -6, 1),
-                        recorded(EXACT, EXACT)),
-                hazard(
-                        "edge-on-by-rounding",
-                        "The eye lies in a face's plane but for the rounding of its coordinates.",
-                        nearlyEdgeOn(),
-                        recorded(WRONG, EXACT)),
-                hazard(
-                        "eye-inside",
-                        "The eye is in the cube, where every face is turned away.",
-                        Bodies.cube(0.5, 0.25, -0.5),
-                        recorded(EXACT, EXACT)));
+                hazard("cube", Bodies.cube(5, -6, 7), recorded(EXACT, EXACT)),
+                hazard("edge-on", Bodies.cube(5, -6, 1), recorded(EXACT, EXACT)),
+                hazard("edge-on-by-rounding", nearlyEdgeOn(), recorded(WRONG, EXACT)),
+                hazard("eye-inside", Bodies.cube(0.5, 0.25, -0.5), recorded(EXACT, EXACT)));
     }
 
     private static List<Hazard<Body>> ofInnerPoints() {
         return List.of(
-                hazard(
-                        "not-convex",
-                        "An L-shaped block: no mean of its corners is behind all its faces.",
-                        Bodies.corner(6, 7, 5),
-                        recorded(WRONG, REFUSED)),
+                hazard("not-convex", Bodies.corner(6, 7, 5), recorded(WRONG, REFUSED)),
                 hazard(
                         "not-convex-but-star-shaped",
-                        "The same block with an inner point that is behind every face.",
                         Bodies.corner(6, 7, 5).withInside(0.5, 0.5, 0.5),
                         recorded(EXACT, EXACT)),
                 hazard(
                         "inner-point-outside",
-                        "The point given as inner lies behind the cube, seen from the eye.",
                         Bodies.cube(5, -6, 7).withInside(-3, 3, -3),
                         recorded(WRONG, REFUSED)),
                 hazard(
                         "inner-point-before-a-face",
-                        "Eye and inner point are both in front of the right face.",
                         Bodies.cube(5, -6, 7).withInside(2, 0, 0),
                         recorded(WRONG, REFUSED)),
                 hazard(
                         "parallel",
-                        "The segment is parallel to the right face, in front of which it runs.",
                         Bodies.cube(5, -6, 7).withInside(5, 0, 0),
                         recorded(WRONG, REFUSED)),
-                hazard(
-                        "no-area",
-                        "A face whose corners lie on one line has no side to be seen.",
-                        sliver(),
-                        recorded(EXACT, REFUSED)));
+                hazard("no-area", sliver(), recorded(EXACT, REFUSED)));
     }
 
     private static List<Hazard<Body>> ofNumbers() {
         return List.of(
-                hazard(
-                        "corner-on-an-edge",
-                        "The first three corners of the top lie on one line and span no plane.",
-                        cornerOnEdge(),
-                        recorded(WRONG, EXACT)),
-                hazard(
-                        "huge",
-                        "Coordinates of 10²⁰⁰, whose products overflow.",
-                        Bodies.cube(5, -6, 7).scaled(1e200),
-                        recorded(WRONG, EXACT)),
-                hazard(
-                        "tiny",
-                        "Coordinates of 10⁻²⁰⁰, whose products are 0.",
-                        Bodies.cube(5, -6, 7).scaled(1e-200),
-                        recorded(WRONG, EXACT)),
-                hazard(
-                        "wall-at-the-largest",
-                        "All corners' x is the largest double, which their rounded mean exceeds.",
-                        wallAtTheLargest(),
-                        recorded(WRONG, REFUSED)));
+                hazard("corner-on-an-edge", cornerOnEdge(), recorded(WRONG, EXACT)),
+                hazard("huge", Bodies.cube(5, -6, 7).scaled(1e200), recorded(WRONG, EXACT)),
+                hazard("tiny", Bodies.cube(5, -6, 7).scaled(1e-200), recorded(WRONG, EXACT)),
+                hazard("wall-at-the-largest", wallAtTheLargest(), recorded(WRONG, REFUSED)));
     }
 
     /** Both sides of a triangle; the eye is four steps of the largest double before it. */
@@ -144,9 +100,8 @@ final class VisibleFacesHazards {
                 new int[] {1, 2, 3});
     }
 
-    private static Hazard<Body> hazard(
-            String name, String text, Body body, Map<String, Verdict.Kind> recorded) {
-        return new Hazard<>(name, text, body, recorded);
+    private static Hazard<Body> hazard(String name, Body body, Map<String, Verdict.Kind> recorded) {
+        return new Hazard<>(name, body, recorded);
     }
 
     private static Map<String, Verdict.Kind> recorded(Verdict.Kind textbook, Verdict.Kind segment) {

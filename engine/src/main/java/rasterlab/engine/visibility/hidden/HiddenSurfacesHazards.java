@@ -44,7 +44,6 @@ final class HiddenSurfacesHazards {
         return List.of(
                 hazard(
                         "vase-mean-z",
-                        "The vase of the coursework: its painter rounds, and averages three corners of four.",
                         "none painter-textbook",
                         "",
                         SurfaceView.of(
@@ -54,7 +53,6 @@ final class HiddenSurfacesHazards {
                                 new PictureFit(400, 300, 0.9))),
                 hazard(
                         "mean-mis-sorts",
-                        "A square stands over the far end of a floor, whose mean is nearer.",
                         "none back-face painter-textbook painter",
                         "",
                         perspective(
@@ -68,7 +66,6 @@ final class HiddenSurfacesHazards {
                                         .mesh())),
                 hazard(
                         "cyclic-overlap",
-                        "Each of three bars lies over the next: no order of whole ones is right.",
                         "none back-face painter-textbook painter",
                         "",
                         parallel(
@@ -79,7 +76,6 @@ final class HiddenSurfacesHazards {
                                         .mesh())),
                 hazard(
                         "interpenetration",
-                        "Two slanted squares cross along a line.",
                         "none back-face painter-textbook painter",
                         "",
                         perspective(crossedSquares())));
@@ -89,7 +85,6 @@ final class HiddenSurfacesHazards {
         return List.of(
                 hazard(
                         "coplanar",
-                        "Two overlapping squares in one plane: z-fighting; the earlier is right.",
                         "none back-face painter-textbook painter",
                         "z24",
                         SurfaceView.of(
@@ -99,13 +94,11 @@ final class HiddenSurfacesHazards {
                                 SMALL)),
                 hazard(
                         "coplanar-turned",
-                        "Two squares in one plane that was turned, which rounds it: the earlier is right.",
                         "none back-face painter",
                         "painter-textbook",
                         TurnedSquares.seen()),
                 hazard(
                         "coplanar-far-corners",
-                        "A strip in the plane of a square, corners far away: the earlier is right.",
                         "none back-face painter",
                         "painter-textbook",
                         FarCorners.seen()));
@@ -133,40 +126,11 @@ final class HiddenSurfacesHazards {
 
     private List<Hazard<SurfaceView>> ofDepths() {
         return List.of(
-                deep(
-                        "depth-1-at-1000",
-                        "Near 1, far 10⁶: two squares 1 unit apart at 1000, the farther first.",
-                        "painter-textbook z16",
-                        "",
-                        1000,
-                        1),
-                deep(
-                        "depth-10-at-100000",
-                        "Near 1, far 10⁶: two squares 10 units apart at 10⁵, the farther first.",
-                        "painter-textbook z16 z24",
-                        "",
-                        1e5,
-                        10),
-                deep(
-                        "depth-50-at-900000",
-                        "Near 1, far 10⁶: two squares 50 units apart at 9·10⁵, the farther first.",
-                        "painter-textbook z16 z24 z32",
-                        "",
-                        9e5,
-                        50),
-                deep(
-                        "depth-hair-at-900000",
-                        "Near 1, far 10⁶: two squares 0.1 units apart at 9·10⁵, the farther first.",
-                        "painter-textbook z16 z24 z32",
-                        "",
-                        9e5,
-                        0.1),
-                hazard(
-                        "long-span-drift",
-                        "Two long slopes over 8000 pixels, 7 of 2²⁴ depths apart: sums drift.",
-                        "z16 z24",
-                        "",
-                        longSpan()));
+                deep("depth-1-at-1000", "painter-textbook z16", "", 1000, 1),
+                deep("depth-10-at-100000", "painter-textbook z16 z24", "", 1e5, 10),
+                deep("depth-50-at-900000", "painter-textbook z16 z24 z32", "", 9e5, 50),
+                deep("depth-hair-at-900000", "painter-textbook z16 z24 z32", "", 9e5, 0.1),
+                hazard("long-span-drift", "z16 z24", "", longSpan()));
     }
 
     /**
@@ -189,18 +153,12 @@ final class HiddenSurfacesHazards {
     }
 
     private Hazard<SurfaceView> deep(
-            String name,
-            String description,
-            String wrong,
-            String degraded,
-            double depth,
-            double apart) {
+            String name, String wrong, String degraded, double depth, double apart) {
         double half = 40.3 * depth / Quads.RHO;
         var squares =
                 new Quads().square(0, 0, depth + apart, half).square(0, 0, depth, half * 0.75);
         return hazard(
                 name,
-                description,
                 wrong,
                 degraded,
                 SurfaceView.between(1, 1e6, squares.mesh(), Quads.FROM_X, SMALL));
@@ -208,15 +166,9 @@ final class HiddenSurfacesHazards {
 
     private List<Hazard<SurfaceView>> ofPlaces() {
         return List.of(
-                hazard(
-                        CLOSED,
-                        "A box seen straight from the front: C = 0 for four of its faces.",
-                        "none",
-                        "painter-textbook",
-                        parallel(box())),
+                hazard(CLOSED, "none", "painter-textbook", parallel(box())),
                 hazard(
                         "edge-on-by-a-hair",
-                        "A wall over a floor, seen at the smallest angle there is: it covers nothing.",
                         "",
                         "",
                         SurfaceView.of(
@@ -230,7 +182,6 @@ final class HiddenSurfacesHazards {
         return List.of(
                 hazard(
                         "eye-in-a-face",
-                        "The eye lies in a floor that reaches behind it, before a square.",
                         "",
                         "painter-textbook",
                         perspective(
@@ -240,7 +191,6 @@ final class HiddenSurfacesHazards {
                                         .mesh())),
                 hazard(
                         "through-a-face",
-                        "The eye is 10⁻⁴ units before a wall that the near plane cuts away.",
                         "",
                         "painter-textbook",
                         perspective(
@@ -250,7 +200,6 @@ final class HiddenSurfacesHazards {
                                         .mesh())),
                 hazard(
                         "behind-the-eye",
-                        "Squares before and behind the eye, and a floor from one to the other.",
                         "none back-face painter-textbook painter",
                         "",
                         perspective(
@@ -263,7 +212,6 @@ final class HiddenSurfacesHazards {
                                         .mesh())),
                 hazard(
                         "one-pixel",
-                        "Two squares in a picture of 1×1 pixel.",
                         "none back-face",
                         "",
                         SurfaceView.of(
@@ -306,12 +254,12 @@ final class HiddenSurfacesHazards {
      * @param degraded methods that are, likewise; 'convex' refuses whatever is no closed body
      */
     private Hazard<SurfaceView> hazard(
-            String name, String description, String wrong, String degraded, SurfaceView input) {
+            String name, String wrong, String degraded, SurfaceView input) {
         var failing = new TreeMap<String, Verdict.Kind>();
         words(wrong).forEach(method -> failing.put(method, Verdict.Kind.WRONG));
         words(degraded).forEach(method -> failing.put(method, Verdict.Kind.DEGRADED));
         if (!name.equals(CLOSED)) failing.put("convex", Verdict.Kind.REFUSED);
-        return Hazard.allExactBut(failing, methods, name, description, input);
+        return Hazard.allExactBut(failing, methods, name, input);
     }
 
     private static Stream<String> words(String names) {

@@ -27,26 +27,22 @@ final class DepthOrderHazards {
         return List.of(
                 hazard(
                         "one-behind-the-other",
-                        "Three squares across the look, given nearest first.",
                         recorded(EXACT, EXACT, EXACT, EXACT),
                         square(0, 0, 10, 2),
                         square(1, 0, 20, 4),
                         square(0, 1, 30, 6)),
                 hazard(
                         "mean-mis-sorts",
-                        "A square stands over the far end of a floor, whose mean is nearer.",
                         recorded(WRONG, WRONG, EXACT, EXACT),
                         FLOOR,
                         square(0, -1.5, 30, 1)),
                 hazard(
                         "rounded-to-one-depth",
-                        "Two squares less than half a unit apart, the nearer first.",
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         square(0, 0, 20, 3),
                         square(1, 0, 20.4, 3)),
                 hazard(
                         "fourth-corner-left-out",
-                        "The corner left out is the near one, over a square farther away.",
                         recorded(WRONG, EXACT, EXACT, EXACT),
                         new double[] {9, -1, 20, 9, 9, 30, -1, 9, 20, -1, -1, 10},
                         square(0, 0, 23, 1)));
@@ -57,14 +53,12 @@ final class DepthOrderHazards {
         return List.of(
                 new Hazard<>(
                         "eye-on-the-other-side",
-                        "Squares between the eye and the origin: the farther one from it is nearer.",
                         new Sight(
                                 new double[][] {square(0, 0, -20, 4), square(1, 0, -10, 4)},
                                 new double[] {0, 0, -40}),
                         recorded(EXACT, EXACT, EXACT, EXACT)),
                 new Hazard<>(
                         "eye-aside",
-                        "A square over the far end of a floor, all of it moved away from the origin.",
                         new Sight(
                                 new double[][] {
                                     moved(FLOOR, aside), moved(square(0, -1.5, 30, 1), aside)
@@ -73,7 +67,6 @@ final class DepthOrderHazards {
                         recorded(WRONG, WRONG, EXACT, EXACT)),
                 new Hazard<>(
                         "nearest-corner-mis-sorts",
-                        "A wall reaches nearer than a square before its far end.",
                         new Sight(
                                 new double[][] {
                                     {3, -3, 5, -3, -3, 35, -3, 3, 35, 3, 3, 5},
@@ -91,25 +84,15 @@ final class DepthOrderHazards {
 
     private static List<Hazard<Sight>> ofCuts() {
         return List.of(
-                hazard(
-                        "circle-of-three",
-                        "Each of three bars lies over the next: no order of whole ones is right.",
-                        recorded(WRONG, WRONG, EXACT, EXACT),
-                        circle()),
-                hazard(
-                        "through-each-other",
-                        "Two squares cross along a line.",
-                        recorded(WRONG, WRONG, EXACT, EXACT),
-                        crossing()),
+                hazard("circle-of-three", recorded(WRONG, WRONG, EXACT, EXACT), circle()),
+                hazard("through-each-other", recorded(WRONG, WRONG, EXACT, EXACT), crossing()),
                 hazard(
                         "coplanar",
-                        "Two squares in one plane overlap: either may be painted over the other.",
                         recorded(EXACT, EXACT, EXACT, EXACT),
                         new double[] {-3, -3, 17, 1, -3, 21, 1, 1, 21, -3, 1, 17},
                         new double[] {-1, -1, 19, 3, -1, 23, 3, 3, 23, -1, 3, 19}),
                 hazard(
                         "edge-on",
-                        "The plane of one square holds the eye, which sees a line: C = 0.",
                         recorded(EXACT, EXACT, EXACT, EXACT),
                         new double[] {0, -2, 12, 0, -2, 16, 0, 2, 16, 0, 2, 12},
                         square(0, 0, 20, 3)));
@@ -119,13 +102,11 @@ final class DepthOrderHazards {
         return List.of(
                 hazard(
                         "behind-the-eye",
-                        "A floor reaches under the eye and behind it.",
                         recorded(WRONG, WRONG, REFUSED, EXACT),
                         new double[] {-4, -3, -10, 4, -3, -10, 4, -3, 40, -4, -3, 40},
                         square(0, -1.5, 30, 1)),
                 hazard(
                         "eye-in-the-middle",
-                        "Walls all round the eye, which has no direction to look.",
                         recorded(REFUSED, REFUSED, REFUSED, EXACT),
                         square(0, 0, 10, 4),
                         square(0, 0, -10, 4),
@@ -133,12 +114,10 @@ final class DepthOrderHazards {
                         square(0, 0, -5, 1)),
                 new Hazard<>(
                         "huge",
-                        "Coordinates of 10²⁰⁰, whose products overflow.",
                         new Sight(crossing(), EYE).scaled(1e200),
                         recorded(WRONG, WRONG, EXACT, EXACT)),
                 new Hazard<>(
                         "tiny",
-                        "Coordinates of 10⁻²⁰⁰, whose products are 0.",
                         new Sight(circle(), EYE).scaled(1e-200),
                         recorded(WRONG, WRONG, EXACT, EXACT)));
     }
@@ -147,13 +126,11 @@ final class DepthOrderHazards {
         return List.of(
                 hazard(
                         "too-near-the-eye",
-                        "The eye is nearer to a wall than 10⁻⁶ of the largest coordinate: out of range.",
                         recorded(REFUSED, REFUSED, REFUSED, REFUSED),
                         square(0, 0, 1e-12, 1e4),
                         square(0, 0, 1e-3, 1)),
                 hazard(
                         "too-narrow",
-                        "A strip is narrower than 10⁻⁶ of the largest coordinate: out of range.",
                         recorded(REFUSED, REFUSED, REFUSED, REFUSED),
                         new double[] {-1e4, 0, 20, 1e4, 0, 30, 1e4, 1e-4, 30, -1e4, 1e-4, 20},
                         square(0, 0, 26, 5e3)));
@@ -192,8 +169,8 @@ final class DepthOrderHazards {
     }
 
     private static Hazard<Sight> hazard(
-            String name, String text, Map<String, Verdict.Kind> recorded, double[]... polygons) {
-        return new Hazard<>(name, text, new Sight(polygons, EYE), recorded);
+            String name, Map<String, Verdict.Kind> recorded, double[]... polygons) {
+        return new Hazard<>(name, new Sight(polygons, EYE), recorded);
     }
 
     private static Map<String, Verdict.Kind> recorded(

@@ -21,12 +21,8 @@ class MatrixVerdictTest {
     @MethodSource("shapes")
     void isWrongAndSaysWhatIsMissing(double[][] answer, String detail) {
         var topic = new MatrixTopic();
-        var method =
-                new Method<MatrixFormula>(
-                        "own",
-                        new Method.About("", "", "", "", ""),
-                        (name, parameters) -> anew(answer));
-        var hazard = new Hazard<>("one", "", MatrixCall.of("IDENTITY"), Map.of());
+        var method = Method.<MatrixFormula>failing("own", (name, parameters) -> anew(answer));
+        var hazard = new Hazard<>("one", MatrixCall.of("IDENTITY"), Map.of());
         Verdict verdict = HazardTrial.judge(topic, method, hazard, Duration.ofMinutes(2));
         assertEquals(Verdict.Kind.WRONG, verdict.kind());
         assertEquals(detail, verdict.detail());

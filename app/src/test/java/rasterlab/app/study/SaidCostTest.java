@@ -1,15 +1,24 @@
-package rasterlab.engine.transform;
+package rasterlab.app.study;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.card.TopicTexts;
+import rasterlab.app.language.Language;
+import rasterlab.app.rooms.LabRooms;
+import rasterlab.contract.SplineEnds;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SplineProblem;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.axis.AxisTopic;
@@ -22,7 +31,7 @@ import rasterlab.engine.transform.view.Look;
 import rasterlab.engine.transform.view.ViewTopic;
 
 /** What students read about a method's cost is what the counters count. */
-class AboutCostTest {
+class SaidCostTest {
     private static final double[] AXIS = {1, 2, 2};
 
     static Stream<Arguments> growth() {
@@ -63,9 +72,13 @@ class AboutCostTest {
                         method ->
                                 arguments(
                                         topic.name() + " " + method.name(),
-                                        method.about().cost(),
+                                        cost(topic, method),
                                         difference(topic, method, small, large),
                                         unit));
+    }
+
+    private static String cost(Topic<?, ?, ?> topic, Method<?> method) {
+        return TopicTexts.of(LabRooms.card(topic.name()), Language.ENGLISH).about(method, "cost");
     }
 
     private static <C, I> Map<String, Long> difference(
@@ -102,5 +115,21 @@ class AboutCostTest {
                                     + unit);
             assertTrue(sentence.matcher(cost).find(), counted + " where is said: " + cost);
         }
+    }
+
+    /** "Two steps per knot" and "one step per piece", as the methods say of themselves. */
+    @ParameterizedTest(name = "{0} is said to take other steps than it does")
+    @CsvSource({"cubic, 2, two steps per knot", "monotone, 1, one step per piece"})
+    void aboutSaysWhatTheWalkCounts(String name, long steps, String said) {
+        var topic = new SplineFunctionTopic();
+        String cost = cost(topic, topic.method(name));
+        assertTrue(cost.startsWith(said), cost);
+        assertEquals(steps * 50, steps(topic, name, 150) - steps(topic, name, 100));
+    }
+
+    private static long steps(SplineFunctionTopic topic, String name, int knots) {
+        double[] x = IntStream.range(0, knots).mapToDouble(i -> i).toArray();
+        var problem = new SplineProblem(x, x, SplineEnds.natural(), new double[] {0}, false);
+        return topic.operations(topic.method(name).implementation(), problem).get("steps");
     }
 }
