@@ -2,7 +2,6 @@ package rasterlab.app.cli;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
@@ -21,8 +20,10 @@ import rasterlab.app.server.Breakdown;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.Following;
 import rasterlab.app.server.ServerRefusal;
+import rasterlab.app.server.ServerReport;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Hands a solution in to a grading server and says what came of it. */
@@ -128,7 +129,7 @@ final class SubmitCommand implements Callable<Integer> {
 
     private void print(JsonNode document) throws IOException {
         JsonGenerator out = PrettyJson.to(console.out());
-        new ObjectMapper().writeTree(out, document);
+        OwnJson.MAPPER.writeTree(out, document);
         out.writeRaw('\n');
         out.flush();
     }

@@ -4,14 +4,18 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.Following;
+import rasterlab.app.server.ServerReport;
 import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.published.PublishedCase;
+import rasterlab.exercises.published.PublishedDiagnostic;
+import rasterlab.exercises.published.PublishedPicture;
+import rasterlab.exercises.published.PublishedPoints;
+import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.score.CasePicture;
-import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.Points;
-import rasterlab.exercises.score.PublishedVerdict;
 import rasterlab.exercises.score.Report;
 
 /** Hands a source in and follows it to its result. */
@@ -70,86 +74,69 @@ final class Submitting {
 
             @Override
             public void judged(JsonNode one) {
-                judged.add(tried(one, Said.NOTHING, List.of()));
+                judged.add(tried(ServerReport.judged(one), Said.NOTHING, List.of()));
                 follower.judged(List.copyOf(judged));
             }
         };
     }
 
     private Outcome outcome(String source, String id) throws IOException, InterruptedException {
-        JsonNode english = server.submission(token, id, "en");
-        JsonNode russian = server.submission(token, id, "ru");
+        JsonNode submission = server.submission(token, id, "en");
+        PublishedReport english = ServerReport.read(submission);
+        PublishedReport russian = ServerReport.read(server.submission(token, id, "ru"));
         List<TriedCase> cases = new ArrayList<>();
-        for (int i = 0; i < english.path("cases").size(); i++) {
-            JsonNode one = english.path("cases").get(i);
+        for (PublishedCase one : english.cases()) {
             // Not by its name: several may be called hidden.
-            JsonNode other = russian.path("cases").path(i);
-            cases.add(tried(one, said(one, other), pictures(one, other)));
+            Optional<PublishedCase> other = at(russian.cases(), cases.size());
+            Said said = new Said(one.message(), other.map(PublishedCase::message).orElse(""));
+            cases.add(tried(one, said, pictures(one, other)));
         }
         return new Outcome(
                 source,
-                english.path("attempt").asInt(),
-                english.path("verdict").asText(),
-                points(english.path("points")),
+                submission.path("attempt").asInt(),
+                english.verdict(),
+                points(english.points()),
                 cases,
-                remarks(english.path("diagnostics"), russian.path("diagnostics")),
-                Said.of(code -> isolation(english, code)),
+                remarks(english.diagnostics(), russian.diagnostics()),
+                Said.of(code -> Report.isolationIn(code, english.isolation())),
                 0,
-                !english.path("current").asBoolean(true));
+                !submission.path("current").asBoolean(true));
     }
 
-    private static String isolation(JsonNode view, String language) {
-        return Report.isolationIn(language, view.path("isolation").asText(""));
+    private static <T> Optional<T> at(List<T> all, int index) {
+        return index < all.size() ? Optional.of(all.get(index)) : Optional.empty();
     }
 
-    private static Said said(JsonNode english, JsonNode russian) {
-        return new Said(english.path("message").asText(), russian.path("message").asText());
-    }
-
-    private static Points points(JsonNode points) throws IOException {
+    private static Points points(PublishedPoints points) throws IOException {
         try {
-            return new Points(
-                    points.path("accuracy").asInt(),
-                    points.path("stability").asInt(),
-                    points.path("speed").asInt(),
-                    points.path("of").asInt());
+            return new Points(points.accuracy(), points.stability(), points.speed(), points.of());
         } catch (IllegalArgumentException e) {
             throw new IOException("the server's points do not fit: " + e.getMessage(), e);
         }
     }
 
-    private static TriedCase tried(JsonNode one, Said said, List<TriedPicture> pictures) {
-        JsonNode scene = one.path("scene");
-        var verdict =
-                new PublishedVerdict(
-                        one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
-                        one.path("run").asBoolean(true));
-        int points = one.path("points").asInt();
-        int of = one.path("of").asInt();
+    private static TriedCase tried(PublishedCase one, Said said, List<TriedPicture> pictures) {
         return new TriedCase(
-                one.path("name").asText(),
-                verdict.told(points, of),
-                points,
-                of,
+                one.name(),
+                one.verdict().told(one.points(), one.of()),
+                one.points(),
+                one.of(),
                 said,
                 pictures,
-                scene.isObject() ? scene.toString() : "");
+                one.scene());
     }
 
-    private List<TriedPicture> pictures(JsonNode english, JsonNode russian)
+    private List<TriedPicture> pictures(PublishedCase english, Optional<PublishedCase> russian)
             throws IOException, InterruptedException {
+        List<PublishedPicture> others = russian.map(PublishedCase::pictures).orElse(List.of());
         var pictures = new ArrayList<TriedPicture>();
-        for (JsonNode one : english.path("pictures")) {
-            String kind = one.path("kind").asText();
-            if (!CasePicture.isKind(kind))
-                throw new IOException("the server's kind of a picture is '" + kind + "'");
-            JsonNode other = russian.path("pictures").path(pictures.size());
+        for (PublishedPicture one : english.pictures()) {
+            if (!CasePicture.isKind(one.kind()))
+                throw new IOException("the server's kind of a picture is '" + one.kind() + "'");
+            String other = at(others, pictures.size()).map(PublishedPicture::text).orElse("");
             pictures.add(
                     new TriedPicture(
-                            kind,
-                            png(one.path("url").asText()),
-                            new Said(one.path("text").asText(), other.path("text").asText()),
-                            PicturePart.ofData(one.path("part").toString())));
+                            one.kind(), png(one.url()), new Said(one.text(), other), one.part()));
         }
         return pictures;
     }
@@ -160,16 +147,14 @@ final class Submitting {
         return server.get(path, token);
     }
 
-    private static List<Outcome.Remark> remarks(JsonNode english, JsonNode russian) {
+    private static List<Outcome.Remark> remarks(
+            List<PublishedDiagnostic> english, List<PublishedDiagnostic> russian) {
         List<Outcome.Remark> remarks = new ArrayList<>();
-        for (int i = 0; i < english.size(); i++) {
-            JsonNode one = english.get(i);
-            JsonNode other = i < russian.size() ? russian.get(i) : one;
+        for (PublishedDiagnostic one : english) {
+            PublishedDiagnostic other = at(russian, remarks.size()).orElse(one);
             remarks.add(
                     new Outcome.Remark(
-                            one.path("line").asInt(),
-                            one.path("column").asInt(),
-                            said(one, other)));
+                            one.line(), one.column(), new Said(one.message(), other.message())));
         }
         return remarks;
     }

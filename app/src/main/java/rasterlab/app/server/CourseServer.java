@@ -2,7 +2,6 @@ package rasterlab.app.server;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -13,6 +12,7 @@ import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Map;
+import rasterlab.exercises.document.OwnJson;
 
 /**
  * Talks to a grading server as a student does. Every call ends within some seconds or with the
@@ -32,7 +32,6 @@ public final class CourseServer {
     private final URI server;
     private final Patience patience;
     private final HttpClient http;
-    private final ObjectMapper json = new ObjectMapper();
 
     public CourseServer(URI server, Patience patience) {
         this.server = server;
@@ -47,7 +46,7 @@ public final class CourseServer {
      */
     public Account join(String code, String name, String key)
             throws IOException, InterruptedException {
-        byte[] body = json.writeValueAsBytes(Map.of("course", code, "name", name));
+        byte[] body = OwnJson.MAPPER.writeValueAsBytes(Map.of("course", code, "name", name));
         HttpRequest request =
                 request("/api/v1/join")
                         .header("Content-Type", "application/json")
@@ -128,7 +127,7 @@ public final class CourseServer {
 
     public JsonNode tree(byte[] body) throws IOException {
         try {
-            return json.readTree(body);
+            return OwnJson.MAPPER.readTree(body);
         } catch (JsonProcessingException e) {
             throw new IOException(server + " answers something that is no JSON", e);
         }
@@ -151,7 +150,7 @@ public final class CourseServer {
     /** In the server's words; where it has none, with what the answer is. */
     private ServerRefusal refusal(int status, byte[] body) {
         try {
-            JsonNode problem = json.readTree(body);
+            JsonNode problem = OwnJson.MAPPER.readTree(body);
             String type = problem.path("type").asText();
             String code = type.startsWith(PROBLEM) ? type.substring(PROBLEM.length()) : "";
             String detail = problem.path("detail").asText();

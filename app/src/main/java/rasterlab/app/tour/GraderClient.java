@@ -1,7 +1,6 @@
 package rasterlab.app.tour;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -16,6 +15,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.stream.Stream;
+import rasterlab.exercises.document.OwnJson;
 
 /** Talks to the grading server as an instructor and a student do. */
 final class GraderClient {
@@ -24,7 +24,6 @@ final class GraderClient {
 
     private final URI server;
     private final HttpClient http = HttpClient.newHttpClient();
-    private final ObjectMapper json = new ObjectMapper();
 
     /**
      * @param server such as http://127.0.0.1:8080
@@ -36,7 +35,7 @@ final class GraderClient {
     /** Makes a course and returns the code that students join by. */
     String createCourse(String instructorToken, String name)
             throws IOException, InterruptedException {
-        byte[] body = json.writeValueAsBytes(Map.of("name", name));
+        byte[] body = OwnJson.MAPPER.writeValueAsBytes(Map.of("name", name));
         return post("/api/v1/courses", instructorToken, "application/json", body)
                 .path("code")
                 .asText();
@@ -44,7 +43,7 @@ final class GraderClient {
 
     /** Joins a course and returns the student's token. */
     String join(String code, String name) throws IOException, InterruptedException {
-        byte[] body = json.writeValueAsBytes(Map.of("course", code, "name", name));
+        byte[] body = OwnJson.MAPPER.writeValueAsBytes(Map.of("course", code, "name", name));
         return post("/api/v1/join", "", "application/json", body).path("token").asText();
     }
 
@@ -61,7 +60,8 @@ final class GraderClient {
                         .path("id")
                         .asText();
         awaitDone("/api/v1/submissions/" + id + "/events", token);
-        return json.readTree(get("/api/v1/submissions/" + id + "?lang=" + language, token));
+        return OwnJson.MAPPER.readTree(
+                get("/api/v1/submissions/" + id + "?lang=" + language, token));
     }
 
     /** Follows a submission's events until the one that says it is done. */
@@ -97,7 +97,7 @@ final class GraderClient {
                         .header("Content-Type", type)
                         .POST(BodyPublishers.ofByteArray(body))
                         .build();
-        return json.readTree(answered(request));
+        return OwnJson.MAPPER.readTree(answered(request));
     }
 
     private HttpRequest.Builder request(String path, String token) {
@@ -114,6 +114,6 @@ final class GraderClient {
                                 request.method(),
                                 request.uri().getPath(),
                                 response.statusCode(),
-                                json.readTree(response.body()).path("detail").asText()));
+                                OwnJson.MAPPER.readTree(response.body()).path("detail").asText()));
     }
 }

@@ -146,9 +146,9 @@ class RunLightTest {
                         2,
                         "shade-face",
                         "phong",
-                        FACE + "[[2,-1,0]]}",
-                        "/: weights of point 0 must be 0 or more with the sum 1, got (2, -1,"
-                                + " 0)"),
+                        FACE + "[[1,0,0],[2,-1,0]]}",
+                        "/points/1: weights of point 1 must be 0 or more with the sum 1, got (2,"
+                                + " -1, 0)"),
                 argumentSet(
                         "a depth behind the eye",
                         2,

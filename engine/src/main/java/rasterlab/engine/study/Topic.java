@@ -1,7 +1,9 @@
 package rasterlab.engine.study;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rasterlab.engine.naming.Named;
 
 /**
@@ -42,6 +44,22 @@ public interface Topic<C, I, O> {
     /** The mutants to try where not the topic's answer is asked for, but that of one method. */
     default List<Mutant<C>> mutants(String method) {
         return mutants();
+    }
+
+    /**
+     * The mutants to try on what is asked for.
+     *
+     * @param method whose answer that is; empty for the topic's
+     */
+    default List<Mutant<C>> mutants(Optional<String> method) {
+        return method.isPresent() ? mutants(method.get()) : mutants();
+    }
+
+    /** The mutants to try on anything that may be asked for; the same one may come again. */
+    default List<Mutant<C>> allMutants() {
+        var all = new ArrayList<>(mutants());
+        for (Method<C> one : methods()) all.addAll(mutants(one.name()));
+        return all;
     }
 
     /**

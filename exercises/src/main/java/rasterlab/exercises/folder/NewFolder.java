@@ -1,8 +1,8 @@
 package rasterlab.exercises.folder;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,7 +20,6 @@ import rasterlab.exercises.topic.TopicGradings;
  * with what is still to be written.
  */
 public final class NewFolder {
-    private static final JsonMapper MAPPER = new JsonMapper();
     private static final int ACCURACY = 75;
     private static final int STABILITY = 15;
     private static final int SPEED = 10;
@@ -69,10 +68,10 @@ public final class NewFolder {
     }
 
     private ObjectNode exercise() {
-        ObjectNode root = MAPPER.createObjectNode();
+        ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("topic", topic.name());
         root.set("title", both("TITLE", "НАЗВАНИЕ"));
-        root.set("tolerance", MAPPER.createObjectNode());
+        root.set("tolerance", JsonNodeFactory.instance.objectNode());
         root.putObject("points")
                 .put("accuracy", ACCURACY)
                 .put("stability", STABILITY)
@@ -89,7 +88,7 @@ public final class NewFolder {
     }
 
     private static ObjectNode both(String english, String russian) {
-        return MAPPER.createObjectNode().put("en", english).put("ru", russian);
+        return JsonNodeFactory.instance.objectNode().put("en", english).put("ru", russian);
     }
 
     /** An input as JSON, whose numbers are to be made ranges. */
@@ -98,7 +97,7 @@ public final class NewFolder {
                 .map(name -> InputJson.of(topic, name))
                 .filter(one -> !one.isEmpty())
                 .findFirst()
-                .orElse(MAPPER.createObjectNode());
+                .orElse(JsonNodeFactory.instance.objectNode());
     }
 
     private ArrayNode open() {
@@ -113,8 +112,8 @@ public final class NewFolder {
     private ArrayNode hidden() {
         int from = Math.min(MOST_OPEN, Math.max(0, hazards.size() - 1));
         List<String> names = hazards.subList(from, Math.min(from + MOST_HIDDEN, hazards.size()));
-        ArrayNode cases = MAPPER.createArrayNode();
-        ObjectNode drawn = MAPPER.createObjectNode();
+        ArrayNode cases = JsonNodeFactory.instance.arrayNode();
+        ObjectNode drawn = JsonNodeFactory.instance.objectNode();
         drawn.put("name", "random-inputs");
         drawn.set("title", both("random inputs", "случайные данные"));
         drawn.put("group", "ordinary")
@@ -129,7 +128,7 @@ public final class NewFolder {
 
     private static ArrayNode cases(
             List<String> hazards, String kind, String visibility, int points) {
-        ArrayNode cases = MAPPER.createArrayNode();
+        ArrayNode cases = JsonNodeFactory.instance.arrayNode();
         int left = points;
         for (int i = 0; i < hazards.size(); i++) {
             int share = left / (hazards.size() - i);

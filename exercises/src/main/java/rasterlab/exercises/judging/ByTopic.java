@@ -262,9 +262,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     public final Set<String> mistakes() {
         Set<String> codes = new TreeSet<>(ownMistakes());
         topic.methods().stream().filter(Method::faulty).forEach(one -> codes.add(one.name()));
-        topic.mutants().forEach(one -> codes.add(one.name()));
-        for (Method<C> method : topic.methods())
-            topic.mutants(method.name()).forEach(one -> codes.add(one.name()));
+        topic.allMutants().forEach(one -> codes.add(one.name()));
         return codes;
     }
 

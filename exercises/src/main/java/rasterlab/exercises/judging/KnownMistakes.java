@@ -71,9 +71,8 @@ final class KnownMistakes<C, I, O> {
                         == 1;
     }
 
-    /** Returns those of the method that is asked for, where it is one. */
     private List<Mutant<C>> mutants() {
-        return demand.tolerance().truth().map(topic::mutants).orElseGet(topic::mutants);
+        return topic.mutants(demand.tolerance().truth());
     }
 
     private Stream<C> named(String name) {

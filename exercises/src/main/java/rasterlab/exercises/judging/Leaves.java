@@ -2,7 +2,6 @@ package rasterlab.exercises.judging;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
@@ -16,12 +15,12 @@ import java.util.Set;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
+import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.json.JsonSink;
 import rasterlab.exercises.score.Message;
 
 /** The numbers and truth values of an answer, each by its place, such as {@code inside[3]}. */
 final class Leaves {
-    private static final JsonMapper MAPPER = new JsonMapper();
     private static final String NONE = "–";
 
     /** A smaller part of the largest difference is passed over, as rounding is. */
@@ -65,7 +64,7 @@ final class Leaves {
 
     private static JsonNode tree(Writing fields) {
         try {
-            return MAPPER.readTree(text(fields));
+            return OwnJson.MAPPER.readTree(text(fields));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -73,7 +72,7 @@ final class Leaves {
 
     private static String text(Writing fields) {
         StringWriter text = new StringWriter();
-        try (JsonGenerator json = MAPPER.createGenerator(text)) {
+        try (JsonGenerator json = OwnJson.MAPPER.createGenerator(text)) {
             json.writeStartObject();
             fields.to(new AllNumbers(json));
             json.writeEndObject();

@@ -1,10 +1,10 @@
 package rasterlab.exercises.judging;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.DoubleNode;
 import com.fasterxml.jackson.databind.node.IntNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.LongNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Map;
@@ -21,7 +21,6 @@ import rasterlab.exercises.score.Phrase;
  * {@link NamedNumbers}.
  */
 final class Template {
-    private static final JsonMapper MAPPER = new JsonMapper();
     private static final String NUMBER = "-?\\d+(?:\\.\\d+)?(?:[eE][+-]?\\d+)?";
     private static final Pattern RANGE = Pattern.compile("(" + NUMBER + ")\\.\\.(" + NUMBER + ")");
     private static final int MOST_TIMES = 10_000;
@@ -53,14 +52,14 @@ final class Template {
     private JsonNode drawn(JsonNode node, Random random, Map<String, Long> named) {
         if (node.isTextual()) return number(node, random, named);
         if (node.isArray()) {
-            ArrayNode array = MAPPER.createArrayNode();
+            ArrayNode array = JsonNodeFactory.instance.arrayNode();
             for (JsonNode one : node) array.add(drawn(one, random, named));
             return array;
         }
         if (!node.isObject()) return node;
         if (node.has("any")) return oneOf(node.get("any"), random, named);
         if (node.has("times") && node.has("of")) return times(node, random, named);
-        ObjectNode object = MAPPER.createObjectNode();
+        ObjectNode object = JsonNodeFactory.instance.objectNode();
         node.properties().forEach(f -> object.set(f.getKey(), drawn(f.getValue(), random, named)));
         return object;
     }
@@ -74,7 +73,7 @@ final class Template {
         JsonNode times = node.get("times");
         int count = times.canConvertToInt() && times.isIntegralNumber() ? times.intValue() : 0;
         if (count < 1 || count > MOST_TIMES) throw wrong("template.times", MOST_TIMES, node);
-        ArrayNode array = MAPPER.createArrayNode();
+        ArrayNode array = JsonNodeFactory.instance.arrayNode();
         for (int left = count; left > 0; left--) array.add(drawn(node.get("of"), random, named));
         return array;
     }

@@ -2,7 +2,6 @@ package rasterlab.exercises.predicting;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.LongNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -18,6 +17,7 @@ import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
+import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.json.JsonSink;
 import rasterlab.exercises.json.StrictJson;
 
@@ -28,7 +28,6 @@ import rasterlab.exercises.json.StrictJson;
  * @param steps an object each
  */
 record Walk(List<JsonNode> steps) {
-    private static final JsonMapper MAPPER = new JsonMapper();
 
     /** Whole numbers below are doubles. */
     private static final double MOST_WHOLE = 0x1p53;
@@ -65,7 +64,7 @@ record Walk(List<JsonNode> steps) {
 
     private static JsonNode tree(Written answer) {
         StringWriter text = new StringWriter();
-        try (JsonGenerator json = MAPPER.createGenerator(text)) {
+        try (JsonGenerator json = OwnJson.MAPPER.createGenerator(text)) {
             json.writeStartObject();
             answer.write(new JsonSink(json));
             json.writeEndObject();
@@ -73,7 +72,7 @@ record Walk(List<JsonNode> steps) {
             throw new UncheckedIOException(e);
         }
         try {
-            return wholes(MAPPER.readTree(text.toString()));
+            return wholes(OwnJson.MAPPER.readTree(text.toString()));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -82,12 +81,12 @@ record Walk(List<JsonNode> steps) {
     /** The same with whole numbers as such, 3 instead of 3.0. */
     private static JsonNode wholes(JsonNode node) {
         if (node.isObject()) {
-            ObjectNode object = MAPPER.createObjectNode();
+            ObjectNode object = OwnJson.MAPPER.createObjectNode();
             node.properties().forEach(one -> object.set(one.getKey(), wholes(one.getValue())));
             return object;
         }
         if (node.isArray()) {
-            ArrayNode array = MAPPER.createArrayNode();
+            ArrayNode array = OwnJson.MAPPER.createArrayNode();
             node.forEach(one -> array.add(wholes(one)));
             return array;
         }

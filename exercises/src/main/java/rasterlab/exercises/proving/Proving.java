@@ -119,14 +119,9 @@ public final class Proving {
         List<Kill> kills = new ArrayList<>();
         for (Method<?> one : topic.methods())
             if (one.faulty()) kills.add(kill(one.name(), false, true, one.implementation()));
-        for (Mutant<?> one : mutants(topic))
+        for (Mutant<?> one : topic.mutants(exercise.tolerance().truth()))
             kills.add(kill(one.name(), true, isAnswered(one.hazard()), one.implementation()));
         return kills;
-    }
-
-    /** Returns those of the method that is asked for, where it is one. */
-    private <C> List<Mutant<C>> mutants(Topic<C, ?, ?> of) {
-        return exercise.tolerance().truth().map(of::mutants).orElseGet(of::mutants);
     }
 
     private Kill kill(String name, boolean mutant, boolean answered, Object method) {
@@ -148,9 +143,7 @@ public final class Proving {
     private Set<String> codes(String name) {
         Set<String> codes = new HashSet<>(grading.mistakes());
         topic.methods().forEach(one -> codes.remove(one.name()));
-        topic.mutants().forEach(one -> codes.remove(one.name()));
-        for (Method<?> method : topic.methods())
-            topic.mutants(method.name()).forEach(one -> codes.remove(one.name()));
+        topic.allMutants().forEach(one -> codes.remove(one.name()));
         codes.add(name);
         return codes;
     }

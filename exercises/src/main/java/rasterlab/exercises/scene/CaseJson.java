@@ -1,6 +1,7 @@
 package rasterlab.exercises.scene;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.util.RawValue;
 import java.util.List;
@@ -51,7 +52,7 @@ final class CaseJson {
     }
 
     static String write(MethodCase one) {
-        ObjectNode file = Place.MAPPER.createObjectNode().put("version", SceneFile.VERSION);
+        ObjectNode file = JsonNodeFactory.instance.objectNode().put("version", SceneFile.VERSION);
         file.put("topic", one.topic());
         one.method().ifPresent(method -> file.put("method", method));
         file.putRawValue("input", new RawValue(one.input()));

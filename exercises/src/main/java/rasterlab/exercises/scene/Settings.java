@@ -1,5 +1,6 @@
 package rasterlab.exercises.scene;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -33,8 +34,8 @@ public final class Settings {
      */
     public <T> Settings with(Setting<T> setting, T value) {
         String json =
-                Place.MAPPER
-                        .createObjectNode()
+                JsonNodeFactory.instance
+                        .objectNode()
                         .set(setting.field(), setting.written(value))
                         .toString();
         return put(setting, setting.read(Place.root(json).at(setting.field())));
@@ -89,7 +90,7 @@ public final class Settings {
 
     void write(ObjectNode file) {
         write(Setting.OF_VIEW, file);
-        ObjectNode look = Place.MAPPER.createObjectNode();
+        ObjectNode look = JsonNodeFactory.instance.objectNode();
         write(Setting.OF_LOOK, look);
         if (!look.isEmpty()) file.set(LOOK, look);
     }

@@ -1,5 +1,6 @@
 package rasterlab.exercises.scene;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -33,7 +34,7 @@ final class ViewJson {
     }
 
     static String write(SceneView view) {
-        ObjectNode file = Place.MAPPER.createObjectNode().put("version", SceneFile.VERSION);
+        ObjectNode file = JsonNodeFactory.instance.objectNode().put("version", SceneFile.VERSION);
         if (view.source() instanceof SceneSource.ByName named) {
             file.put("scene", named.name());
             named.detail().ifPresent(detail -> file.put("detail", detail));

@@ -1,7 +1,6 @@
 package rasterlab.exercises.score;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.text.DecimalFormatSymbols;
 import java.text.MessageFormat;
 import java.util.ArrayList;
@@ -12,6 +11,7 @@ import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import rasterlab.exercises.document.OwnJson;
 
 /**
  * What a report says to a student, as data: it is put into words of a language only where somebody
@@ -51,8 +51,6 @@ public record Message(List<Sentence> sentences) {
 
     /** The beginning of the keys of texts on a place in an answer, which stands first in them. */
     private static final String AT = "answer.at";
-
-    private static final JsonMapper MAPPER = new JsonMapper();
 
     /**
      * @param key of the text
@@ -169,7 +167,7 @@ public record Message(List<Sentence> sentences) {
         for (Sentence one : sentences)
             all.add(Stream.concat(Stream.of(one.key()), one.arguments().stream()).toList());
         try {
-            return MAPPER.writeValueAsString(all);
+            return OwnJson.MAPPER.writeValueAsString(all);
         } catch (JsonProcessingException e) {
             throw new AssertionError("texts can always be written", e);
         }
@@ -183,7 +181,7 @@ public record Message(List<Sentence> sentences) {
     public static Message ofData(String data, String english) {
         List<Sentence> sentences = new ArrayList<>();
         try {
-            for (String[] one : MAPPER.readValue(data, String[][].class)) {
+            for (String[] one : OwnJson.MAPPER.readValue(data, String[][].class)) {
                 if (one.length == 0 || !texts("en").containsKey(one[0])) return quoted(english);
                 sentences.add(new Sentence(one[0], List.of(one).subList(1, one.length)));
             }

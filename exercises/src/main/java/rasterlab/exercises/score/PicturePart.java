@@ -1,14 +1,11 @@
 package rasterlab.exercises.score;
 
-import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
-import com.fasterxml.jackson.annotation.PropertyAccessor;
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.DeserializationFeature;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.exercises.document.OwnJson;
 
 /**
  * Which pixels a case's picture shows.
@@ -18,13 +15,6 @@ import rasterlab.engine.raster.PixelWindow;
  * @param pixel the one that the case's message names, or another that a smaller part is to show
  */
 public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
-    private static final JsonMapper MAPPER =
-            JsonMapper.builder()
-                    .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
-                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
-                    .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
-                    .build();
-
     /** Whether nothing is left out. */
     public boolean isWhole() {
         return shown.equals(whole);
@@ -57,7 +47,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
     /** As JSON, to be stored and for scripts. */
     public String data() {
         try {
-            return MAPPER.writeValueAsString(this);
+            return OwnJson.MAPPER.writeValueAsString(this);
         } catch (JsonProcessingException e) {
             throw new AssertionError("numbers can always be written", e);
         }
@@ -66,7 +56,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
     /** What {@link #data} wrote; empty where it is nothing of that form. */
     public static Optional<PicturePart> ofData(String data) {
         try {
-            return Optional.ofNullable(MAPPER.readValue(data, PicturePart.class));
+            return Optional.ofNullable(OwnJson.MAPPER.readValue(data, PicturePart.class));
         } catch (JsonProcessingException e) {
             return Optional.empty();
         }

@@ -17,8 +17,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.Topics;
-import rasterlab.engine.study.Mutant;
-import rasterlab.engine.study.Topic;
 
 /** Each mutant of each topic is a clause for students, in both languages. */
 class MutantTextsTest {
@@ -88,15 +86,9 @@ class MutantTextsTest {
         return Topics.all().stream()
                 .flatMap(
                         topic ->
-                                mutants(topic).map(one -> PREFIX + topic.name() + "." + one.name()))
+                                topic.allMutants().stream()
+                                        .map(one -> PREFIX + topic.name() + "." + one.name()))
                 .collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    /** Those of the topic, and those of each method for exercises that ask for that method. */
-    private static <C> Stream<Mutant<C>> mutants(Topic<C, ?, ?> topic) {
-        return Stream.concat(
-                topic.mutants().stream(),
-                topic.methods().stream().flatMap(one -> topic.mutants(one.name()).stream()));
     }
 
     private static TreeSet<String> keys(Properties texts) {

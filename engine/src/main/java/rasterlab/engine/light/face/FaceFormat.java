@@ -72,17 +72,23 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
 
     @Override
     public FacePoints read(Given given) {
+        LitFace face = face(given);
+        double[] weights = given.get(POINTS);
+        int wrong = FacePoint.firstNoMean(weights);
+        if (wrong >= 0) throw new Misfit("/points/" + wrong, FacePoint.noMean(weights, wrong));
+        return new FacePoints(face, weights);
+    }
+
+    private static LitFace face(Given given) {
         try {
-            var face =
-                    new LitFace(
-                            given.get(CORNERS),
-                            given.get(NORMALS),
-                            given.get(LAMP),
-                            given.get(EYE),
-                            given.get(LightFormat.MATERIAL),
-                            LightFormat.light(given),
-                            LightFormat.globalAmbient(given));
-            return new FacePoints(face, given.get(POINTS));
+            return new LitFace(
+                    given.get(CORNERS),
+                    given.get(NORMALS),
+                    given.get(LAMP),
+                    given.get(EYE),
+                    given.get(LightFormat.MATERIAL),
+                    LightFormat.light(given),
+                    LightFormat.globalAmbient(given));
         } catch (IllegalArgumentException e) {
             throw Misfit.of(e);
         }

@@ -1,4 +1,4 @@
-package rasterlab.app.cli;
+package rasterlab.app.server;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
@@ -10,20 +10,21 @@ import rasterlab.exercises.published.PublishedDiagnostic;
 import rasterlab.exercises.published.PublishedPicture;
 import rasterlab.exercises.published.PublishedPoints;
 import rasterlab.exercises.published.PublishedReport;
+import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.PublishedVerdict;
 
 /** Reads the document that a grading server gives of a submission with a result. */
-final class ServerReport {
+public final class ServerReport {
     private ServerReport() {}
 
-    static PublishedReport read(JsonNode submission) {
+    public static PublishedReport read(JsonNode submission) {
         return new PublishedReport(
                 text(submission, "exercise"),
                 text(submission, "revision"),
                 text(submission, "verdict"),
                 points(submission.path("points")),
-                all(submission.path("cases"), ServerReport::oneCase),
+                all(submission.path("cases"), ServerReport::judged),
                 all(submission.path("diagnostics"), ServerReport::diagnostic),
                 text(submission, "isolation"));
     }
@@ -37,12 +38,15 @@ final class ServerReport {
                 number(points, "of"));
     }
 
-    private static PublishedCase oneCase(JsonNode one) {
+    /** A judged case of it, or of the events before there is a result. */
+    public static PublishedCase judged(JsonNode one) {
         return new PublishedCase(
                 text(one, "name"),
                 text(one, "title"),
                 text(one, "visibility"),
-                new PublishedVerdict(text(one, "verdict"), one.path("run").asBoolean(true)),
+                new PublishedVerdict(
+                        one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
+                        one.path("run").asBoolean(true)),
                 number(one, "points"),
                 number(one, "of"),
                 text(one, "message"),
