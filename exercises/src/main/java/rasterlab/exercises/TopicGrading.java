@@ -46,6 +46,13 @@ public interface TopicGrading {
     /** A method of the contract that answers right, or refuses. */
     Object right();
 
+    /**
+     * A method of the topic's contract that does what a student's does.
+     *
+     * @param method of {@link #contract}
+     */
+    Object asMethod(Object method);
+
     /** The unit of the topic's errors, in which an exercise may state a tolerance. */
     default Optional<String> unit() {
         return Optional.empty();

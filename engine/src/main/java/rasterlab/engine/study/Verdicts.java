@@ -16,6 +16,7 @@ final class Verdicts {
                 return verdict(Verdict.Kind.ENDLESS, "it " + cause.getMessage());
             if (cause instanceof InputChanged || cause instanceof SharedAnswer)
                 return verdict(Verdict.Kind.WRONG, cause.getMessage());
+            if (cause instanceof NoAnswer none) return verdict(none.kind(), none.getMessage());
             if (cause instanceof IllegalArgumentException && cause.getMessage() != null)
                 return verdict(Verdict.Kind.REFUSED, cause.getMessage());
             return verdict(Verdict.Kind.CRASHED, cause + place(cause));

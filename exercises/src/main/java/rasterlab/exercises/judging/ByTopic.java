@@ -274,6 +274,11 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     }
 
     @Override
+    public final Object asMethod(Object method) {
+        return whole(method);
+    }
+
+    @Override
     public final Object right() {
         return plain();
     }

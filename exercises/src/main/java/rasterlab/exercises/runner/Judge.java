@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import rasterlab.engine.study.NoAnswer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.predicting.SheetGrading;
@@ -135,6 +136,17 @@ public final class Judge implements Grading, AutoCloseable {
         } finally {
             refill();
         }
+    }
+
+    /**
+     * Makes a program that can be called from here, input by input, in a child that is kept.
+     *
+     * @throws NoAnswer when the source does not compile, or has what is not allowed
+     */
+    public CalledProgram program(Exercise exercise, String sent) throws InterruptedException {
+        var made = new CalledProgram(settings, exercise, SourceText.withoutMark(sent), children);
+        made.compile(compiling);
+        return made;
     }
 
     /** For the next grading; that it fails must not take this one's report away. */
