@@ -8,6 +8,7 @@ import javax.swing.JEditorPane;
 import javax.swing.text.DefaultCaret;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 
 /** A method in a teacher's words: formula, invariant, cost, failures, source. */
 public final class AboutText extends JEditorPane {
@@ -58,11 +59,15 @@ public final class AboutText extends JEditorPane {
                         .collect(Collectors.joining("<p style='margin: 0 0 5 0'>&nbsp;</p>")));
     }
 
-    private static Map<String, String> parts(
+    private Map<String, String> parts(
             String name, Texts texts, String key, String decision, String refusal) {
         var parts = new LinkedHashMap<String, String>();
         parts.put("method", name);
         parts.put("refusal", refusal);
+        if (key.equals(OwnMethods.NAME) || key.endsWith("." + OwnMethods.NAME)) {
+            parts.put("source", labels.text("about.mine"));
+            return parts;
+        }
         parts.put("formula", texts.text(key + ".formula"));
         parts.put("decision", decision);
         for (String part : List.of("invariant", "cost", "failures", "source"))

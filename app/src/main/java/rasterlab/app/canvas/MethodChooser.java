@@ -6,12 +6,17 @@ import java.util.function.Consumer;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComboBox;
 import javax.swing.JList;
+import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 
 /** A drop-down list of method names, each beside its colour. */
 public final class MethodChooser extends JComboBox<String> {
     private static final long serialVersionUID = 1L;
 
     private boolean refreshing;
+
+    /** What the user's own program is called. */
+    private String called = "";
 
     /**
      * @param name the component's name
@@ -36,6 +41,13 @@ public final class MethodChooser extends JComboBox<String> {
                 });
     }
 
+    /** Has the user's own program behind the methods. */
+    public MethodChooser withOwn(Texts texts) {
+        called = texts.text("method.mine");
+        addItem(OwnMethods.NAME);
+        return this;
+    }
+
     /** Shows a choice without telling anybody. */
     public void show(String method) {
         refreshing = true;
@@ -43,7 +55,7 @@ public final class MethodChooser extends JComboBox<String> {
         refreshing = false;
     }
 
-    private static final class Renderer extends DefaultListCellRenderer {
+    private final class Renderer extends DefaultListCellRenderer {
         private static final long serialVersionUID = 1L;
 
         private final String none;
@@ -59,6 +71,7 @@ public final class MethodChooser extends JComboBox<String> {
                 JList<?> list, Object value, int index, boolean selected, boolean focused) {
             super.getListCellRendererComponent(list, value, index, selected, focused);
             String method = value == null ? "" : value.toString();
+            if (method.equals(OwnMethods.NAME)) setText(called);
             if (method.isEmpty()) setText(none);
             else setIcon(new MethodSwatch(method, colours));
             return this;

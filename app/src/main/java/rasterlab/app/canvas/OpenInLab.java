@@ -34,4 +34,17 @@ public interface OpenInLab {
      *     where the input cannot be read
      */
     void showInput(String topic, String json, String method, Optional<Plotted> drawn);
+
+    /** Why no tab can run the user's own program on that topic; empty where one can. */
+    Optional<Unshown> obstacleToOwn(String topic);
+
+    /**
+     * Brings the topic's tab to the front with the user's own program as its method.
+     *
+     * @param json an object, as {@code ./lab run} takes it; "" for the input that is shown there
+     * @param beside a method that it is compared with; "" for a right one
+     * @throws IllegalArgumentException if there is no such method, an obstacle, or naming the place
+     *     where the input cannot be read
+     */
+    void showOwn(String topic, String json, String beside);
 }

@@ -8,7 +8,9 @@ public enum Unshown {
     /** No tab is about the topic. */
     NO_TAB,
     /** Cases whose fields no tab reads. */
-    NO_READER;
+    NO_READER,
+    /** No tab has the user's own program among its methods. */
+    NO_OWN;
 
     /** The reason in the language of the texts, those of {@code canvas}. */
     public String in(Texts texts, String topic) {

@@ -8,6 +8,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.language.Language;
+import rasterlab.app.mine.OwnMethods;
 
 /**
  * A lab of the window, as it stands behind its tab. Stateless: what the user does is in its model.
@@ -28,8 +29,9 @@ public interface LabRoom<M> {
      *
      * @param events runs what it is given on the one thread that uses the model, in order
      * @param onFailure told what background work threw, on any thread
+     * @param own the user's programs, for a lab that has them among its methods
      */
-    M model(Executor events, Consumer<Throwable> onFailure);
+    M model(Executor events, Consumer<Throwable> onFailure, OwnMethods own);
 
     /** Puts what is kept of the model between runs into a map, by the names it is kept under. */
     void keep(M model, Map<String, Kept<?>> kept);

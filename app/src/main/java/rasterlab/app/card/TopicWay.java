@@ -3,11 +3,13 @@ package rasterlab.app.card;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Unlike;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.Plotted;
 
 /**
@@ -18,10 +20,15 @@ import rasterlab.engine.raster.Plotted;
  *     can
  * @param cases shows inputs together with what the user's program did; empty for a lab that cannot
  * @param anyInput whether the lab shows any input, not only hazards by their names
+ * @param own shows the user's own program; empty for a lab that cannot run it
  * @param <M> the lab's model
  */
 public record TopicWay<M>(
-        Show<M> show, Optional<Notes<M>> notes, Optional<Cases<M>> cases, boolean anyInput) {
+        Show<M> show,
+        Optional<Notes<M>> notes,
+        Optional<Cases<M>> cases,
+        boolean anyInput,
+        Optional<ShowOwn<M>> own) {
     /** Shows an input by a method of the topic, "" for the lab's own. */
     public interface Show<M> {
         void show(M lab, TopicInput input, String method);
@@ -55,19 +62,27 @@ public record TopicWay<M>(
         void show(M lab, Object input, String method, Optional<Plotted> drawn);
     }
 
+    /** Shows what the user's own program does beside a method of the topic. */
+    public interface ShowOwn<M> {
+        /**
+         * @param input empty for the one that is shown
+         */
+        void show(M lab, Optional<TopicInput> input, String beside);
+    }
+
     /** The way of a lab that shows every input of the topic as it is. */
     public static <M> TopicWay<M> whole(Show<M> show) {
-        return new TopicWay<>(show, Optional.empty(), Optional.empty(), true);
+        return new TopicWay<>(show, Optional.empty(), Optional.empty(), true, Optional.empty());
     }
 
     /** The way of a lab that finds a hazard by its name and shows no other input. */
     public static <M> TopicWay<M> hazards(Show<M> show) {
-        return new TopicWay<>(show, Optional.empty(), Optional.empty(), false);
+        return new TopicWay<>(show, Optional.empty(), Optional.empty(), false, Optional.empty());
     }
 
     /** The way of a lab that says beside its picture in what that is unlike an input. */
     public static <M> TopicWay<M> noted(Show<M> show, Notes<M> notes) {
-        return new TopicWay<>(show, Optional.of(notes), Optional.empty(), true);
+        return new TopicWay<>(show, Optional.of(notes), Optional.empty(), true, Optional.empty());
     }
 
     /**
@@ -91,11 +106,39 @@ public record TopicWay<M>(
 
     /** The same way for a lab that shows hazards by their names and no other input. */
     public TopicWay<M> hazardsAlone() {
-        return new TopicWay<>(show, notes, cases, false);
+        return new TopicWay<>(show, notes, cases, false, own);
     }
 
     /** The same way, which also shows cases of exercises. */
     public TopicWay<M> reading(Cases<M> cases) {
-        return new TopicWay<>(show, notes, Optional.of(cases), anyInput);
+        return new TopicWay<>(show, notes, Optional.of(cases), anyInput, own);
+    }
+
+    /**
+     * The same way of a lab that runs the user's own program as one of its methods, all in one
+     * change.
+     *
+     * @param history of what is shown
+     * @param enter shows the topic with its present input
+     * @param compareWith shows a second method; does nothing where the lab shows one at a time
+     */
+    public TopicWay<M> withOwn(
+            Function<M, History<?>> history,
+            Consumer<M> enter,
+            BiConsumer<M, String> chooseMethod,
+            BiConsumer<M, String> compareWith) {
+        ShowOwn<M> showing =
+                (lab, input, beside) ->
+                        history.apply(lab)
+                                .asOne(
+                                        () -> {
+                                            enter.accept(lab);
+                                            input.ifPresent(one -> show.show(lab, one, beside));
+                                            // Away and back, since it may be another program now.
+                                            chooseMethod.accept(lab, beside);
+                                            chooseMethod.accept(lab, OwnMethods.NAME);
+                                            compareWith.accept(lab, beside);
+                                        });
+        return new TopicWay<>(show, notes, cases, anyInput, Optional.of(showing));
     }
 }

@@ -11,6 +11,7 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.mine.OwnMethods;
 
 /** The lab of clipping: segments, a polygon, a view volume. */
 public final class ClipRoom implements LabRoom<ClipLabModel> {
@@ -20,7 +21,7 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
     }
 
     @Override
-    public ClipLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public ClipLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new ClipLabModel(new ClipTopics(), events, onFailure);
     }
 

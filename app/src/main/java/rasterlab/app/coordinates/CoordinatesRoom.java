@@ -13,6 +13,7 @@ import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.transform.matrix.MatrixCall;
 import rasterlab.engine.transform.rotate.Turns;
@@ -25,7 +26,8 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     }
 
     @Override
-    public CoordinatesLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public CoordinatesLabModel model(
+            Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new CoordinatesLabModel(events, onFailure);
     }
 

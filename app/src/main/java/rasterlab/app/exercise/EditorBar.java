@@ -13,9 +13,11 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
+import rasterlab.exercises.Exercise;
 
 /** The buttons above the editor: try, hand in, begin anew, undo. */
 final class EditorBar extends JPanel {
@@ -27,27 +29,32 @@ final class EditorBar extends JPanel {
     private final transient ExerciseLabModel model;
     private final transient WindowEditor kept;
     private final transient SourceEditor editor;
+    private final transient OpenInLab lab;
     private final transient Texts texts;
     private final transient RunButtons running;
     private final JButton undo;
     private final JButton redo;
     private final JButton draft;
     private final JButton copy;
+    private final JButton inLab;
 
     /**
      * @param kept outlives the bar
-     * @param onFailure told when there is no clipboard
+     * @param lab runs the program in its topic's tab
+     * @param onFailure told what a button could not do
      */
     EditorBar(
             ExerciseLabModel model,
             WindowEditor kept,
             SourceEditor editor,
+            OpenInLab lab,
             Texts texts,
             Consumer<Throwable> onFailure) {
         super(new FlowRows(GAP));
         this.model = model;
         this.kept = kept;
         this.editor = editor;
+        this.lab = lab;
         this.texts = texts;
         var check = button("check", texts, model::check);
         var submit = button("submit", texts, this::submit);
@@ -61,6 +68,8 @@ final class EditorBar extends JPanel {
         add(submit);
         add(server);
         add(cancel);
+        inLab = button("inLab", texts, () -> showInLab(onFailure));
+        add(inLab);
         add(button("starter", texts, this::restoreStarter));
         add(undo);
         add(redo);
@@ -82,6 +91,26 @@ final class EditorBar extends JPanel {
         return button;
     }
 
+    /** Runs the text as it is in the tab of its topic, on the input that is shown there. */
+    private void showInLab(Consumer<Throwable> onFailure) {
+        ExerciseState state = model.state();
+        try {
+            model.bringToLabs(state.source());
+            lab.showOwn(state.exercise().topic(), "", "");
+        } catch (IllegalArgumentException e) {
+            onFailure.accept(e);
+        }
+    }
+
+    private void offerLab(Exercise exercise) {
+        inLab.setVisible(exercise.form() == Exercise.Form.WRITE);
+        Optional<String> obstacle =
+                lab.obstacleToOwn(exercise.topic())
+                        .map(why -> why.in(Texts.of("canvas", texts.language()), exercise.topic()));
+        inLab.setEnabled(obstacle.isEmpty());
+        inLab.setToolTipText(obstacle.orElse(texts.text("inLab.hint")));
+    }
+
     /** Both buttons for the type's size, in one row whatever the width. */
     private JPanel typeSize() {
         var size = new JPanel(new FlowRows(GAP));
@@ -100,6 +129,7 @@ final class EditorBar extends JPanel {
         ExerciseState state = model.state();
         running.refresh(state.work().running());
         copy.setEnabled(model.command().isPresent());
+        offerLab(state.exercise());
         undo.setEnabled(editor.canUndo());
         redo.setEnabled(editor.canRedo());
         List<DraftFile.Other> others = state.otherDrafts();

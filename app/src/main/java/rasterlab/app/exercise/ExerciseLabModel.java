@@ -22,6 +22,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.engine.naming.Named;
@@ -38,6 +39,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     final Formulas formulas = new Formulas();
     private final ExerciseList exercises;
     private final CourseServer.Patience patience;
+    private final OwnMethods own;
     private final Executor events;
     private final Background background;
     private final Checking checking = new Checking();
@@ -53,14 +55,24 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private Optional<Drafts> drafts = Optional.empty();
     private ExerciseState state;
 
+    /** The tab of a window without labs. */
+    public ExerciseLabModel(
+            Supplier<List<Exercise>> catalogue, Executor events, Consumer<Throwable> onFailure) {
+        this(catalogue, new OwnMethods(), events, onFailure);
+    }
+
     /**
      * @param catalogue read once, when the exercises are first asked for
+     * @param own takes the programs that labs are to run
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what a check threw, on any thread
      */
     public ExerciseLabModel(
-            Supplier<List<Exercise>> catalogue, Executor events, Consumer<Throwable> onFailure) {
-        this(catalogue, CourseServer.Patience.USUAL, events, onFailure);
+            Supplier<List<Exercise>> catalogue,
+            OwnMethods own,
+            Executor events,
+            Consumer<Throwable> onFailure) {
+        this(catalogue, own, CourseServer.Patience.USUAL, events, onFailure);
     }
 
     ExerciseLabModel(
@@ -68,6 +80,16 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
             CourseServer.Patience patience,
             Executor events,
             Consumer<Throwable> onFailure) {
+        this(catalogue, new OwnMethods(), patience, events, onFailure);
+    }
+
+    private ExerciseLabModel(
+            Supplier<List<Exercise>> catalogue,
+            OwnMethods own,
+            CourseServer.Patience patience,
+            Executor events,
+            Consumer<Throwable> onFailure) {
+        this.own = own;
         exercises = new ExerciseList(catalogue);
         this.patience = patience;
         this.events = events;
@@ -171,6 +193,11 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         if (!state.unsaved().isEmpty()) return Optional.empty();
         return drafts.flatMap(kept -> kept.path(id))
                 .map(path -> "./lab check " + id + " " + ShellPath.quoted(path));
+    }
+
+    /** Lets the labs run a source as a program for the chosen exercise. */
+    void bringToLabs(String source) {
+        own.bring(state().exercise(), source);
     }
 
     /** Makes the editor's type larger, or smaller; stops where it cannot be read. */

@@ -82,11 +82,19 @@ public final class ExercisePanel extends LabPanel implements Settling {
     }
 
     private void addBar() {
-        bar = new EditorBar(model, kept, editor, texts, onFailure);
+        bar = new EditorBar(model, kept, editor, lab, texts, onFailure);
     }
 
     private void addResult() {
-        result = new ResultPane(texts, kept.rooms(), lab, this::goTo, model::cancel, onFailure);
+        result =
+                new ResultPane(
+                        texts,
+                        kept.rooms(),
+                        lab,
+                        model::bringToLabs,
+                        this::goTo,
+                        model::cancel,
+                        onFailure);
     }
 
     private void putTogether() {

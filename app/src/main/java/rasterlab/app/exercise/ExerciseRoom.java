@@ -8,6 +8,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** The tab of exercises. */
@@ -30,9 +31,9 @@ public final class ExerciseRoom implements LabRoom<ExerciseRoom.Desk> {
     }
 
     @Override
-    public Desk model(Executor events, Consumer<Throwable> onFailure) {
+    public Desk model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new Desk(
-                new ExerciseLabModel(() -> Catalogue.builtIn().all(), events, onFailure),
+                new ExerciseLabModel(() -> Catalogue.builtIn().all(), own, events, onFailure),
                 new WindowEditor());
     }
 

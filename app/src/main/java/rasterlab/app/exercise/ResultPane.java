@@ -29,6 +29,7 @@ final class ResultPane extends JPanel {
 
     private final transient Texts texts;
     private final transient OpenInLab lab;
+    private final transient Consumer<String> bring;
     private final ResultHead head;
     private final CardLayout cards = new CardLayout();
     private final JPanel answer = new JPanel(cards);
@@ -46,11 +47,14 @@ final class ResultPane extends JPanel {
     private final transient RoomsKept kept;
     private transient Optional<Outcome> shown = Optional.empty();
 
+    private Exercise.Form form = Exercise.Form.WRITE;
+
     /** The exercise that is shown; "" before one is. */
     private String exercise = "";
 
     /**
      * @param kept which case was chosen in an earlier pane; takes what is chosen here
+     * @param bring lets the labs run a source as a program for the exercise
      * @param toLine told the remark whose line the user wants to see
      * @param cancel gives up what runs
      */
@@ -58,6 +62,7 @@ final class ResultPane extends JPanel {
             Texts texts,
             RoomsKept kept,
             OpenInLab lab,
+            Consumer<String> bring,
             Consumer<Outcome.Remark> toLine,
             Runnable cancel,
             Consumer<Throwable> onFailure) {
@@ -65,6 +70,7 @@ final class ResultPane extends JPanel {
         this.texts = texts;
         this.kept = kept;
         this.lab = lab;
+        this.bring = bring;
         table = new CaseTable(texts, this::chosen);
         remarks = new RemarkList(texts, toLine);
         picture = new CaseCanvas(texts, onFailure);
@@ -138,6 +144,7 @@ final class ResultPane extends JPanel {
         boolean other = another || !outcome.equals(shown);
         boolean begins = !another && outcome.isEmpty();
         if (another) showGuide(state.exercise().form());
+        form = state.exercise().form();
         exercise = state.exercise().id();
         shown = outcome;
         Optional<String> chosen = toChoose(begins);
@@ -253,9 +260,21 @@ final class ResultPane extends JPanel {
     private void openChosen(Consumer<Throwable> onFailure) {
         MethodCase scene = table.chosen().flatMap(ResultPane::scene).orElseThrow();
         try {
-            lab.showInput(scene.topic(), scene.input(), scene.method().orElse(""), scene.plotted());
+            show(scene);
         } catch (IllegalArgumentException e) {
             onFailure.accept(e);
+        }
+    }
+
+    /** Has the tried program run there, where a lab can; else what it did is shown as recorded. */
+    private void show(MethodCase scene) {
+        String right = scene.method().orElse("");
+        boolean runs = form == Exercise.Form.WRITE && lab.obstacleToOwn(scene.topic()).isEmpty();
+        if (runs && shown.isPresent()) {
+            bring.accept(shown.get().source());
+            lab.showOwn(scene.topic(), scene.input(), right);
+        } else {
+            lab.showInput(scene.topic(), scene.input(), right, scene.plotted());
         }
     }
 

@@ -12,6 +12,7 @@ import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
 
 /** The lab of light, colour and texture. */
@@ -22,7 +23,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     }
 
     @Override
-    public LightLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public LightLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new LightLabModel(events, onFailure);
     }
 

@@ -70,7 +70,7 @@ record FigureDrawing(
 
     /** NaN where the method refuses the line or does not stop. */
     private static double brightness(FigureTopics topics, String method, Segment segment) {
-        LineRasterizer drawing = topics.line().method(method).implementation();
+        LineRasterizer drawing = topics.own().method(topics.line(), method).implementation();
         try {
             topics.line().record(drawing, segment, (int) (4 * segment.steps() + 4));
             return LineBrightness.of(drawing, segment).perPixel();

@@ -14,8 +14,10 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.PixelMark;
 
 /** Choosers, numbers and live readings of the figures, and the chosen method explained. */
@@ -109,19 +111,22 @@ final class FigureInspector {
     }
 
     private void addMethods() {
+        Texts shared = Texts.of("canvas", texts.language());
         for (LineMode each : List.of(LineMode.CIRCLE, LineMode.ELLIPSE, LineMode.BRIGHTNESS)) {
             List<String> names = model.methods(each);
             method.put(
                     each,
-                    new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod));
+                    new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod)
+                            .withOwn(shared));
             comparison.put(
                     each,
                     new MethodChooser(
-                            "comparison",
-                            texts.text("none"),
-                            names,
-                            LineColours.OWN,
-                            model::compareWith));
+                                    "comparison",
+                                    texts.text("none"),
+                                    names,
+                                    LineColours.OWN,
+                                    model::compareWith)
+                            .withOwn(shared));
             column.row("method", method.get(each));
             column.row("comparison", comparison.get(each));
         }
@@ -225,6 +230,8 @@ final class FigureInspector {
     /** Why the method refused: in its own words where those are the window's language. */
     private String refusal(FigureState state) {
         if (state.drawing().ending() != LineTrace.Ending.REFUSED) return "";
+        if (state.scene().method().equals(OwnMethods.NAME))
+            return VerdictDetail.said(texts.language(), state.drawing().message());
         return texts.language() == Language.ENGLISH
                 ? state.drawing().message()
                 : texts.text("figure.refusal");

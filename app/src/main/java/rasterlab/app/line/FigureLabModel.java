@@ -12,6 +12,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.study.Hazard;
@@ -25,7 +26,7 @@ import rasterlab.engine.study.Method;
  * executor it is given. Each change publishes a new immutable {@link FigureState}.
  */
 public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
-    private final FigureTopics topics = new FigureTopics();
+    private final FigureTopics topics;
     private final LatestOnly<FigureScene, FigureDrawings> drawings;
     private final History<Remembered> history = new History<>(this::present, this::bring);
     private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
@@ -37,11 +38,17 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     private int soughts;
 
+    /** The lab of somebody without programs of his own. */
+    FigureLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this(new OwnMethods(), events, onFailure);
+    }
+
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what drawing threw, on any thread
      */
-    FigureLabModel(Executor events, Consumer<Throwable> onFailure) {
+    FigureLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        topics = new FigureTopics(own);
         for (LineMode mode : LineMode.values())
             if (mode != LineMode.SEGMENT) scenes.put(mode, FigureScene.first(mode));
         FigureScene first = scenes.get(LineMode.CIRCLE);
@@ -80,7 +87,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     /** The chosen method; empty where the pen draws. */
     Optional<Method<?>> method() {
         return topics.of(state.scene().mode())
-                .map(topic -> (Method<?>) topic.method(state.scene().method()));
+                .map(topic -> topics.method(topic, state.scene().method()));
     }
 
     List<? extends Hazard<?>> hazards(LineMode mode) {
@@ -126,9 +133,14 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     private void require(String method) {
-        topics.of(state.scene().mode())
-                .orElseThrow(() -> new IllegalArgumentException("a pen has no methods"))
-                .method(method);
+        require(state.scene().mode(), method);
+    }
+
+    private void require(LineMode mode, String method) {
+        topics.method(
+                topics.of(mode)
+                        .orElseThrow(() -> new IllegalArgumentException("a pen has no methods")),
+                method);
     }
 
     /**
@@ -237,10 +249,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         if (scene.mode() != mode)
             throw new IllegalArgumentException(mode + " has a scene of " + scene.mode());
         for (String method : List.of(scene.method(), scene.comparison()))
-            if (!method.isEmpty())
-                topics.of(mode)
-                        .orElseThrow(() -> new IllegalArgumentException("a pen has no methods"))
-                        .method(method);
+            if (!method.isEmpty()) require(mode, method);
     }
 
     /** Waits until every choice so far is drawn or dropped. Any other thread. */

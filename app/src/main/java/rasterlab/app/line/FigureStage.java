@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JPanel;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PicturePair;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
@@ -168,10 +169,12 @@ final class FigureStage extends JPanel implements AutoCloseable {
 
     /** What the picture alone would not tell; of two pictures also whose each is. */
     private String note(FigureDrawing drawing, boolean named) {
-        String method = drawing.method();
+        String method = OwnWords.called(drawing.method(), texts.language());
         return switch (drawing.ending()) {
             case ENDLESS -> texts.text("note.endless", method, drawing.steps());
-            case REFUSED -> texts.text("figure.refused", method);
+            case REFUSED ->
+                    OwnWords.refusal(drawing.method(), drawing.message(), texts.language())
+                            .orElseGet(() -> texts.text("figure.refused", method));
             case CRASHED -> texts.text("note.crashed", method, drawing.message());
             case CUT -> texts.text("figure.cut", method, drawing.steps());
             case ENDED -> ended(drawing, named);
@@ -179,10 +182,11 @@ final class FigureStage extends JPanel implements AutoCloseable {
     }
 
     private String ended(FigureDrawing drawing, boolean named) {
+        String method = OwnWords.called(drawing.method(), texts.language());
         boolean arc = model.state().drawn().figure() instanceof ArcFigure;
         if (arc && !drawing.judged())
-            return texts.text("figure.unjudged", drawing.method(), model.mostJudged());
-        return named ? drawing.method() : "";
+            return texts.text("figure.unjudged", method, model.mostJudged());
+        return named ? method : "";
     }
 
     private List<PlanePoint> points() {

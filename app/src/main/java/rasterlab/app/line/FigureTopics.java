@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.circle.ArcWalk;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.CircleTopic;
@@ -18,9 +19,13 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 
 /** The engine's topics behind the figures. */
-record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line) {
+record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line, OwnMethods own) {
     FigureTopics() {
-        this(new CircleTopic(), new EllipseTopic(), new LineTopic());
+        this(new OwnMethods());
+    }
+
+    FigureTopics(OwnMethods own) {
+        this(new CircleTopic(), new EllipseTopic(), new LineTopic(), own);
     }
 
     /** Empty where the pen draws. */
@@ -31,6 +36,15 @@ record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line) {
             case BRIGHTNESS, SEGMENT -> Optional.of(line);
             case PEN -> Optional.empty();
         };
+    }
+
+    /**
+     * A topic's method, or the user's own.
+     *
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    Method<?> method(Topic<?, ?, ?> topic, String name) {
+        return own.method(topic, name);
     }
 
     List<String> methods(LineMode mode) {
@@ -74,11 +88,11 @@ record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line) {
 
     void draw(ArcFigure arc, String method, PixelRecording out) {
         if (arc.round())
-            circle.method(method)
+            own.method(circle, method)
                     .implementation()
                     .draw(arc.centreX(), arc.centreY(), arc.radiusX(), out);
         else
-            ellipse.method(method)
+            own.method(ellipse, method)
                     .implementation()
                     .draw(arc.centreX(), arc.centreY(), arc.radiusX(), arc.radiusY(), out);
     }
@@ -87,8 +101,8 @@ record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line) {
     Optional<ArcWalk> walk(ArcFigure arc, String method) {
         Object drawing =
                 arc.round()
-                        ? circle.method(method).implementation()
-                        : ellipse.method(method).implementation();
+                        ? own.method(circle, method).implementation()
+                        : own.method(ellipse, method).implementation();
         if (drawing instanceof SteppedCircle stepped)
             return Optional.of(stepped.walk(arc.radiusX()));
         return drawing instanceof SteppedEllipse stepped

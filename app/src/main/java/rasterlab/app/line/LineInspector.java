@@ -45,14 +45,18 @@ final class LineInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
 
         column.row("mode", ModeChooser.of(LineMode.SEGMENT, model, texts));
-        method = new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod);
+        Texts shared = Texts.of("canvas", texts.language());
+        method =
+                new MethodChooser("method", "", names, LineColours.OWN, model::chooseMethod)
+                        .withOwn(shared);
         comparison =
                 new MethodChooser(
-                        "comparison",
-                        texts.text("none"),
-                        names,
-                        LineColours.OWN,
-                        model::compareWith);
+                                "comparison",
+                                texts.text("none"),
+                                names,
+                                LineColours.OWN,
+                                model::compareWith)
+                        .withOwn(shared);
         column.row("method", method);
         column.row("comparison", comparison);
     }
@@ -130,11 +134,7 @@ final class LineInspector {
     }
 
     private void explain(LineLabState state) {
-        Method<LineRasterizer> chosen =
-                model.methods().stream()
-                        .filter(each -> each.name().equals(state.choice().method()))
-                        .findFirst()
-                        .orElseThrow();
+        Method<LineRasterizer> chosen = model.method(state.choice().method());
         about.show(translations, chosen.name(), decisionFormula(chosen), refusal(state));
     }
 

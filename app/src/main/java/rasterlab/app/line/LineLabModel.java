@@ -9,6 +9,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
@@ -44,16 +45,25 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     /** Arrangements so far; one that undo brought back is no new one. */
     private int arrangements;
 
+    /** The lab of somebody without programs of his own. */
+    public LineLabModel(
+            Topic<LineRasterizer, Segment, PixelRecording> topic,
+            Executor events,
+            Consumer<Throwable> onFailure) {
+        this(topic, new OwnMethods(), events, onFailure);
+    }
+
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what drawing threw, on any thread
      */
     public LineLabModel(
-            Topic<LineRasterizer, Segment, PixelRecording> topic,
+            Topic<LineRasterizer, Segment, PixelRecording> lines,
+            OwnMethods own,
             Executor events,
             Consumer<Throwable> onFailure) {
-        this.topic = topic;
-        figures = new FigureLabModel(events, onFailure);
+        this.topic = own.in(lines);
+        figures = new FigureLabModel(own, events, onFailure);
         first = new LineChoice(FIRST_SEGMENT, firstMethod(), "");
         LineDrawings drawn = LineDrawings.of(topic, first);
         state = new LineLabState(first, drawn, drawn.drawing().pixels(), 0);
@@ -144,6 +154,15 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     public List<Method<LineRasterizer>> methods() {
         return topic.methods();
+    }
+
+    /**
+     * A method of the list, or the user's own.
+     *
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    Method<LineRasterizer> method(String name) {
+        return topic.method(name);
     }
 
     public List<Hazard<Segment>> hazards() {

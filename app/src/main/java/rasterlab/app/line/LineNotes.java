@@ -1,6 +1,7 @@
 package rasterlab.app.line;
 
 import java.util.Optional;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.language.Texts;
 
 /** One sentence over the stage where the picture alone would mislead. */
@@ -9,7 +10,7 @@ final class LineNotes {
 
     static Optional<String> about(LineDrawings drawings, Texts texts) {
         LineDrawing drawing = drawings.drawing();
-        String method = drawing.method();
+        String method = OwnWords.called(drawing.method(), texts.language());
         return switch (drawing.trace().ending()) {
             case ENDED ->
                     drawing.pixels() == 0
@@ -17,7 +18,9 @@ final class LineNotes {
                             : drawings.tried().map(tried -> whose(tried, method, texts));
             case CUT -> Optional.of(cut(drawings, texts));
             case ENDLESS -> Optional.of(texts.text("note.endless", method, LineDrawing.LIMIT));
-            case REFUSED -> Optional.of(texts.text("note.refused", method));
+            case REFUSED ->
+                    OwnWords.refusal(drawing.method(), drawing.trace().message(), texts.language())
+                            .or(() -> Optional.of(texts.text("note.refused", method)));
             case CRASHED ->
                     Optional.of(texts.text("note.crashed", method, drawing.trace().message()));
         };

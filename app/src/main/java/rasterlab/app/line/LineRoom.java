@@ -11,6 +11,7 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.line.LineTopic;
@@ -24,8 +25,8 @@ public final class LineRoom implements LabRoom<LineLabModel> {
     }
 
     @Override
-    public LineLabModel model(Executor events, Consumer<Throwable> onFailure) {
-        return new LineLabModel(new LineTopic(), events, onFailure);
+    public LineLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
+        return new LineLabModel(new LineTopic(), own, events, onFailure);
     }
 
     @Override
@@ -73,7 +74,12 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                         new TopicWay.Cases<>(
                                 LineInput::read,
                                 (lab, input, method, drawn) ->
-                                        lab.showTried((Segment) input, method, drawn)));
+                                        lab.showTried((Segment) input, method, drawn)))
+                .withOwn(
+                        LineLabModel::history,
+                        lab -> lab.chooseMode(LineMode.SEGMENT),
+                        LineLabModel::chooseMethod,
+                        LineLabModel::compareWith);
     }
 
     private TopicCard<LineLabModel> figure(
@@ -83,13 +89,18 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                 this,
                 new TopicCard.Place("line", topic + "."),
                 LineColours.OWN,
-                TopicWay.inTurn(
-                        lab -> lab.figures().history(),
-                        (lab, input) -> {
-                            lab.chooseMode(mode);
-                            show.accept(lab, input);
-                        },
-                        (lab, method) -> lab.figures().chooseMethod(method)));
+                TopicWay.<LineLabModel>inTurn(
+                                lab -> lab.figures().history(),
+                                (lab, input) -> {
+                                    lab.chooseMode(mode);
+                                    show.accept(lab, input);
+                                },
+                                (lab, method) -> lab.figures().chooseMethod(method))
+                        .withOwn(
+                                lab -> lab.figures().history(),
+                                lab -> lab.chooseMode(mode),
+                                (lab, method) -> lab.figures().chooseMethod(method),
+                                (lab, method) -> lab.figures().compareWith(method)));
     }
 
     @Override

@@ -8,6 +8,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.opengl.state.Setting;
 
 /** The lab that draws one scene by OpenGL and by the pipeline. */
@@ -18,7 +19,7 @@ public final class OpenGlRoom implements LabRoom<OpenGlLabModel> {
     }
 
     @Override
-    public OpenGlLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public OpenGlLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new OpenGlLabModel(events, onFailure);
     }
 

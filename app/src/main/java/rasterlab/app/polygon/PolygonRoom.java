@@ -11,6 +11,7 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.mine.OwnMethods;
 
 /** The lab of polygons: what is inside, triangulation, filling. */
 public final class PolygonRoom implements LabRoom<PolygonLabModel> {
@@ -20,7 +21,7 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
     }
 
     @Override
-    public PolygonLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public PolygonLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new PolygonLabModel(new PolygonTopics(), events, onFailure);
     }
 

@@ -17,6 +17,7 @@ import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnProgram;
 
 /**
  * What the frame holds: the tabs, and the choice of language and theme at the end of their strip.
@@ -47,6 +48,7 @@ public final class LabContent extends JPanel {
         pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
         labs.opening().showTabsBy(this::show);
         labs.opening().tellHazardsTo(hazard -> opened = Optional.of(hazard));
+        labs.opening().tellOwnTo((tab, mine) -> tellOwn(labs.opening(), tab, mine, texts));
         show(shown);
         pane.fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
@@ -115,6 +117,20 @@ public final class LabContent extends JPanel {
         if (opened.isEmpty() || pane.seen() != pane.chosen()) return;
         Chips.tell(opened.get(), pane.seen().panel());
         opened = Optional.empty();
+    }
+
+    /** Says over a lab from which exercise the program is that it shows. */
+    private void tellOwn(LabOpening opening, String tab, OwnProgram mine, Texts texts) {
+        var strip =
+                new OwnStrip(
+                        mine.exercise(),
+                        texts,
+                        () -> opening.showExercise(mine.exercise()),
+                        () -> {
+                            opening.hideOwn(tab);
+                            pane.tellNothing(tab);
+                        });
+        pane.tell(tab, strip);
     }
 
     /** Says what can be done in the tab that is shown. */

@@ -23,6 +23,7 @@ import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.LightRoom;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.line.LineRoom;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.opengl.OpenGlLabModel;
 import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.polygon.PolygonLabModel;
@@ -42,6 +43,7 @@ public final class LabModels implements AutoCloseable {
     /** The models by the names of their tabs. */
     private final Map<String, LabModel<?>> labs = new LinkedHashMap<>();
 
+    private final OwnMethods own = new OwnMethods();
     private final Executor events;
     private final Consumer<Map<String, Kept<?>>> bringBack;
     private final Consumer<Throwable> onFailure;
@@ -60,7 +62,7 @@ public final class LabModels implements AutoCloseable {
     }
 
     private <M> void add(LabRoom<M> room) {
-        Function<Executor, M> making = held -> room.model(held, onFailure);
+        Function<Executor, M> making = held -> room.model(held, onFailure, own);
         labs.put(room.name(), new LabModel<>(making, room::keep, room::close, events, this::begin));
     }
 
@@ -123,6 +125,11 @@ public final class LabModels implements AutoCloseable {
     @SuppressWarnings("unchecked") // under a room's name is the model that the room makes
     private <M> LabModel<M> lab(LabRoom<M> room) {
         return (LabModel<M>) labs.get(room.name());
+    }
+
+    /** The user's programs, which the labs have among their methods. */
+    public OwnMethods own() {
+        return own;
     }
 
     public CoordinatesLabModel coordinates() {
@@ -193,5 +200,6 @@ public final class LabModels implements AutoCloseable {
     public void close() {
         labs.values().forEach(LabModel::giveUp);
         labs.values().forEach(LabModel::close);
+        own.close();
     }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.OpenInLab;
@@ -15,6 +16,8 @@ import rasterlab.app.canvas.Unshown;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.exercise.ExerciseRoom;
+import rasterlab.app.mine.OwnProgram;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Misfit;
@@ -23,8 +26,10 @@ import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.json.StrictJson;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
@@ -37,6 +42,7 @@ final class LabOpening implements OpenInLab {
     private final LabModels models;
     private Consumer<String> showTab = tab -> {};
     private Consumer<String> tellHazard = hazard -> {};
+    private BiConsumer<String, OwnProgram> tellOwn = (tab, program) -> {};
 
     /** Counts what was asked for, so that only the newest is shown. */
     private int asked;
@@ -66,6 +72,14 @@ final class LabOpening implements OpenInLab {
      */
     void tellHazardsTo(Consumer<String> told) {
         tellHazard = told;
+    }
+
+    /**
+     * @param told which program of the user's the tab of that name is about to show
+     */
+    void tellOwnTo(BiConsumer<String, OwnProgram> told) {
+        tellOwn = told;
+        models.own().shown().forEach(told);
     }
 
     @Override
@@ -168,6 +182,60 @@ final class LabOpening implements OpenInLab {
         } catch (Misfit misfit) {
             throw new IllegalArgumentException(misfit.getMessage(), misfit);
         }
+    }
+
+    @Override
+    public Optional<Unshown> obstacleToOwn(String topic) {
+        return card(topic).map(TopicCard::way).filter(way -> way.own().isPresent()).isPresent()
+                ? Optional.empty()
+                : Optional.of(Unshown.NO_OWN);
+    }
+
+    @Override
+    public void showOwn(String topic, String json, String beside) {
+        showOwn(shown(topic, beside), json, beside.isEmpty() ? right(named(topic)) : beside);
+    }
+
+    private <M> void showOwn(TopicCard<M> card, String json, String beside) {
+        String topic = card.topic();
+        TopicWay.ShowOwn<M> showing =
+                card.way()
+                        .own()
+                        .orElseThrow(
+                                () ->
+                                        new IllegalArgumentException(
+                                                "no tab runs programs on topic " + topic));
+        Optional<TopicInput> input =
+                json.isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(new TopicInput(topic, "", read(named(topic).format(), json)));
+        asked++;
+        showing.show(models.of(card.lab()), input, beside);
+        models.own()
+                .showIn(card.lab().name(), topic)
+                .ifPresent(mine -> tellOwn.accept(card.lab().name(), mine));
+        showTab.accept(card.lab().name());
+    }
+
+    /** The method to hold a program against where nobody says which. */
+    private static <C> String right(Topic<C, ?, ?> topic) {
+        List<Method<C>> right = topic.methods().stream().filter(one -> !one.faulty()).toList();
+        return right.stream()
+                .filter(Method::promisesToBeRight)
+                .findFirst()
+                .orElseGet(() -> right.get(0))
+                .name();
+    }
+
+    /** Notes that a tab tells nothing of the user's program any more. */
+    void hideOwn(String tab) {
+        models.own().hideIn(tab);
+    }
+
+    /** Shows the exercise that a program came from. */
+    void showExercise(Exercise exercise) {
+        models.exercises().choose(exercise.id());
+        showTab.accept(new ExerciseRoom().name());
     }
 
     private TopicInput input(String topic, String hazard) {

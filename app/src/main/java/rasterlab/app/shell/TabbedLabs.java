@@ -1,19 +1,23 @@
 package rasterlab.app.shell;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.naming.Named;
 
 /**
  * The labs' tabs, whose panels are made when they are first chosen. In an open window each is
@@ -110,12 +114,38 @@ final class TabbedLabs extends JTabbedPane {
 
     private void fill(int index) {
         JPanel place = place(index);
-        if (!isMade(index)) place.add(tabs.get(index).panel());
+        if (!isMade(index)) place.add(tabs.get(index).panel(), BorderLayout.CENTER);
         place.revalidate();
     }
 
     private boolean isMade(int index) {
-        return place(index).getComponentCount() > 0;
+        return part(index, BorderLayout.CENTER).isPresent();
+    }
+
+    private Optional<Component> part(int index, String where) {
+        var layout = (BorderLayout) place(index).getLayout();
+        return Optional.ofNullable(layout.getLayoutComponent(where));
+    }
+
+    /** Puts words over the lab of a tab, in place of those that are there. */
+    void tell(String tab, JComponent words) {
+        tellNothing(tab);
+        JPanel place = place(indexOf(tab));
+        place.add(words, BorderLayout.NORTH);
+        place.revalidate();
+    }
+
+    /** Takes the words away that are over the lab of a tab. */
+    void tellNothing(String tab) {
+        int index = indexOf(tab);
+        JPanel place = place(index);
+        part(index, BorderLayout.NORTH).ifPresent(place::remove);
+        place.revalidate();
+        place.repaint();
+    }
+
+    private int indexOf(String tab) {
+        return tabs.indexOf(Named.find("tab", tab, tabs, LabTab::name));
     }
 
     /** What fails leaves the tab that is seen the chosen one. */

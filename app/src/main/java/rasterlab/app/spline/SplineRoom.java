@@ -10,6 +10,7 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.SplineProblem;
 
@@ -21,7 +22,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
     }
 
     @Override
-    public SplineLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public SplineLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new SplineLabModel(events, onFailure);
     }
 

@@ -8,6 +8,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.Topics;
 
 /** The tab where speed and accuracy of any topic's methods are measured. */
@@ -18,7 +19,7 @@ public final class StudyRoom implements LabRoom<StudyLabModel> {
     }
 
     @Override
-    public StudyLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public StudyLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new StudyLabModel(Topics.all(), events, onFailure);
     }
 

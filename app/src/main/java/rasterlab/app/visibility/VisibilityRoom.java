@@ -14,6 +14,7 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.visibility.faces.Body;
@@ -36,7 +37,8 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
     }
 
     @Override
-    public VisibilityLabModel model(Executor events, Consumer<Throwable> onFailure) {
+    public VisibilityLabModel model(
+            Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
         return new VisibilityLabModel(PictureMaker.by(new Renderer()), events, onFailure);
     }
 

@@ -28,6 +28,14 @@ final class ShownResult {
                 }
 
                 @Override
+                public Optional<Unshown> obstacleToOwn(String topic) {
+                    return Optional.of(Unshown.NO_OWN);
+                }
+
+                @Override
+                public void showOwn(String topic, String json, String beside) {}
+
+                @Override
                 public Optional<Unshown> obstacleToInputs(String topic) {
                     return Optional.empty();
                 }
@@ -62,7 +70,13 @@ final class ShownResult {
      */
     static ResultPane pane(Language language, RoomsKept kept, Consumer<Throwable> onFailure) {
         return new ResultPane(
-                Texts.of("exercise", language), kept, NOWHERE, remark -> {}, () -> {}, onFailure);
+                Texts.of("exercise", language),
+                kept,
+                NOWHERE,
+                source -> {},
+                remark -> {},
+                () -> {},
+                onFailure);
     }
 
     static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {

@@ -42,6 +42,14 @@ class StudyInspectorTest {
                 public void showHazard(String topic, String hazard, String method) {}
 
                 @Override
+                public Optional<Unshown> obstacleToOwn(String topic) {
+                    return Optional.of(Unshown.NO_OWN);
+                }
+
+                @Override
+                public void showOwn(String topic, String json, String beside) {}
+
+                @Override
                 public Optional<Unshown> obstacleToInputs(String topic) {
                     return Optional.of(Unshown.NO_TAB);
                 }

@@ -1,0 +1,31 @@
+package rasterlab.app.canvas;
+
+import java.util.Optional;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
+
+/** What labs say of the user's own program, which is a method without words of a teacher's. */
+public final class OwnWords {
+    private OwnWords() {}
+
+    /** A method as labs call it: by its name, or as the user's own program. */
+    public static String called(String method, Language language) {
+        return method.equals(OwnMethods.NAME)
+                ? Texts.of("canvas", language).text("method.mine")
+                : method;
+    }
+
+    /**
+     * What the user's program refused by, or why it was stopped, as a sentence; empty for any other
+     * method.
+     *
+     * @param said in English
+     */
+    public static Optional<String> refusal(String method, String said, Language language) {
+        if (!method.equals(OwnMethods.NAME)) return Optional.empty();
+        String words = VerdictDetail.said(language, said);
+        return Optional.of(
+                words.substring(0, 1).toUpperCase(language.locale()) + words.substring(1));
+    }
+}

@@ -1,0 +1,94 @@
+package rasterlab.app.mine;
+
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Proxy;
+import java.util.Optional;
+import java.util.function.Supplier;
+import rasterlab.engine.study.NoAnswer;
+import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.runner.CalledProgram;
+import rasterlab.exercises.runner.Judge;
+import rasterlab.exercises.topic.TopicGradings;
+
+/** A source from an exercise as a method that is compiled when it is first called. */
+public final class OwnProgram implements AutoCloseable {
+    private final Exercise exercise;
+    private final String source;
+    private final Supplier<Judge> judge;
+    private final Object method;
+    private Optional<CalledProgram> compiled = Optional.empty();
+    private Optional<NoAnswer> refused = Optional.empty();
+    private boolean closed;
+
+    OwnProgram(Exercise exercise, String source, Supplier<Judge> judge) {
+        this.exercise = exercise;
+        this.source = source;
+        this.judge = judge;
+        TopicGrading topic = TopicGradings.of(exercise);
+        Object called =
+                Proxy.newProxyInstance(
+                        topic.contract().getClassLoader(),
+                        new Class<?>[] {topic.contract()},
+                        (proxy, one, arguments) -> answer(proxy, one, arguments));
+        method = topic.asMethod(called);
+    }
+
+    boolean isOf(Exercise other, String otherSource) {
+        return exercise.id().equals(other.id()) && source.equals(otherSource);
+    }
+
+    /** Where it comes from. */
+    public Exercise exercise() {
+        return exercise;
+    }
+
+    public String source() {
+        return source;
+    }
+
+    /** A method of the topic's contract. */
+    Object method() {
+        return method;
+    }
+
+    private Object answer(Object proxy, java.lang.reflect.Method one, Object[] arguments)
+            throws Throwable {
+        if (one.isDefault()) return InvocationHandler.invokeDefault(proxy, one, arguments);
+        if (one.getDeclaringClass() == Object.class) return one.invoke(this, arguments);
+        return called().call(one, arguments);
+    }
+
+    /** What was wrong with the source once is wrong every time. */
+    private synchronized CalledProgram called() {
+        if (closed) throw gone();
+        if (refused.isPresent()) throw refused.get();
+        if (compiled.isPresent()) return compiled.get();
+        try {
+            compiled = Optional.of(judge.get().program(exercise, source));
+            return compiled.get();
+        } catch (NoAnswer wrong) {
+            refused = Optional.of(wrong);
+            throw wrong;
+        } catch (InterruptedException givenUp) {
+            Thread.currentThread().interrupt();
+            throw gone();
+        }
+    }
+
+    private static NoAnswer gone() {
+        return new NoAnswer(Verdict.Kind.CRASHED, "your program was ended from outside");
+    }
+
+    /** Ends its process. */
+    @Override
+    public void close() {
+        Optional<CalledProgram> running;
+        synchronized (this) {
+            closed = true;
+            running = compiled;
+        }
+        running.ifPresent(CalledProgram::close);
+    }
+}

@@ -1,0 +1,155 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.app.language.Language;
+import rasterlab.app.line.End;
+import rasterlab.app.line.LineChoice;
+import rasterlab.app.line.LineTrace;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.engine.line.Segment;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+
+/** A program of the user's own as a method of its topic's lab, run in a process of its own. */
+@Tag("slow")
+class OwnInLabTest {
+    private static final Exercise LINE = Catalogue.builtIn().named("line-bresenham");
+
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final ConcurrentLinkedQueue<Runnable> answers = new ConcurrentLinkedQueue<>();
+    private final LabModels models = LabModels.first(answers::add, failures::add);
+    private final List<String> tabs = new ArrayList<>();
+    private final List<String> told = new ArrayList<>();
+    private final LabOpening opening =
+            new LabOpening(models, work -> {}, Runnable::run, failures::add);
+
+    OwnInLabTest() {
+        opening.showTabsBy(tabs::add);
+        opening.tellOwnTo((tab, mine) -> told.add(tab + " " + mine.exercise().id()));
+    }
+
+    @AfterEach
+    void close() {
+        models.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private static String line(String body) {
+        return "import rasterlab.contract.*;\n"
+                + "public class Mine implements LineRasterizer {\n"
+                + "  public void draw(int x0, int y0, int x1, int y1, Pixels out) {\n"
+                + body
+                + "\n  }\n}\n";
+    }
+
+    private void show(String source, String json) throws InterruptedException {
+        models.own().bring(LINE, source);
+        opening.showOwn("line", json, "");
+        settle();
+    }
+
+    private void settle() throws InterruptedException {
+        models.line().settle();
+        for (Runnable next = answers.poll(); next != null; next = answers.poll()) next.run();
+    }
+
+    private LineTrace trace() {
+        return models.line().state().drawing().trace();
+    }
+
+    @Test
+    void itsPixelsAreTheStepsBesideARightMethod() throws InterruptedException {
+        show(
+                line("for (int x = x1; x >= x0; x--) out.plot(x, y0);"),
+                "{\"from\":[1,2],\"to\":[4,2]}");
+        assertEquals(
+                new LineChoice(new Segment(1, 2, 4, 2), OwnMethods.NAME, "naive"),
+                models.line().state().choice());
+        assertEquals(LineTrace.Ending.ENDED, trace().ending());
+        assertEquals(4, models.line().state().drawing().pixels());
+        assertEquals(4, models.line().state().drawing().x(1));
+        assertEquals(List.of("line"), tabs);
+        assertEquals(List.of("line line-bresenham"), told);
+    }
+
+    @Test
+    void aWrongPixelIsMarked() throws InterruptedException {
+        show(line("out.plot(x0, y0); out.plot(9, 9);"), "{\"from\":[1,2],\"to\":[2,2]}");
+        var difference = models.line().state().drawing().difference();
+        assertEquals(1, difference.extra().size());
+        assertEquals(1, difference.missing().size());
+    }
+
+    @Test
+    void aDraggedEndIsDrawnByTheProgramAgain() throws InterruptedException {
+        show(line("out.plot(x1, y1);"), "{\"from\":[1,2],\"to\":[4,2]}");
+        models.line().moveEnd(End.B, 7, 5);
+        settle();
+        assertEquals(7, models.line().state().drawing().x(1));
+    }
+
+    @Test
+    void anEndlessOneIsStoppedWithAMessageInBothLanguages() throws InterruptedException {
+        show(line("while (x0 == 1) y0 += 2;"), "{\"from\":[1,2],\"to\":[4,2]}");
+        assertEquals(LineTrace.Ending.REFUSED, trace().ending());
+        assertEquals(
+                Optional.of("Your program did not answer within 2 s and was stopped"),
+                OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.ENGLISH));
+        assertEquals(
+                Optional.of("Ваша программа не ответила за 2 с и была остановлена"),
+                OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.RUSSIAN));
+        models.line().moveEnd(End.A, 0, 2);
+        settle();
+        assertEquals(LineTrace.Ending.ENDED, trace().ending());
+    }
+
+    @Test
+    void oneThatEndsItsProcessIsNotRun() throws InterruptedException {
+        show(line("System.exit(1);"), "");
+        assertEquals(LineTrace.Ending.REFUSED, trace().ending());
+        assertTrue(trace().message().contains("because of line 4"), trace().message());
+    }
+
+    @Test
+    void anotherTextTakesTheOldOnesPlace() throws InterruptedException {
+        show(line("out.plot(1, 1);"), "");
+        show(line("out.plot(5, 5);"), "");
+        assertEquals(5, models.line().state().drawing().x(1));
+    }
+
+    @Test
+    void withoutAProgramTheMethodSaysHowToGetOne() throws InterruptedException {
+        models.line().chooseMethod(OwnMethods.NAME);
+        settle();
+        assertEquals(LineTrace.Ending.REFUSED, trace().ending());
+        assertTrue(trace().message().startsWith("there is no program of yours yet"));
+    }
+
+    @Test
+    void aLabWithoutMethodsOfTheContractRunsNone() {
+        assertEquals(Optional.of(Unshown.NO_OWN), opening.obstacleToOwn("depth-buffer"));
+        assertEquals(Optional.empty(), opening.obstacleToOwn("line"));
+    }
+
+    @Test
+    void theWayBackLeadsToTheExercise() throws InterruptedException {
+        show(line("out.plot(1, 1);"), "");
+        models.exercises().choose("circle");
+        opening.showExercise(models.own().of("line").orElseThrow().exercise());
+        assertEquals(List.of("line", "exercises"), tabs);
+        String chosen = String.valueOf(models.exercises().kept());
+        assertTrue(chosen.contains("exercise=line-bresenham"), chosen);
+    }
+}
