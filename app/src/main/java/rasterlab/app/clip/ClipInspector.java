@@ -26,7 +26,7 @@ import rasterlab.engine.study.Method;
 final class ClipInspector {
     private final ClipLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final Map<ClipMode, MethodChooser> method = new EnumMap<>(ClipMode.class);
@@ -53,7 +53,7 @@ final class ClipInspector {
     ClipInspector(ClipLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("clip", "topic", texts.language());
+        explanations = Texts.of("clip", "topic", texts.language());
         column = new Inspector(texts);
         mode =
                 new NameChooser(
@@ -220,9 +220,9 @@ final class ClipInspector {
         Method<?> chosen = model.method();
         String formula = ClipTopics.decisionFormula(chosen);
         about.show(
-                translations,
+                explanations,
                 chosen.name(),
-                formula.isEmpty() ? "" : translations.textOr("decision." + chosen.name(), formula),
+                formula.isEmpty() ? "" : explanations.textOr("decision." + chosen.name(), formula),
                 refusal(state));
     }
 

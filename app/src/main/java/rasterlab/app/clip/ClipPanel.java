@@ -112,14 +112,14 @@ public final class ClipPanel extends LabPanel {
 
     private Chips chips(ClipMode mode) {
         var row = new Chips(texts, "hazards");
-        Texts translations = Texts.of("clip", "topic", texts.language());
+        Texts explanations = Texts.of("clip", "topic", texts.language());
         for (Hazard<?> hazard : model.hazards(mode)) {
             String key = "hazard." + mode.code() + "." + hazard.name();
             row.add(
                     HazardCase.of(
                             hazard,
                             texts.textOr(key, hazard.name()),
-                            translations.text(key),
+                            explanations.text(key),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
         }

@@ -23,7 +23,7 @@ final class ColourInspector {
 
     private final LightLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final ModeRow mode;
     private final List<Row> rows = new ArrayList<>();
@@ -37,7 +37,7 @@ final class ColourInspector {
     ColourInspector(LightLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("light", "topic", texts.language());
+        explanations = Texts.of("light", "topic", texts.language());
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
         hex = column.value("hex");
@@ -114,7 +114,7 @@ final class ColourInspector {
         }
         method.show(colour.method());
         colour.roundTrips().forEach((each, error) -> errors.get(each).setText(error(error)));
-        about.show(translations, colour.method(), "", "");
+        about.show(explanations, colour.method(), "", "");
     }
 
     private String error(double error) {

@@ -10,11 +10,11 @@ import rasterlab.engine.pipeline.ShadingMethod;
 /** The methods by which a choice is lit, each with its texts. */
 final class LightMethods {
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
 
     LightMethods(Texts texts) {
         this.texts = texts;
-        translations = Texts.of("light", "topic", texts.language());
+        explanations = Texts.of("light", "topic", texts.language());
     }
 
     /** The three shadings, the specular term, and how normals of corners are mixed, if they are. */
@@ -30,6 +30,6 @@ final class LightMethods {
     }
 
     private AboutText.Called called(String label, String key, String name) {
-        return new AboutText.Called(texts.text(label + name), translations, key + name);
+        return new AboutText.Called(texts.text(label + name), explanations, key + name);
     }
 }

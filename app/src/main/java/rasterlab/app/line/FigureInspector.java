@@ -24,7 +24,7 @@ import rasterlab.engine.raster.PixelMark;
 final class FigureInspector {
     private final FigureLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final Map<LineMode, MethodChooser> method = new EnumMap<>(LineMode.class);
@@ -52,7 +52,7 @@ final class FigureInspector {
     FigureInspector(LineLabModel lab, Texts texts) {
         this.texts = texts;
         model = lab.figures();
-        translations = Texts.of("line", "topic", texts.language());
+        explanations = Texts.of("line", "topic", texts.language());
         column = new Inspector(texts);
         mode = ModeChooser.of(LineMode.CIRCLE, lab, texts);
         column.row("mode", mode);
@@ -217,11 +217,11 @@ final class FigureInspector {
                                             : shown.code() + "." + chosen.name();
                             String formula = FigureTopics.decisionFormula(chosen);
                             about.show(
-                                    translations,
+                                    explanations,
                                     key,
                                     formula.isEmpty()
                                             ? ""
-                                            : translations.textOr(key + ".decision", formula),
+                                            : explanations.textOr(key + ".decision", formula),
                                     refusal(state));
                         },
                         () -> about.show(texts, "pen", "", ""));

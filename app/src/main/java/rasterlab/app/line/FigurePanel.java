@@ -116,14 +116,14 @@ final class FigurePanel extends LabPanel {
 
     private Chips chips(LineMode mode) {
         var row = new Chips(texts, "hazards");
-        Texts translations = Texts.of("line", "topic", texts.language());
+        Texts explanations = Texts.of("line", "topic", texts.language());
         for (Hazard<?> hazard : model.hazards(mode)) {
             String key = "hazard." + mode.code() + "." + hazard.name();
             row.add(
                     HazardCase.of(
                             hazard,
                             texts.textOr(key, hazard.name()),
-                            translations.text(key),
+                            explanations.text(key),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
         }

@@ -18,7 +18,7 @@ import rasterlab.engine.study.Method;
 final class LineInspector {
     private final LineLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private EndFields a;
     private EndFields b;
@@ -40,7 +40,7 @@ final class LineInspector {
     LineInspector(LineLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("line", "topic", texts.language());
+        explanations = Texts.of("line", "topic", texts.language());
         column = new Inspector(texts);
         List<String> names = model.methods().stream().map(Method::name).toList();
 
@@ -135,12 +135,12 @@ final class LineInspector {
 
     private void explain(LineLabState state) {
         Method<LineRasterizer> chosen = model.method(state.choice().method());
-        about.show(translations, chosen.name(), decisionFormula(chosen), refusal(state));
+        about.show(explanations, chosen.name(), decisionFormula(chosen), refusal(state));
     }
 
     private String decisionFormula(Method<LineRasterizer> chosen) {
         return chosen.implementation() instanceof SteppedLine stepped
-                ? translations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                ? explanations.textOr("decision." + chosen.name(), stepped.decisionFormula())
                 : "";
     }
 

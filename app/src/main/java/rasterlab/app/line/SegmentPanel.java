@@ -105,14 +105,14 @@ final class SegmentPanel extends LabPanel {
 
     private Chips chips() {
         var chips = new Chips(texts, "hazards");
-        Texts translations = Texts.of("line", "topic", texts.language());
+        Texts explanations = Texts.of("line", "topic", texts.language());
         List<String> methods = model.methods().stream().map(Method::name).toList();
         for (Hazard<Segment> hazard : model.hazards())
             chips.add(
                     HazardCase.of(
                             hazard,
                             texts.textOr("hazard." + hazard.name(), hazard.name()),
-                            translations.text("hazard." + hazard.name()),
+                            explanations.text("hazard." + hazard.name()),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

@@ -26,7 +26,7 @@ import rasterlab.engine.study.Method;
 final class PolygonInspector {
     private final PolygonLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final Map<PolygonMode, MethodChooser> method = new EnumMap<>(PolygonMode.class);
@@ -54,7 +54,7 @@ final class PolygonInspector {
     PolygonInspector(PolygonLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("polygon", "topic", texts.language());
+        explanations = Texts.of("polygon", "topic", texts.language());
         column = new Inspector(texts);
         mode =
                 new NameChooser(
@@ -221,9 +221,9 @@ final class PolygonInspector {
         String key = shown.code() + "." + chosen.name();
         String formula = PolygonTopics.decisionFormula(chosen);
         about.show(
-                translations,
+                explanations,
                 key,
-                formula.isEmpty() ? "" : translations.textOr(key + ".decision", formula),
+                formula.isEmpty() ? "" : explanations.textOr(key + ".decision", formula),
                 refusal(state));
     }
 

@@ -111,14 +111,14 @@ public final class PolygonPanel extends LabPanel {
 
     private Chips chips(PolygonMode mode) {
         var row = new Chips(texts, "hazards");
-        Texts translations = Texts.of("polygon", "topic", texts.language());
+        Texts explanations = Texts.of("polygon", "topic", texts.language());
         for (Hazard<?> hazard : model.hazards(mode)) {
             String key = "hazard." + mode.code() + "." + hazard.name();
             row.add(
                     HazardCase.of(
                             hazard,
                             texts.textOr(key, hazard.name()),
-                            translations.text(key),
+                            explanations.text(key),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
         }

@@ -26,7 +26,7 @@ final class RowInspector {
 
     private final RowLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Texts verdicts;
     private final Inspector column;
     private final NameChooser mode;
@@ -53,7 +53,7 @@ final class RowInspector {
             Consumer<String> chosen) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("row", "topic", texts.language());
+        explanations = Texts.of("row", "topic", texts.language());
         verdicts = Texts.of("study", texts.language());
         column = new Inspector(texts);
         mode = new NameChooser("mode", modes, code -> modeTexts.text("mode." + code), chosen);
@@ -93,10 +93,10 @@ final class RowInspector {
             column.showRow(methods.get(i), shown);
             if (shown) methods.get(i).show(choice.method());
         }
-        description.show(translations.text("hazard." + choice.hazard()));
+        description.show(explanations.text("hazard." + choice.hazard()));
         pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
         model.shown().ifPresentOrElse(this::show, this::showNothing);
-        about.show(translations, choice.method(), "", "");
+        about.show(explanations, choice.method(), "", "");
     }
 
     private void show(RowScene scene) {

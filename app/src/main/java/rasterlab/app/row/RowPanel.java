@@ -57,7 +57,7 @@ public final class RowPanel extends LabCard {
     }
 
     private Chips chips(Texts texts, Language language) {
-        Texts translations = Texts.of("row", "topic", language);
+        Texts explanations = Texts.of("row", "topic", language);
         var chips = new Chips(texts, "hazards");
         model.hazards()
                 .forEach(
@@ -67,7 +67,7 @@ public final class RowPanel extends LabCard {
                                     HazardCase.of(
                                             each.hazard(),
                                             texts.text(key),
-                                            translations.text(key),
+                                            explanations.text(key),
                                             model.methods(each.topic()).stream()
                                                     .map(Method::name)
                                                     .toList(),

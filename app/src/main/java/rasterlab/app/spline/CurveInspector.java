@@ -27,7 +27,7 @@ final class CurveInspector {
 
     private final CurveLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final InspectorParts parts;
     private NameChooser form;
@@ -58,7 +58,7 @@ final class CurveInspector {
     CurveInspector(CurveLabModel model, Texts texts, Consumer<SplineMode> onMode) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("spline", "topic", texts.language());
+        explanations = Texts.of("spline", "topic", texts.language());
         column = new Inspector(texts);
         parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.CURVE, onMode);
@@ -244,7 +244,7 @@ final class CurveInspector {
                 drawing.method().equals(chosen.name())
                         && drawing.ending() == CurveDrawing.Ending.REFUSED;
         about.show(
-                translations,
+                explanations,
                 chosen.name(),
                 decisionFormula(chosen),
                 refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
@@ -252,7 +252,7 @@ final class CurveInspector {
 
     private String decisionFormula(Method<CurveTracer> chosen) {
         return chosen.implementation() instanceof SteppedCurve stepped
-                ? translations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                ? explanations.textOr("decision." + chosen.name(), stepped.decisionFormula())
                 : "";
     }
 }

@@ -28,7 +28,7 @@ final class CurvePanel extends LabPanel {
 
     private final transient CurveLabModel model;
     private final transient Texts texts;
-    private final transient Texts translations;
+    private final transient Texts explanations;
     private final PlaneView stage;
     private final transient CurveInspector inspector;
     private final StepPlayer player;
@@ -48,7 +48,7 @@ final class CurvePanel extends LabPanel {
         this.model = model;
         setName("curve");
         texts = Texts.of("spline", language);
-        translations = Texts.of("spline", "topic", language);
+        explanations = Texts.of("spline", "topic", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -144,7 +144,7 @@ final class CurvePanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.text("hazard." + hazard.name()),
-                            translations.text("hazard." + hazard.name()),
+                            explanations.text("hazard." + hazard.name()),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

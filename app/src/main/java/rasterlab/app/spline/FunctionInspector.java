@@ -22,7 +22,7 @@ import rasterlab.engine.study.Method;
 final class FunctionInspector {
     private final FunctionLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final MethodChooser method;
     private final MethodChooser comparison;
@@ -45,7 +45,7 @@ final class FunctionInspector {
     FunctionInspector(FunctionLabModel model, Texts texts, Consumer<SplineMode> onMode) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("spline", "topic", texts.language());
+        explanations = Texts.of("spline", "topic", texts.language());
         column = new Inspector(texts);
         var parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.FUNCTION, onMode);
@@ -139,7 +139,7 @@ final class FunctionInspector {
                 drawing.method().equals(chosen.name())
                         && drawing.ending() == FunctionDrawing.Ending.REFUSED;
         about.show(
-                translations,
+                explanations,
                 chosen.name(),
                 decisionFormula(chosen),
                 refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
@@ -147,7 +147,7 @@ final class FunctionInspector {
 
     private String decisionFormula(Method<SplineFunction> chosen) {
         return chosen.implementation() instanceof SteppedSpline stepped
-                ? translations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                ? explanations.textOr("decision." + chosen.name(), stepped.decisionFormula())
                 : "";
     }
 }

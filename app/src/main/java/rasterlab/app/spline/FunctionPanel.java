@@ -32,7 +32,7 @@ final class FunctionPanel extends LabPanel {
 
     private final transient FunctionLabModel model;
     private final transient Texts texts;
-    private final transient Texts translations;
+    private final transient Texts explanations;
     private final PlaneView stage;
     private final transient FunctionInspector inspector;
     private final StepPlayer player;
@@ -52,7 +52,7 @@ final class FunctionPanel extends LabPanel {
         this.model = model;
         setName("function");
         texts = Texts.of("spline", language);
-        translations = Texts.of("spline", "topic", language);
+        explanations = Texts.of("spline", "topic", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -154,7 +154,7 @@ final class FunctionPanel extends LabPanel {
                     HazardCase.of(
                             hazard,
                             texts.text("hazard." + hazard.name()),
-                            translations.text("hazard." + hazard.name()),
+                            explanations.text("hazard." + hazard.name()),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

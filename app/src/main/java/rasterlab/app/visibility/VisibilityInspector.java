@@ -31,7 +31,7 @@ final class VisibilityInspector {
 
     private final VisibilityLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final NameChooser scene;
@@ -60,7 +60,7 @@ final class VisibilityInspector {
     VisibilityInspector(VisibilityLabModel model, Texts texts, SceneSaving saving) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("visibility", "topic", texts.language());
+        explanations = Texts.of("visibility", "topic", texts.language());
         column = new Inspector(texts);
         mode = modes();
         scene = scenes();
@@ -242,7 +242,7 @@ final class VisibilityInspector {
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
         look.refresh();
         if (model.methods().stream().anyMatch(one -> one.name().equals(choice.visibility())))
-            about.show(translations, choice.visibility(), readings.decision(), "");
+            about.show(explanations, choice.visibility(), readings.decision(), "");
     }
 
     /** What has no name of its own is in the list as long as it is shown. */

@@ -146,12 +146,12 @@ public abstract class LabCard extends LabPanel {
      * A chip for each hazard.
      *
      * @param texts the lab's, with their short names
-     * @param translations what they are, where that is not English
+     * @param explanations why they are special
      * @param methods names of those that the lab offers
      */
     protected static <I> Chips hazards(
             Texts texts,
-            Texts translations,
+            Texts explanations,
             List<Hazard<I>> hazards,
             List<String> methods,
             Consumer<Hazard<I>> chosen) {
@@ -161,7 +161,7 @@ public abstract class LabCard extends LabPanel {
                     HazardCase.of(
                             each,
                             texts.textOr("hazard." + each.name(), each.name()),
-                            translations.text("hazard." + each.name()),
+                            explanations.text("hazard." + each.name()),
                             methods,
                             () -> chosen.accept(each)));
         return chips;

@@ -29,7 +29,7 @@ final class ListInspector {
 
     private final ListLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private NameChooser example;
     private final NameChooser subject;
@@ -55,7 +55,7 @@ final class ListInspector {
     ListInspector(ListLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("coordinates.list", "topic", texts.language());
+        explanations = Texts.of("coordinates.list", "topic", texts.language());
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
         mode.accept(column);
@@ -144,7 +144,7 @@ final class ListInspector {
         later.setEnabled(choice.selected() >= 0 && choice.selected() < choice.items().size() - 1);
         fields.refresh();
         var readings = new ListReadings(model, texts);
-        meaning.show(readings.meaning(translations));
+        meaning.show(readings.meaning(explanations));
         done.setText(readings.done());
         error.setText(readings.error());
         formulas.show(readings.formulas());
@@ -155,7 +155,7 @@ final class ListInspector {
     private void showMatrices(ListReadings readings) {
         table.show(readings.headings(), readings.rows(), -1);
         about.show(
-                translations,
+                explanations,
                 model.method().name(),
                 "",
                 model.scene().isRefused() ? ListReadings.refusal(model.scene(), texts) : "");

@@ -76,12 +76,12 @@ final class ListReadings {
         return item(model.choice().items().get(newest), newest + 1, texts);
     }
 
-    String meaning(Texts translations) {
+    String meaning(Texts explanations) {
         if (selected().isEmpty()) return "—";
         ListItem item = selected().get();
         if (item.free()) return texts.text("matrix.free.meaning");
         NamedMatrix matrix = NamedMatrices.named(item.name());
-        return translations.textOr("matrix." + matrix.name(), matrix.meaning());
+        return explanations.textOr("matrix." + matrix.name(), matrix.meaning());
     }
 
     String error() {

@@ -14,7 +14,7 @@ import rasterlab.app.language.Texts;
 final class MeetingInspector {
     private final MeetingLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final MeetingReadings readings;
     private final Inspector column;
     private final MethodChooser method;
@@ -35,7 +35,7 @@ final class MeetingInspector {
     MeetingInspector(MeetingLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("coordinates.meeting", "topic", texts.language());
+        explanations = Texts.of("coordinates.meeting", "topic", texts.language());
         readings = new MeetingReadings(model, texts);
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
@@ -72,7 +72,7 @@ final class MeetingInspector {
         angle.setText(readings.angle());
         heights.setText(readings.heights());
         table.show(readings.headings(), readings.rows(), readings.chosenRow());
-        about.show(translations, model.method().name(), "", refusal());
+        about.show(explanations, model.method().name(), "", refusal());
     }
 
     /** Why the method refused: in its own words where those are the window's language. */

@@ -33,7 +33,7 @@ final class TurnInspector {
 
     private final TurnLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final MethodChooser method;
     private final SliderField degrees;
@@ -54,7 +54,7 @@ final class TurnInspector {
     TurnInspector(TurnLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("coordinates.turn", "topic", texts.language());
+        explanations = Texts.of("coordinates.turn", "topic", texts.language());
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
         mode.accept(column);
@@ -111,7 +111,7 @@ final class TurnInspector {
         showStep();
         operations.setText(operations(model.operations()));
         table.show(headings(), rows(), own());
-        about.show(translations, model.method().name(), "", refusal());
+        about.show(explanations, model.method().name(), "", refusal());
     }
 
     private String refusal() {

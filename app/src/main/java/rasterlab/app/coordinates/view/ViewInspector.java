@@ -24,7 +24,7 @@ import rasterlab.app.language.Texts;
 final class ViewInspector {
     private final ViewLabModel model;
     private final Texts texts;
-    private final Texts translations;
+    private final Texts explanations;
     private final Inspector column;
     private final Parts parts;
     private final Consumer<Inspector> mode;
@@ -52,7 +52,7 @@ final class ViewInspector {
     ViewInspector(ViewLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        translations = Texts.of("coordinates.view", "topic", texts.language());
+        explanations = Texts.of("coordinates.view", "topic", texts.language());
         column = new Inspector(texts);
         parts = new Parts(column, texts);
         this.mode = mode;
@@ -187,7 +187,7 @@ final class ViewInspector {
         formulas.show(readings.formulas());
         table.show(readings.headings(), readings.rows(), model.choice().vertex() - 1);
         about.show(
-                translations,
+                explanations,
                 model.method().name(),
                 "",
                 model.scene().refusal().isEmpty() ? "" : texts.text("note.refused"));
