@@ -26,6 +26,8 @@ import rasterlab.grader.course.courses
 import rasterlab.grader.course.joining
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
+import rasterlab.grader.hint.Hints
+import rasterlab.grader.hint.hints
 import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
 import rasterlab.grader.problem.waitForBodies
@@ -87,12 +89,13 @@ class Server(
     private val results = Results(submissions, reports, live, exercises)
     private val intake = Intake(database, settings.intake, clock)
     private val sheets = Sheets(database)
+    private val hints = Hints(database, clock)
     private val steady = SteadyClock(clock)
     private val leases = Leases(database, reports, clock, steady)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
     private val pageParts =
-        PageParts(accounts, courses, exercises, sheets, submissions, intake, queue, results, live, isolation)
+        PageParts(accounts, courses, exercises, sheets, hints, submissions, intake, queue, results, live, isolation)
 
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
@@ -123,6 +126,7 @@ class Server(
                 authenticate {
                     courses(courses, accounts)
                     exercises(exercises, sheets::starter)
+                    hints(exercises, hints, courses)
                     submissions(exercises, intake, queue)
                     results(results, live)
                 }

@@ -76,6 +76,7 @@ final class ReportText {
                         points.accuracy(),
                         points.stability(),
                         points.speed()));
+        if (points.hints() > 0) say("hints", "−" + points.hints());
         int hidden = all - points.of();
         if (hidden > 0)
             say("hidden", String.format(Locale.ROOT, texts.text("hidden-line"), hidden, all));

@@ -34,6 +34,7 @@ public final class ServerReport {
                 number(points, "accuracy"),
                 number(points, "stability"),
                 number(points, "speed"),
+                number(points, "hints"),
                 number(points, "total"),
                 number(points, "of"));
     }

@@ -4,12 +4,27 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import rasterlab.exercises.score.Points;
 
-/** Points with their sum. */
-public record PublishedPoints(int accuracy, int stability, int speed, int total, int of)
+/**
+ * Points with their sum.
+ *
+ * @param hints points that hints cost, which the sum has no more
+ * @param total what is left of the sum, at least 0
+ */
+public record PublishedPoints(int accuracy, int stability, int speed, int hints, int total, int of)
         implements PublishedPart {
     public static PublishedPoints of(Points points) {
+        return of(points, 0);
+    }
+
+    /** The same, less the points that hints cost. */
+    public static PublishedPoints of(Points points, int hints) {
         return new PublishedPoints(
-                points.accuracy(), points.stability(), points.speed(), points.total(), points.of());
+                points.accuracy(),
+                points.stability(),
+                points.speed(),
+                hints,
+                Math.max(0, points.total() - hints),
+                points.of());
     }
 
     @Override
@@ -18,6 +33,7 @@ public record PublishedPoints(int accuracy, int stability, int speed, int total,
         out.writeNumberField("accuracy", accuracy);
         out.writeNumberField("stability", stability);
         out.writeNumberField("speed", speed);
+        if (hints > 0) out.writeNumberField("hints", hints);
         out.writeNumberField("total", total);
         out.writeNumberField("of", of);
         out.writeEndObject();

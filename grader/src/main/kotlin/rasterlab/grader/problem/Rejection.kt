@@ -3,6 +3,7 @@ package rasterlab.grader.problem
 
 import io.ktor.http.HttpStatusCode
 import io.ktor.http.HttpStatusCode.Companion.BadRequest
+import io.ktor.http.HttpStatusCode.Companion.Conflict
 import io.ktor.http.HttpStatusCode.Companion.Forbidden
 import io.ktor.http.HttpStatusCode.Companion.MethodNotAllowed
 import io.ktor.http.HttpStatusCode.Companion.NotFound
@@ -120,6 +121,26 @@ sealed class Rejection(
         override fun detail(language: String): String = why.`in`(language)
     }
 
+    /** @param steps how many the exercise has */
+    class NoMoreHints(
+        exercise: String,
+        steps: Int,
+    ) : Rejection(
+            if (steps ==
+                0
+            ) {
+                "exercise '$exercise' has no hints"
+            } else {
+                "all $steps hints of '$exercise' are shown already"
+            },
+            "no-more-hints",
+        )
+
+    class HintOrder(
+        asked: Int,
+        next: Int,
+    ) : Rejection("hint $asked was asked for, but the next one is $next: hints come in order", "hint-order")
+
     class UnknownLanguage(
         asked: String,
         allowed: List<String>,
@@ -167,6 +188,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
         is Rejection.BadSheet -> UnprocessableEntity
+        is Rejection.NoMoreHints, is Rejection.HintOrder -> Conflict
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge
         is Rejection.WrongMediaType, is Rejection.Kotlin -> UnsupportedMediaType

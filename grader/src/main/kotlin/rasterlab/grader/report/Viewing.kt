@@ -108,7 +108,7 @@ fun Submission.view(
         (if (report == null) state else State.DONE).code,
         if (report == null) position else 0,
         report?.verdict()?.code(),
-        report?.points()?.let(PublishedPoints::of),
+        report?.points()?.let { PublishedPoints.of(it, hintCost) },
         cases.map { it.view(id, language, title(it.name())) },
         report?.diagnostics().orEmpty().map { PublishedDiagnostic.of(it, language) },
         report?.isolation(),

@@ -74,9 +74,10 @@ class Intake(
         val id = Secrets.newId()
         handle
             .createUpdate(
-                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round)
+                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round,
+                       hint_cost)
                    SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued',
-                       $ROUND
+                       $ROUND, $HINTS
                    FROM submissions WHERE student_id = :student AND exercise = :exercise""",
             ).bind("id", id)
             .bind("student", student.id)
@@ -119,6 +120,10 @@ class Intake(
             """max(coalesce((SELECT max(round) FROM submissions WHERE state = 'running'), 0),
                    coalesce((SELECT max(round) FROM submissions WHERE state = 'done'), 0),
                    coalesce((SELECT max(round) + 1 FROM submissions WHERE student_id = :student), 0))"""
+
+        /** What the hints cost that were shown to the student by now. */
+        const val HINTS =
+            "(SELECT coalesce(sum(cost), 0) FROM hints WHERE student_id = :student AND exercise = :exercise)"
 
         const val COUNT = "SELECT count(*) FROM submissions WHERE student_id = :student"
     }

@@ -27,6 +27,7 @@ enum class State {
  * @param attempt from 1, counted per student and exercise
  * @param seed draws the hidden cases, so that grading again gives the same result
  * @param tries how often grading was begun
+ * @param hintCost points that hints cost which were shown before it was received
  */
 data class Submission(
     val id: String,
@@ -39,4 +40,5 @@ data class Submission(
     val receivedAt: Instant,
     val state: State,
     val tries: Int,
+    val hintCost: Int,
 )

@@ -66,7 +66,7 @@ class Submissions(
         database.read { handle ->
             handle
                 .createQuery(
-                    """SELECT s.exercise, max(r.accuracy + r.stability + r.speed) AS best
+                    """SELECT s.exercise, max($NET) AS best
                        FROM submissions s LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
                            (SELECT max(graded_at) FROM results WHERE submission_id = s.id)
                        WHERE s.student_id = :student GROUP BY s.exercise""",
@@ -88,8 +88,8 @@ class Submissions(
         handle
             .createQuery(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
-                          s.state, s.tries, students.name AS student_name, r.verdict,
-                          r.revision AS graded_against, r.accuracy + r.stability + r.speed AS total, r.points_of
+                          s.state, s.tries, s.hint_cost, students.name AS student_name, r.verdict,
+                          r.revision AS graded_against, $NET AS total, r.points_of
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
                    LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
@@ -112,6 +112,9 @@ class Submissions(
 
     companion object {
         private const val LISTED = 100
+
+        /** The points of a result that are left when its submission paid for hints. */
+        private const val NET = "max(0, r.accuracy + r.stability + r.speed - s.hint_cost)"
 
         internal fun find(
             handle: Handle,
@@ -149,6 +152,7 @@ class Submissions(
                 receivedAt = Instant.parse(row.getString("received_at")),
                 state = State.of(row.getString("state")),
                 tries = row.getInt("tries"),
+                hintCost = row.getInt("hint_cost"),
             )
     }
 }

@@ -31,6 +31,8 @@ import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.respondPicture
 import rasterlab.grader.exercise.respondStarter
 import rasterlab.grader.exercise.starterFile
+import rasterlab.grader.hint.Hints
+import rasterlab.grader.hint.TakenHint
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.GradingQueue
@@ -45,6 +47,7 @@ fun Route.exercisePages(
     accounts: Accounts,
     exercises: Exercises,
     sheets: Sheets,
+    hints: Hints,
     submissions: Submissions,
     intake: Intake,
     queue: GradingQueue,
@@ -55,7 +58,8 @@ fun Route.exercisePages(
         val exercise = exercises.named(call.parameters.getOrFail("id"))
         val who = call.someone(accounts)
         val sheet = if (exercise.form() == Exercise.Form.PREDICT) sheets.starter(who, exercise) else ""
-        call.respondExercise(who, exercises, exercise, sheet, submissions, formulas)
+        val taken = if (who is Identity.Student) hints.taken(who, exercise) else emptyList()
+        call.respondExercise(who, exercises, exercise, sheet, submissions, taken, formulas)
     }
     get("/exercises/{id}/starter") {
         val who = call.someone(accounts)
@@ -138,6 +142,7 @@ private suspend fun ApplicationCall.respondExercise(
     exercise: Exercise,
     sheet: String,
     submissions: Submissions,
+    taken: List<TakenHint>,
     formulas: Formulas,
 ) {
     val texts = texts()
@@ -167,6 +172,7 @@ private suspend fun ApplicationCall.respondExercise(
                     }
                     if (mine != null) handIn(texts, exercise, sheet)
                 }
+                if (mine != null && exercise.hints().isNotEmpty()) hintSteps(texts, exercise, taken, formulas)
                 if (mine != null) {
                     h2 { +texts.say("exercise.mine") }
                     if (mine.isEmpty()) p { +texts.say("exercise.mine.none") } else attemptTable(texts, exercises, mine)

@@ -31,6 +31,8 @@ import rasterlab.grader.course.Enrolled
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.hint.HintUse
+import rasterlab.grader.hint.Hints
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.report.onEachChange
 import rasterlab.grader.report.respondEvents
@@ -43,11 +45,12 @@ fun Route.instructorPages(
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
+    hints: Hints,
     live: Live,
     isolation: Isolation,
 ) {
     get("/instructor") {
-        call.respondDesk(call.instructorHere(accounts), courses, exercises, submissions, isolation)
+        call.respondDesk(call.instructorHere(accounts), courses, exercises, submissions, hints.latest(), isolation)
     }
     get("/instructor/latest") {
         call.instructorHere(accounts)
@@ -98,6 +101,7 @@ private suspend fun ApplicationCall.respondDesk(
     courses: Courses,
     exercises: Exercises,
     submissions: Submissions,
+    hints: List<HintUse>,
     isolation: Isolation,
 ) {
     val texts = texts()
@@ -127,6 +131,8 @@ private suspend fun ApplicationCall.respondDesk(
             attributes["data-fragment"] = "/instructor/latest"
             latest(texts, exercises, submissions)
         }
+        h2 { +texts.say("instructor.hints") }
+        if (hints.isEmpty()) p { +texts.say("instructor.hints.none") } else hintTable(texts, exercises, hints)
     }
 }
 

@@ -12,6 +12,7 @@ import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.hint.Hints
 import rasterlab.grader.report.Results
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
@@ -27,9 +28,10 @@ fun Route.pages(
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
-    exercisePages(accounts, exercises, sheets, submissions, intake, queue)
+    exercisePages(accounts, exercises, sheets, hints, submissions, intake, queue)
+    hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results)
-    instructorPages(accounts, courses, exercises, submissions, live, isolation)
+    instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
 }
 
 /** What the pages ask and tell. */
@@ -38,6 +40,7 @@ class PageParts(
     val courses: Courses,
     val exercises: Exercises,
     val sheets: Sheets,
+    val hints: Hints,
     val submissions: Submissions,
     val intake: Intake,
     val queue: GradingQueue,

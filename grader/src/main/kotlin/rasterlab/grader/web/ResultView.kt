@@ -79,7 +79,10 @@ private fun FlowContent.points(
     texts: Texts,
     points: PublishedPoints,
 ) {
-    p("total") { +texts.say("result.points", points.total, points.of) }
+    p("total") {
+        +texts.say("result.points", points.total, points.of)
+        if (points.hints > 0) span("hint-cost") { +texts.say("table.hints", points.hints) }
+    }
     val kinds = listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed)
     ul("points") {
         kinds.forEach { (kind, earned) ->

@@ -84,7 +84,12 @@ private fun FlowContent.listing(
                             span("earlier") { +texts.say("table.earlier") }
                         }
                     }
-                    td("number") { +(row.points?.let { "$it / ${row.of}" } ?: "–") }
+                    td("number") {
+                        +(row.points?.let { "$it / ${row.of}" } ?: "–")
+                        if (row.points != null && row.submission.hintCost > 0) {
+                            span("hint-cost") { +texts.say("table.hints", row.submission.hintCost) }
+                        }
+                    }
                     td { +row.submission.receivedAt.forPeople() }
                 }
             }

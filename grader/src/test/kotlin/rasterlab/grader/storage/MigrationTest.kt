@@ -13,6 +13,7 @@ import rasterlab.grader.submission.Attempts
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
+import rasterlab.grader.submission.Submissions
 import java.nio.file.Path
 import java.sql.DriverManager
 import java.time.InstantSource
@@ -93,6 +94,25 @@ class MigrationTest {
                     ?.points()
                     ?.total(),
             )
+        }
+    }
+
+    @Test
+    @DisplayName("what was handed in before there were hints is charged for them")
+    fun whatWasHandedInBeforeHintsKeepsItsPoints() {
+        of("7")
+        execute(
+            """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+               VALUES ('s', 'a', 'draw-dot', 'r1', 1, 'class Dot {}', 1, '2026-03-29T00:59:59.000Z', 'done')""",
+        )
+        execute(
+            """INSERT INTO results (submission_id, revision, verdict, accuracy, stability, speed, points_of, isolation,
+                   nanos_per_item, graded_at)
+               VALUES ('s', 'r1', 'ok', 6, 2, 1, 10, 'bubblewrap', 0, '2026-03-29T00:59:59.000Z')""",
+        )
+        Database.open(file).use { database ->
+            assertEquals(mapOf("draw-dot" to 9), Submissions(database).bests("a"))
+            assertEquals(0, Submissions(database).find("s")?.hintCost)
         }
     }
 
