@@ -295,6 +295,8 @@ public record Exercise(
      * @param input the topic's input as JSON text; for a generated case, how to draw it from the
      *     seed
      * @param generated whether the seed draws it
+     * @param property the property of the topic that is asked for; empty where the right answers
+     *     are
      */
     public record Case(
             String name,
@@ -304,7 +306,8 @@ public record Exercise(
             Disclosure visibility,
             int points,
             String input,
-            boolean generated) {
+            boolean generated,
+            Optional<String> property) {
         /** A case that stands alone. */
         public Case(
                 String name,
@@ -314,7 +317,7 @@ public record Exercise(
                 int points,
                 String input,
                 boolean generated) {
-            this(name, title, name, kind, visibility, points, input, generated);
+            this(name, title, name, kind, visibility, points, input, generated, Optional.empty());
         }
 
         public Case {

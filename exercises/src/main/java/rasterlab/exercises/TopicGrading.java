@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Stream;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
@@ -20,6 +21,9 @@ import rasterlab.exercises.score.Message;
  * to the child and judged, and what speed is measured on.
  */
 public interface TopicGrading {
+    /** The trait of a call on several inputs, of which one may have gone wrong. */
+    String SEVERAL = "several";
+
     /** The engine's name of the topic. */
     String name();
 
@@ -141,6 +145,32 @@ public interface TopicGrading {
          */
         default boolean isRightWith(String mistake) {
             return true;
+        }
+
+        /** Whether the answer breaks the property that is asked for; false where none is. */
+        default boolean breaksProperty(Answer answer) {
+            return false;
+        }
+
+        /**
+         * The call on the one input whose answer is not right, where several are asked for; else
+         * this one.
+         */
+        default Call inQuestion(Answer answer) {
+            return this;
+        }
+
+        /** What is told where a case holds on all its inputs; nothing where nothing is to be. */
+        default Message held() {
+            return Message.NONE;
+        }
+
+        /**
+         * The same asked for on smaller inputs, of which one that goes wrong too may be told in
+         * this one's place; none where only this input is asked for.
+         */
+        default Stream<Call> smaller() {
+            return Stream.empty();
         }
 
         /** The input as {@code ./lab run} takes it. */

@@ -72,6 +72,7 @@ final class ProofJson {
         out.writeBooleanField("asked", one.asked());
         write("rejectedBy", one.cases());
         write("namedBy", one.naming());
+        write("breaks", one.properties());
         out.writeEndObject();
     }
 

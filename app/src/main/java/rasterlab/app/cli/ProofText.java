@@ -87,6 +87,7 @@ final class ProofText {
                         texts.text("proof.mistake"),
                         texts.text("proof.cases"),
                         texts.text("proof.named"),
+                        texts.text("proof.properties"),
                         texts.text("proof.first"));
         for (Kill one : proof.kills())
             table.add(
@@ -94,6 +95,7 @@ final class ProofText {
                             one.mistake(),
                             "" + one.cases().size(),
                             "" + one.naming().size(),
+                            "" + one.properties().size(),
                             first(one)));
         return table;
     }

@@ -14,14 +14,18 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.JsonFields;
+import rasterlab.exercises.property.Properties;
+import rasterlab.exercises.property.Property;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Phrase;
 
 /** Reads the cases of an exercise, whose files {@code exercise.json} names. */
 final class CaseReader {
     private static final String[] FIELDS = {
-        "name", "title", "group", "kind", "visibility", "points", "input", "generate"
+        "name", "title", "group", "kind", "visibility", "points", "input", "generate", "property"
     };
+
+    private static final List<String> ASKED = List.of("input", "generate", "property");
 
     private final ExerciseFolder folder;
     private final Faults faults;
@@ -63,9 +67,12 @@ final class CaseReader {
 
     private Case oneCase(JsonFields fields) {
         String name = ExerciseReader.name(fields);
-        boolean generated = fields.has("generate");
-        if (generated == fields.has("input"))
-            throw fields.wrong("", Phrase.of("field.either", "input", "generate"));
+        String asked = asked(fields);
+        Optional<JsonFields> property =
+                asked.equals("property")
+                        ? Optional.of(fields.object("property"))
+                        : Optional.empty();
+        boolean generated = property.map(one -> !one.has("seed")).orElse(asked.equals("generate"));
         Disclosure visibility =
                 Disclosure.valueOf(
                         constant(
@@ -77,7 +84,9 @@ final class CaseReader {
                                                 "after-deadline",
                                                 "never"))));
         if (generated && visibility == Disclosure.OPEN)
-            throw fields.wrong("visibility", Phrase.of("field.generated"));
+            throw fields.wrong(
+                    "visibility",
+                    Phrase.of(property.isPresent() ? "field.unseeded" : "field.generated"));
         return new Case(
                 name,
                 fields.has("title")
@@ -87,8 +96,49 @@ final class CaseReader {
                 Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
                 visibility,
                 fields.integer("points", 0, Exercise.MOST_POINTS),
-                generated ? shapes.given(fields.object("generate")) : fields.json("input"),
-                generated);
+                asked.equals("input")
+                        ? fields.json("input")
+                        : shapes.given(fields.object(asked), "holds"),
+                generated,
+                property.map(this::property));
+    }
+
+    /** The one field that says what a case asks for. */
+    private static String asked(JsonFields fields) {
+        List<String> given = ASKED.stream().filter(fields::has).toList();
+        if (given.size() == 1) return given.get(0);
+        throw fields.wrong("", Phrase.of("field.one-of", String.join(", ", ASKED)));
+    }
+
+    /** The name of a property of the exercise's topic; any where the topic is not known. */
+    private String property(JsonFields fields) {
+        String name = fields.text("holds");
+        if (topic.isEmpty()) return name;
+        List<String> own = names(Properties.of(topic.get().name()));
+        if (own.contains(name)) return name;
+        List<String> others =
+                Properties.all().stream()
+                        .filter(one -> one.name().equals(name))
+                        .map(Property::topic)
+                        .toList();
+        if (others.isEmpty() || own.isEmpty())
+            throw fields.wrong(
+                    "holds",
+                    own.isEmpty()
+                            ? Phrase.of("property.none", topic.get().name())
+                            : Phrase.of("field.word", String.join(", ", own), name));
+        throw fields.wrong(
+                "holds",
+                Phrase.of(
+                        "property.other",
+                        name,
+                        String.join(", ", others),
+                        topic.get().name(),
+                        String.join(", ", own)));
+    }
+
+    private static List<String> names(List<Property<?, ?>> properties) {
+        return properties.stream().map(Property::name).toList();
     }
 
     /** Reads the input as the runner will, so that a mistake shows before anybody submits. */

@@ -53,9 +53,14 @@ final class Shapes {
         return turns;
     }
 
-    /** What a case says of drawing its inputs, with the template in the place of its name. */
-    String given(JsonFields generate) {
-        ObjectNode all = (ObjectNode) generate.tree();
+    /**
+     * What a case says of drawing its inputs, with the template in the place of its name.
+     *
+     * @param left names of fields that say something else and are left out
+     */
+    String given(JsonFields generate, String... left) {
+        ObjectNode all = generate.tree().deepCopy();
+        all.remove(List.of(left));
         if (!all.has("shape")) return all.toString();
         if (all.has("given")) throw generate.wrong("given", Phrase.of("field.beside", "shape"));
         String name = generate.word("shape", names());

@@ -16,6 +16,8 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.property.Properties;
+import rasterlab.exercises.property.Property;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePicture;
@@ -35,7 +37,7 @@ import rasterlab.exercises.score.Phrase;
  */
 public abstract class ByTopic<C, I, O> implements TopicGrading {
     /** Characters of an input that is told as an example. */
-    private static final int LONGEST_EXAMPLE = 160;
+    static final int LONGEST_EXAMPLE = 160;
 
     private final Topic<C, I, O> topic;
     private final Class<?> contract;
@@ -238,10 +240,46 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
     @Override
     public final List<Call> calls(Case one, Tolerance tolerance, long seed) {
         TopicInputs.Read<I> read = new TopicInputs<>(topic, isInOrder()).of(one, seed);
+        if (one.property().isPresent())
+            return propertyCalls(one, one.property().get(), tolerance, read.inputs());
         return read.inputs().stream()
                 .<Call>map(
                         input -> new InputCall<>(this, input, demand(one, input, tolerance, read)))
                 .toList();
+    }
+
+    /** Where the rule that the property assumes does not decide an input, it is not asked. */
+    private List<Call> propertyCalls(Case one, String name, Tolerance tolerance, List<I> drawn) {
+        Property<I, O> property = property(name);
+        List<I> inputs = drawn.stream().filter(property.assumed()).toList();
+        if (inputs.isEmpty())
+            throw new CatalogueException(
+                    Phrase.of(
+                            "field.wrong",
+                            TopicInputs.place(one),
+                            Phrase.of("property.none-assumed", name, drawn.size())));
+        return inputs.stream()
+                .<Call>map(
+                        input ->
+                                new PropertyCall<>(
+                                        this, property, input, tolerance, inputs.size(), false))
+                .toList();
+    }
+
+    @SuppressWarnings("unchecked") // a property of this topic
+    private Property<I, O> property(String name) {
+        return (Property<I, O>)
+                Properties.of(topic.name()).stream()
+                        .filter(one -> one.name().equals(name))
+                        .findFirst()
+                        .orElseThrow();
+    }
+
+    /** What is asked of an answer of which all is looked at. */
+    final Demand demand(I input, Tolerance tolerance) {
+        int most = topic.mostItems();
+        return new Demand(
+                tolerance, false, false, isInOrder() ? (int) Math.min(most, items(input)) : most);
     }
 
     private Demand demand(Case one, I input, Tolerance tolerance, TopicInputs.Read<I> read) {

@@ -134,6 +134,24 @@ final class Leaves {
                 : said;
     }
 
+    /**
+     * The first part of an answer that differs from what it would be if it fitted the others.
+     *
+     * @param wanted what it would be then
+     */
+    static <C, I, O> Message unfit(Topic<C, I, O> topic, I input, O wanted, O actual) {
+        Leaves fitting = of(topic.format(), input, wanted);
+        Leaves mine = of(topic.format(), input, actual);
+        return fitting.firstUnlike(mine)
+                .map(
+                        place -> {
+                            String[] two = told(mine.at(place), fitting.at(place));
+                            return Message.of(
+                                    "answer.at.unfit", place, two[0], two[1], topic.name());
+                        })
+                .orElse(Message.NONE);
+    }
+
     /** Whether nothing is missing, more or different but for rounding. */
     private boolean isCloseTo(Leaves other) {
         return values.keySet().equals(other.values.keySet())
@@ -185,12 +203,17 @@ final class Leaves {
             return Message.of("answer.at.extra", place, shortened(given), topic);
         if (given.equals(NONE))
             return Message.of("answer.at.missing", place, shortened(right), topic);
+        String[] two = told(given, right);
+        return Message.of("answer.at", place, two[0], two[1], topic);
+    }
+
+    /** Two values in as many digits as tell them apart. */
+    private static String[] told(String one, String other) {
         for (int digits = FEW; digits < ALL; digits += 3) {
-            String one = rounded(given, digits);
-            String other = rounded(right, digits);
-            if (!one.equals(other)) return Message.of("answer.at", place, one, other, topic);
+            String[] two = {rounded(one, digits), rounded(other, digits)};
+            if (!two[0].equals(two[1])) return two;
         }
-        return Message.of("answer.at", place, given, right, topic);
+        return new String[] {one, other};
     }
 
     private static String shortened(String value) {

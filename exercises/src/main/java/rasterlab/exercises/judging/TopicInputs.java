@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Random;
 import rasterlab.engine.format.Field;
@@ -60,11 +61,12 @@ final class TopicInputs<C, I> {
      */
     Read<I> of(Case one, long seed) {
         Phrase place = place(one);
+        if (one.property().isPresent()) return ofProperty(one, place, seed);
         if (one.generated()) {
             JsonFields fields =
                     JsonFields.parse(place, one.input(), "count", "let", "given", "strict");
             return new Read<>(
-                    drawn(place, fields, new Random(31 * seed + one.name().hashCode())),
+                    drawn(place, fields, random(one, seed)),
                     false,
                     fields.flag("strict", false),
                     OptionalInt.empty());
@@ -83,6 +85,18 @@ final class TopicInputs<C, I> {
                         : OptionalInt.empty());
     }
 
+    /** One that is open has a seed of its own, the same for everybody. */
+    private Read<I> ofProperty(Case one, Phrase place, long seed) {
+        JsonFields fields = JsonFields.parse(place, one.input(), "count", "let", "given", "seed");
+        long own = fields.has("seed") ? fields.integer("seed", 0, Integer.MAX_VALUE) : seed;
+        List<I> inputs = drawn(place, fields, random(one, own));
+        return new Read<>(inputs, false, false, OptionalInt.empty());
+    }
+
+    private static Random random(Case one, long seed) {
+        return new Random(31 * seed + one.name().hashCode());
+    }
+
     private JsonFields fields(Phrase place, Case one) {
         return inOrder
                 ? JsonFields.parse(
@@ -95,7 +109,7 @@ final class TopicInputs<C, I> {
         return Phrase.of(
                 "field",
                 Phrase.of("field.case", one.name()),
-                one.generated() ? "generate" : "input");
+                one.property().isPresent() ? "property" : one.generated() ? "generate" : "input");
     }
 
     private I hazard(JsonFields fields) {
@@ -170,7 +184,20 @@ final class TopicInputs<C, I> {
 
     /** The format itself looks at fields by names that are known nowhere else. */
     private I openInput(String json) {
+        return read(format, json);
+    }
+
+    private static <I> I read(Format<?, I, ?> format, String json) {
         byte[] text = json.getBytes(StandardCharsets.UTF_8);
-        return format.read(StrictJson.read(text, text.length, format.input(), true));
+        return format.read(StrictJson.read(text, text.length, format.input(), format.open()));
+    }
+
+    /** An input of a format; empty where that JSON is none. */
+    static <I> Optional<I> read(Format<?, I, ?> format, JsonNode json) {
+        try {
+            return Optional.of(read(format, json.toString()));
+        } catch (Misfit | IllegalArgumentException none) {
+            return Optional.empty();
+        }
     }
 }

@@ -10,6 +10,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -94,7 +95,7 @@ public final class Marking {
         return cases.stream()
                 .flatMap(tried -> tried.calls().stream())
                 .filter(call -> !call.right() && !byAll.charges().explain(call))
-                .map(call -> call.call().traits())
+                .map(call -> call.inQuestion().traits())
                 .distinct()
                 .toList();
     }
@@ -118,7 +119,16 @@ public final class Marking {
             Finding finding = shown.computeIfAbsent(wrong.get(), TriedCall::shown);
             return report(tried.one(), finding, wrong.get().scene());
         }
-        return report(tried.one(), worth(tried).unearned(tried).orElse(Finding.OK), scene(tried));
+        return report(
+                tried.one(),
+                worth(tried).unearned(tried).orElseGet(() -> held(tried)),
+                scene(tried));
+    }
+
+    /** Nothing is told of a case whose mistakes are paid for elsewhere. */
+    private static Finding held(TriedCase tried) {
+        if (!tried.calls().stream().allMatch(TriedCall::right)) return Finding.OK;
+        return Finding.of(GradingVerdict.OK, tried.calls().get(0).call().held());
     }
 
     private static String scene(TriedCase tried) {

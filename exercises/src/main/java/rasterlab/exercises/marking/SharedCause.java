@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Message;
 
@@ -115,7 +116,7 @@ final class SharedCause {
 
     /** The traits, at most two, that those inputs have and none of the others has all of. */
     private static Message where(List<TriedCall> with, List<TriedCall> without) {
-        if (with.get(0).call().traits().isEmpty()) return Message.NONE;
+        if (with.get(0).inQuestion().traits().isEmpty()) return Message.NONE;
         if (without.isEmpty()) return Message.of("where.everywhere");
         List<String> common = common(with);
         for (String one : common)
@@ -130,13 +131,15 @@ final class SharedCause {
 
     private static List<String> common(List<TriedCall> calls) {
         Set<String> traits =
-                calls.get(0).call().traits().stream().collect(toCollection(LinkedHashSet::new));
-        calls.forEach(call -> traits.retainAll(call.call().traits()));
+                calls.get(0).inQuestion().traits().stream()
+                        .collect(toCollection(LinkedHashSet::new));
+        calls.forEach(call -> traits.retainAll(call.inQuestion().traits()));
+        traits.remove(TopicGrading.SEVERAL);
         return List.copyOf(traits);
     }
 
     private static boolean tellsApart(Set<String> traits, List<TriedCall> others) {
-        return others.stream().noneMatch(call -> call.call().traits().containsAll(traits));
+        return others.stream().noneMatch(call -> call.inQuestion().traits().containsAll(traits));
     }
 
     /** The example of a public case: no hidden input may be told. */
@@ -145,7 +148,7 @@ final class SharedCause {
                 .filter(TriedCase::open)
                 .flatMap(tried -> tried.calls().stream())
                 .filter(call -> !call.right())
-                .map(call -> call.call().example())
+                .map(call -> call.inQuestion().example())
                 .findFirst();
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.exercises.marking;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
@@ -24,6 +25,11 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
     /** The method was stopped, or gave another answer the second time. */
     public static TriedCall failed(Call call, Finding finding) {
         return new TriedCall(call, Optional.empty(), finding);
+    }
+
+    /** The call on the input whose answer is not right, where several were asked for. */
+    Call inQuestion() {
+        return answer.map(call::inQuestion).orElse(call);
     }
 
     boolean right() {
@@ -65,10 +71,14 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
 
     /**
      * A single point is its own first and last pixel, and of a cut line the last end is not seen:
-     * what is wrong or right there tells no mistake.
+     * what is wrong or right there tells no mistake. Nor does it where it is not known on which of
+     * several inputs.
      */
     boolean tellsLittle() {
-        return call.traits().contains("point") || call.traits().contains("cut");
+        Set<String> traits = inQuestion().traits();
+        return traits.contains("point")
+                || traits.contains("cut")
+                || traits.contains(TopicGrading.SEVERAL);
     }
 
     /** The input as a scene file, with the answer where it is wrong. */
@@ -77,7 +87,7 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
     }
 
     /** The finding with pictures. */
-    Finding shown() {
+    public Finding shown() {
         return answer.map(call::judge).orElse(finding);
     }
 }

@@ -50,7 +50,9 @@ final class BreakProving {
         int points = exercise.points().accuracy();
         for (Method<?> one : proving.topic.methods())
             if (one.promisesToBeRight())
-                right.add(new RightMethod(one.name(), true, points, 0, List.of(), List.of()));
+                right.add(
+                        new RightMethod(
+                                one.name(), true, points, 0, List.of(), List.of(), List.of()));
         List<Kill> kills = new ArrayList<>();
         for (Case one : exercise.cases())
             if (!one.name().equals(Breaking.SIZE)) kills.add(proving.kill(one.name()));
@@ -65,7 +67,7 @@ final class BreakProving {
                         .limit(1)
                         .toList();
         boolean mutant = topic.mutants().stream().anyMatch(one -> one.name().equals(name));
-        return new Kill(name, mutant, true, hazards, hazards, true);
+        return new Kill(name, mutant, true, hazards, hazards, List.of(), true);
     }
 
     private boolean isBroken(String name, Sample sample) {

@@ -10,6 +10,7 @@ import java.util.List;
  * @param asked whether a case has to reject it
  * @param cases names of those that do
  * @param naming names of those that tell the student this mistake
+ * @param properties names of those whose property it breaks
  * @param answers whether it answers wrongly anywhere; where not, its mistake cannot be told
  */
 public record Kill(
@@ -18,10 +19,12 @@ public record Kill(
         boolean asked,
         List<String> cases,
         List<String> naming,
+        List<String> properties,
         boolean answers) {
     public Kill {
         cases = List.copyOf(cases);
         naming = List.copyOf(naming);
+        properties = List.copyOf(properties);
     }
 
     public boolean isRejected() {

@@ -70,7 +70,8 @@ final class PredictProving {
             points = Math.min(points, report.points().accuracy());
             lost.addAll(failed(report));
         }
-        return new RightMethod(rules.method(), true, points, 0, List.copyOf(lost), List.of());
+        return new RightMethod(
+                rules.method(), true, points, 0, List.copyOf(lost), List.of(), List.of());
     }
 
     /** A wrong answer to each step of the sheets; one that costs anything else is not rejected. */
@@ -80,7 +81,7 @@ final class PredictProving {
         for (Case one : exercise.cases()) {
             boolean alone = sheets.stream().allMatch(sheet -> isLostAlone(sheet, one.name()));
             List<String> cases = alone ? List.of(one.name()) : List.of();
-            kills.add(new Kill(one.name(), false, true, cases, cases, true));
+            kills.add(new Kill(one.name(), false, true, cases, cases, List.of(), true));
         }
         return kills;
     }

@@ -39,6 +39,10 @@ public record Proof(
         for (RightMethod one : right)
             if (one.errs())
                 faults.add(Phrase.of("proof.right", one.name(), String.join(", ", one.failed())));
+        for (RightMethod one : right)
+            if (one.promised() && !one.breaking().isEmpty())
+                faults.add(
+                        Phrase.of("proof.breaks", one.name(), String.join(", ", one.breaking())));
         for (Kill one : kills) {
             if (one.asked() && !one.isRejected())
                 faults.add(Phrase.of("proof.passes", one.mistake()));

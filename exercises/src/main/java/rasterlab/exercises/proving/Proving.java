@@ -102,7 +102,8 @@ public final class Proving {
                                 tried.points(Kind.ACCURACY),
                                 tried.points(Kind.STABILITY),
                                 tried.failed(),
-                                tried.refused()));
+                                tried.refused(),
+                                tried.breaking()));
             }
         return right;
     }
@@ -136,6 +137,7 @@ public final class Proving {
                 asked,
                 tried.failed(),
                 tried.naming(codes),
+                tried.breaking(),
                 byName && tried.answeredWrong());
     }
 

@@ -10,6 +10,7 @@ import java.util.List;
  * @param stability points
  * @param failed names of cases that pay it nothing
  * @param refused those of them which it only refuses
+ * @param breaking names of cases whose property it breaks
  */
 public record RightMethod(
         String name,
@@ -17,10 +18,12 @@ public record RightMethod(
         int accuracy,
         int stability,
         List<String> failed,
-        List<String> refused) {
+        List<String> refused,
+        List<String> breaking) {
     public RightMethod {
         failed = List.copyOf(failed);
         refused = List.copyOf(refused);
+        breaking = List.copyOf(breaking);
     }
 
     boolean isFull() {

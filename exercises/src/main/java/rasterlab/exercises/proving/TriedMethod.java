@@ -40,7 +40,13 @@ public final class TriedMethod {
      */
     public static TriedMethod on(
             Exercise exercise, TopicGrading grading, Object method, long seed) {
-        return on(exercise, calls(exercise, grading, seed), method);
+        return on(exercise, exercise.cases(), grading, method, seed);
+    }
+
+    /** The same with some of its cases. */
+    public static TriedMethod on(
+            Exercise exercise, List<Case> cases, TopicGrading grading, Object method, long seed) {
+        return on(exercise, calls(exercise, cases, grading, seed), method);
     }
 
     /**
@@ -49,9 +55,13 @@ public final class TriedMethod {
      */
     static Map<Case, List<TopicGrading.Call>> calls(
             Exercise exercise, TopicGrading grading, long seed) {
+        return calls(exercise, exercise.cases(), grading, seed);
+    }
+
+    private static Map<Case, List<TopicGrading.Call>> calls(
+            Exercise exercise, List<Case> cases, TopicGrading grading, long seed) {
         Map<Case, List<TopicGrading.Call>> calls = new LinkedHashMap<>();
-        for (Case one : exercise.cases())
-            calls.put(one, grading.calls(one, exercise.tolerance(), seed));
+        for (Case one : cases) calls.put(one, grading.calls(one, exercise.tolerance(), seed));
         return calls;
     }
 
@@ -115,6 +125,20 @@ public final class TriedMethod {
                 .filter(one -> findings(one).anyMatch(finding -> isNamed(finding, codes)))
                 .map(one -> one.one().name())
                 .toList();
+    }
+
+    /**
+     * Names of the cases whose property is broken, be the answers right to the tolerance or not.
+     */
+    public List<String> breaking() {
+        return marking.cases().stream()
+                .filter(one -> one.calls().stream().anyMatch(TriedMethod::isBroken))
+                .map(one -> one.one().name())
+                .toList();
+    }
+
+    private static boolean isBroken(TriedCall tried) {
+        return tried.answer().filter(tried.call()::breaksProperty).isPresent();
     }
 
     private static boolean isNamed(Finding finding, Set<String> codes) {

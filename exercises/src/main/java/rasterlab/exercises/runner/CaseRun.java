@@ -47,11 +47,12 @@ final class CaseRun {
      */
     TriedCase tryOut(Case one) throws ChildLost, InterruptedException {
         List<TriedCall> tried = new ArrayList<>();
+        Shrinking shrinking = new Shrinking(student);
         for (Call call : topic.calls(one, exercise.tolerance(), seed)) {
             Optional<Finding> over = student.over();
             if (over.isPresent()) return TriedCase.untried(one, over.get());
             TriedCall next = student.call(call);
-            tried.add(next);
+            tried.add(shrinking.of(next));
             if (next.answer().isEmpty()) break;
             keep(one, next.answer().get());
         }

@@ -3,6 +3,7 @@ package rasterlab.exercises.runner;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCalls;
@@ -16,9 +17,14 @@ import rasterlab.exercises.score.Message;
  * A student's method, in a fresh child whenever it was stopped, until that happened too often or
  * all calls together took too long.
  */
-final class Student implements AutoCloseable {
+final class Student implements AutoCloseable, Shrinking.Asking {
     /** Stopped calls after which no more is asked of it. */
     static final int MOST_STOPS = 5;
+
+    /** A call that does not count takes no longer than all such calls may. */
+    private static final Exercise.Caps ASIDE =
+            new Exercise.Caps(
+                    OptionalInt.empty(), OptionalInt.empty(), Optional.of(Shrinking.MOST_TIME));
 
     private final Children children;
     private final JudgeSettings settings;
@@ -29,6 +35,7 @@ final class Student implements AutoCloseable {
     private final boolean again;
     private Optional<Loaded> loaded = Optional.empty();
     private Duration spent = Duration.ZERO;
+    private Duration spentAside = Duration.ZERO;
     private int stops;
 
     /** A child and what it answered to the classes. */
@@ -114,6 +121,28 @@ final class Student implements AutoCloseable {
             stops++;
             return TriedCall.failed(call, fault.finding);
         }
+    }
+
+    /** {@inheritDoc} Neither its time nor its end counts. */
+    @Override
+    public Optional<TriedCall> aside(Call call) throws InterruptedException {
+        if (loaded.isEmpty()) return Optional.empty();
+        StudentRun run = loaded.get().run();
+        Duration before = run.used();
+        try {
+            Answer answer = run.call(call, call.caps().within(caps).within(ASIDE));
+            spentAside = spentAside.plus(run.used()).minus(before);
+            if (run.over()) close();
+            return Optional.of(TriedCall.answered(call, answer));
+        } catch (ChildLost lost) {
+            close();
+            return Optional.empty();
+        }
+    }
+
+    @Override
+    public Duration spentAside() {
+        return spentAside;
     }
 
     private Answer answer(Call call) throws ChildLost, InterruptedException {

@@ -46,8 +46,9 @@ public record Message(List<Sentence> sentences) {
             Pattern.compile(
                     "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|answer\\.(?:at.*|worst.*)|drawing\\..*");
 
-    /** The text whose place may hold the key of another, on a mistake that is known. */
-    private static final String OF_A_MISTAKE = "known-mistake";
+    /** The texts whose places may hold keys of others, on a mistake or a property. */
+    private static final Set<String> WITHIN =
+            Set.of("known-mistake", "property.broken", "property.held", "property.assumes");
 
     /** The beginning of the keys of texts on a place in an answer, which stands first in them. */
     private static final String AT = "answer.at";
@@ -77,7 +78,7 @@ public record Message(List<Sentence> sentences) {
          * it sets between numbers; all else as it is.
          */
         private String said(String argument, ResourceBundle texts) {
-            if (key.equals(OF_A_MISTAKE) && texts.containsKey(argument))
+            if (WITHIN.contains(key) && texts.containsKey(argument))
                 return texts.getString(argument);
             return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
         }

@@ -53,6 +53,42 @@ final class FolderMistakes {
                         "\"contract\": \"CurveFlattener\", \"topic\"",
                         "field 'contract' must be one of WindowedLineRasterizer, got 'CurveFlattener'"),
                 argumentSet(
+                        "unknown property",
+                        cases,
+                        "\"reversal\"",
+                        "\"reverse\"",
+                        "field 'property', field 'holds' must be one of reversal, translation, octant-symmetry, got 'reverse'"),
+                argumentSet(
+                        "property without a number of inputs",
+                        cases,
+                        "\"shape\": \"any\", \"count\": 8, \"seed\": 1,",
+                        "\"shape\": \"any\", \"seed\": 1,",
+                        "field 'count' is missing"),
+                argumentSet(
+                        "property that is open without a seed",
+                        cases,
+                        "\"count\": 8, \"seed\": 1,",
+                        "\"count\": 8,",
+                        "field 'visibility' must not be open where the property has no 'seed'"),
+                argumentSet(
+                        "property on inputs that it says nothing of",
+                        cases,
+                        "\"along\": \"=2*half+1\", \"across\": \"0..along\"",
+                        "\"along\": \"=2*half\", \"across\": 1",
+                        "none of the 8 inputs is one that 'reversal' speaks of"),
+                argumentSet(
+                        "property and input at once",
+                        cases,
+                        "\"property\": {",
+                        "\"input\": {}, \"property\": {",
+                        "must have exactly one of: input, generate, property"),
+                argumentSet(
+                        "property with points below 0",
+                        cases,
+                        "\"points\": 1,\n    \"property\"",
+                        "\"points\": -1,\n    \"property\"",
+                        "field 'points' must be a whole number from 0 to 100, got -1"),
+                argumentSet(
                         "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
                 argumentSet(
                         "another truth for pixels",

@@ -54,6 +54,9 @@ final class LineMutants {
                         (x0, y0, x1, y1, out) ->
                                 RIGHT.draw(x0, y0, y0 == y1 && x1 < x0 ? x0 : x1, y1, out)),
                 mutant("upward-goes-down", known("never-upwards")),
+                mutant("backwards-other-pixels", roundedDown((dx, dy) -> dx < 0)),
+                mutant("elsewhere-other-pixels", LineMutants::roundedToZero),
+                mutant("octants-differ", roundedDown((dx, dy) -> Math.abs(dy) > Math.abs(dx))),
                 mutant("single-point-is-skipped", known("single-point-skipped")),
                 mutant(
                         "vertical-divides-by-zero",
@@ -93,6 +96,21 @@ final class LineMutants {
                         (x, y) -> {
                             if (x != x1 || y != y1 || !slope.is(x1 - x0, y1 - y0)) out.plot(x, y);
                         });
+    }
+
+    /** Where the slope is such, each pixel is the one at or above the line, or left of it. */
+    private static LineRasterizer roundedDown(Slope slope) {
+        return (x0, y0, x1, y1, out) -> {
+            long dx = (long) x1 - x0;
+            long dy = (long) y1 - y0;
+            long n = Math.max(Math.abs(dx), Math.abs(dy));
+            if (n == 0 || !slope.is(x1 - x0, y1 - y0)) RIGHT.draw(x0, y0, x1, y1, out);
+            else
+                for (long k = 0; k <= n; k++)
+                    out.plot(
+                            (int) (x0 + Math.floorDiv(k * dx, n)),
+                            (int) (y0 + Math.floorDiv(k * dy, n)));
+        };
     }
 
     static void shifted(int x0, int y0, int x1, int y1, Pixels out) {

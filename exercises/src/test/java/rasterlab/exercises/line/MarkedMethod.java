@@ -45,7 +45,8 @@ record MarkedMethod(Exercise exercise, Marking marking) {
     }
 
     private static Answer answer(Answer.Ending ending, Object drawn) {
-        return Answer.with(ending, drawn, ((PixelRecording) drawn).size(), "", "");
+        long items = drawn instanceof PixelRecording pixels ? pixels.size() : 1;
+        return Answer.with(ending, drawn, items, "", "");
     }
 
     /** Points for accuracy and stability together. */

@@ -37,11 +37,11 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             "it goes one pixel beyond the first end",
                             (k, n) -> 1,
                             0),
-                    by("each twice", 94, "each pixel is drawn twice", (k, n) -> 2),
-                    by("last twice", 94, "the last pixel is drawn twice", (k, n) -> k == n ? 2 : 1),
+                    by("each twice", 95, "each pixel is drawn twice", (k, n) -> 2),
+                    by("last twice", 95, "the last pixel is drawn twice", (k, n) -> k == n ? 2 : 1),
                     by(
                             "first twice",
-                            94,
+                            95,
                             "the first pixel is drawn twice",
                             (k, n) -> k == 0 ? 2 : 1),
                     by(
@@ -52,12 +52,12 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             1),
                     of(
                             "backwards",
-                            94,
+                            95,
                             "the pixels come in reverse order, from the last end to the first. This shows on every line",
                             (x0, y0, x1, y1, out) -> RIGHT.draw(x1, y1, x0, y0, out)),
                     of(
                             "backwards to the left",
-                            94,
+                            95,
                             "from the last end to the first. This shows only on lines to the left",
                             LineMutants.known("always-from-the-left")),
                     moved(
@@ -67,17 +67,17 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             (x, y, out) -> out.plot(x + 1, y)),
                     moved(
                             "all mirrored",
-                            87,
+                            88,
                             "the line is mirrored: left and right are exchanged",
                             (x, y, out) -> out.plot(-x, y)),
                     moved(
                             "axes swapped",
-                            87,
+                            88,
                             "x and y are exchanged",
                             (x, y, out) -> out.plot(y, x)),
                     of(
                             "no sign in y",
-                            88,
+                            89,
                             "it goes the wrong way in y: up and down are exchanged. This shows only on lines upwards",
                             (x0, y0, x1, y1, out) ->
                                     RIGHT.draw(
@@ -88,7 +88,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                                             (x, y) -> out.plot(x, y0 + Math.abs(y - y0)))),
                     of(
                             "no sign in x",
-                            88,
+                            89,
                             "it goes the wrong way in x: left and right are exchanged. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) ->
                                     RIGHT.draw(
@@ -104,7 +104,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             LineMutants.known("ties-to-the-larger")),
                     of(
                             "first missing to the left",
-                            94,
+                            95,
                             "the first pixel is missing. This shows only on lines to the left",
                             (x0, y0, x1, y1, out) -> {
                                 if (x1 < x0) WITHOUT_FIRST.draw(x0, y0, x1, y1, out);
@@ -112,7 +112,7 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                             }),
                     of(
                             "a gap in one octant",
-                            91,
+                            88,
                             "",
                             (x0, y0, x1, y1, out) -> {
                                 boolean there =

@@ -36,8 +36,8 @@ class OneMistakeGradedTest {
             value = {
                 "k <= n         | k <= n + 1                    | it goes one pixel beyond the last end  | 84",
                 "k <= n         | k < n                         | the last pixel is missing              | 82",
-                "out.plot(x, y);| out.plot(x, y);out.plot(x, y);| each pixel is drawn twice              | 84",
-                "y1 < y0 ? -1   | y1 < y0 ? 1                   | it goes the wrong way in y             | 78"
+                "out.plot(x, y);| out.plot(x, y);out.plot(x, y);| each pixel is drawn twice              | 85",
+                "y1 < y0 ? -1   | y1 < y0 ? 1                   | it goes the wrong way in y             | 79"
             })
     void isNamedAndTimed(String right, String wrong, String said, int points) throws Exception {
         String source = Sources.RIGHT.replace(right, wrong);

@@ -1,0 +1,266 @@
+package rasterlab.exercises.judging;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import rasterlab.engine.study.Topic;
+import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.TopicGrading.Caps;
+import rasterlab.exercises.property.Property;
+import rasterlab.exercises.property.Relation.Answered;
+import rasterlab.exercises.property.Relation.Broken;
+import rasterlab.exercises.property.SmallerInputs;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
+
+/**
+ * An input, those that a property makes of it, and how a method's answers to them are judged.
+ *
+ * <p>A method that keeps a property by wrong answers, such as by drawing nothing, earns nothing for
+ * it; and where all answers are right to the tolerance, what they differ by is no fault.
+ */
+final class PropertyCall<C, I, O> implements Call {
+    private final ByTopic<C, I, O> grading;
+    private final Property<I, O> property;
+    private final I input;
+    private final Tolerance tolerance;
+    private final int tries;
+    private final boolean shrunk;
+    private final InputCall<C, I, O> own;
+
+    /**
+     * @param tries number of inputs that the case asks for
+     * @param shrunk whether this one was made of one of them
+     */
+    PropertyCall(
+            ByTopic<C, I, O> grading,
+            Property<I, O> property,
+            I input,
+            Tolerance tolerance,
+            int tries,
+            boolean shrunk) {
+        this.grading = grading;
+        this.property = property;
+        this.input = input;
+        this.tolerance = tolerance;
+        this.tries = tries;
+        this.shrunk = shrunk;
+        this.own = new InputCall<>(grading, input, grading.demand(input, tolerance));
+    }
+
+    /**
+     * All answers that the property is about.
+     *
+     * @param complete whether the further inputs could be made of the first answer
+     */
+    private record Answers<I, O>(
+            Answered<I, O> first, List<Answered<I, O>> beside, boolean complete) {
+        Stream<Answered<I, O>> all() {
+            return Stream.concat(Stream.of(first), beside.stream());
+        }
+    }
+
+    private Topic<C, I, O> topic() {
+        return grading.topic();
+    }
+
+    private InputCall<C, I, O> alone(I one) {
+        if (one == input) return own;
+        return new InputCall<>(grading, one, grading.demand(one, tolerance));
+    }
+
+    /** {@inheritDoc} Of an input that is made of this one, at most twice as many. */
+    @Override
+    public Caps caps() {
+        return Caps.ofItems(topic().mostBeforeEndless(2 * items()));
+    }
+
+    @Override
+    public long items() {
+        return own.items();
+    }
+
+    @Override
+    public Object recorded(Object method, int most) {
+        C whole = grading.whole(method);
+        var first = new Answered<>(input, topic().record(whole, input, most));
+        List<I> further;
+        try {
+            further = property.relation().beside(input, first.output());
+        } catch (IllegalArgumentException noInput) {
+            return new Answers<>(first, List.of(), false);
+        }
+        List<Answered<I, O>> beside = new ArrayList<>();
+        for (I one : further) beside.add(new Answered<>(one, topic().record(whole, one, most)));
+        return new Answers<>(first, beside, true);
+    }
+
+    @Override
+    public Finding judge(Answer answer) {
+        return judged(answer, true);
+    }
+
+    @Override
+    public Finding check(Answer answer) {
+        return judged(answer, false);
+    }
+
+    private Finding judged(Answer answer, boolean whole) {
+        Optional<Answers<I, O>> got = answers(answer);
+        if (got.isEmpty()) return Failure.of(answer, false);
+        Optional<Broken<I, O>> broken = broken(got.get());
+        Optional<Answered<I, O>> wrong = wrong(got.get(), broken.isPresent());
+        if (wrong.isEmpty()) return Finding.OK;
+        InputCall<C, I, O> alone = alone(wrong.get().input());
+        Answer its = answer(wrong.get());
+        return whole
+                ? told(got.get(), broken, wrong.get().input(), alone.judge(its))
+                : alone.check(its);
+    }
+
+    /** What was recorded here; empty where the method did not get so far. */
+    @SuppressWarnings("unchecked") // recorded by this class
+    private Optional<Answers<I, O>> answers(Answer answer) {
+        return answer.ending() == Answer.Ending.RETURNED
+                ? answer.output().map(output -> (Answers<I, O>) output)
+                : Optional.empty();
+    }
+
+    private Optional<Broken<I, O>> broken(Answers<I, O> got) {
+        return got.complete()
+                ? property.relation().broken(got.first(), got.beside(), this::isAlike)
+                : Optional.empty();
+    }
+
+    private boolean isAlike(I one, O wanted, O output) {
+        return grading.isRight(one, wanted, output, tolerance);
+    }
+
+    /** The first answer that is wrong; where the property holds, only that to its own input. */
+    private Optional<Answered<I, O>> wrong(Answers<I, O> got, boolean broken) {
+        return got.all()
+                .limit(broken ? Long.MAX_VALUE : 1)
+                .filter(one -> !alone(one.input()).check(answer(one)).right())
+                .findFirst();
+    }
+
+    private static Answer answer(Answered<?, ?> one) {
+        return Answer.with(Answer.Ending.RETURNED, one.output(), 1, "", "");
+    }
+
+    /**
+     * @param mine the input whose answer is wrong
+     * @param wrong what is told of it alone
+     */
+    private Finding told(Answers<I, O> got, Optional<Broken<I, O>> broken, I mine, Finding wrong) {
+        if (broken.isEmpty())
+            return new Finding(
+                    GradingVerdict.WRONG,
+                    Message.of("property.by-wrong").and(wrong.said()),
+                    wrong.pictures(),
+                    wrong.explanations());
+        I other = broken.get().answered().input();
+        O wanted = broken.get().wanted();
+        O output = broken.get().answered().output();
+        Message said =
+                property.broken()
+                        .and(property.rule())
+                        .and(counterexample(other))
+                        .and(Leaves.unfit(topic(), other, wanted, output))
+                        .and(shown("property.wrong", mine))
+                        .and(wrong.said());
+        return new Finding(
+                GradingVerdict.WRONG,
+                said,
+                grading.pictures(other, wanted, output),
+                wrong.explanations());
+    }
+
+    /** The input, and the one that breaks the property where that is another. */
+    private Message counterexample(I other) {
+        String json = json(input);
+        if (json.length() > ByTopic.LONGEST_EXAMPLE) return Message.of("property.long", tries);
+        Message found = Message.of(shrunk ? "property.smallest" : "property.found", tries, json);
+        return other.equals(input) ? found : found.and(shown("property.beside", other));
+    }
+
+    /** Nothing where it is long. */
+    private Message shown(String key, I one) {
+        String json = json(one);
+        return json.length() > ByTopic.LONGEST_EXAMPLE ? Message.NONE : Message.of(key, json);
+    }
+
+    private String json(I one) {
+        return Leaves.json(topic().format(), one);
+    }
+
+    @Override
+    public boolean breaksProperty(Answer answer) {
+        return answers(answer).flatMap(this::broken).isPresent();
+    }
+
+    /** {@inheritDoc} Where no answer came, it cannot be told to which. */
+    @Override
+    public Call inQuestion(Answer answer) {
+        Optional<Answers<I, O>> got = answers(answer);
+        if (got.isEmpty()) return this;
+        return wrong(got.get(), true).map(one -> alone(one.input())).orElse(own);
+    }
+
+    @Override
+    public Message held() {
+        return property.held(tries).and(property.rule());
+    }
+
+    @Override
+    public Stream<Call> smaller() {
+        return SmallerInputs.of(input())
+                .flatMap(one -> TopicInputs.read(topic().format(), one).stream())
+                .filter(property.assumed())
+                .map(one -> new PropertyCall<>(grading, property, one, tolerance, tries, true));
+    }
+
+    @Override
+    public boolean isRightWith(String mistake) {
+        return own.isRightWith(mistake);
+    }
+
+    @Override
+    public Set<String> traits() {
+        Set<String> traits = new LinkedHashSet<>(own.traits());
+        traits.add(TopicGrading.SEVERAL);
+        return traits;
+    }
+
+    @Override
+    public JsonNode input() {
+        return own.input();
+    }
+
+    @Override
+    public JsonNode exact() {
+        return own.exact();
+    }
+
+    @Override
+    public Message example() {
+        return grading.example(input);
+    }
+
+    /** {@inheritDoc} Of the answers, the first that is wrong. */
+    @Override
+    public String scene(Optional<Answer> wrong) {
+        return wrong.flatMap(this::answers)
+                .flatMap(got -> wrong(got, true))
+                .map(one -> alone(one.input()).scene(Optional.of(answer(one))))
+                .orElseGet(() -> own.scene(Optional.empty()));
+    }
+}

@@ -1,0 +1,22 @@
+package rasterlab.exercises.property;
+
+import java.util.List;
+import java.util.stream.Stream;
+
+/** The properties that an exercise may name. */
+public final class Properties {
+    private static final List<Property<?, ?>> ALL =
+            Stream.of(LineProperties.ALL).<Property<?, ?>>flatMap(List::stream).toList();
+
+    private Properties() {}
+
+    /** All, those of one topic one after the other. */
+    public static List<Property<?, ?>> all() {
+        return ALL;
+    }
+
+    /** Those of a topic. */
+    public static List<Property<?, ?>> of(String topic) {
+        return ALL.stream().filter(one -> one.topic().equals(topic)).toList();
+    }
+}
