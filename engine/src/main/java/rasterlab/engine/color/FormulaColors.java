@@ -3,7 +3,12 @@ package rasterlab.engine.color;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
 
-/** Every model by way of red, green and blue. */
+/**
+ * Every model by way of red, green and blue.
+ *
+ * <p>Source: A. R. Smith, Color gamut transform pairs, SIGGRAPH 1978; Kazantsev, course text on
+ * computer graphics, chapter 7, the RGB cube.
+ */
 public final class FormulaColors implements ColorConverter {
     /** Shares made of a darker value or a paler distance from grey would keep too few digits. */
     private static final double LEAST = 1e-300;

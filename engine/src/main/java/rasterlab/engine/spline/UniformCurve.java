@@ -9,6 +9,9 @@ import rasterlab.contract.CurvePoints;
  *
  * <p>The number of steps is known before the first, so there is nothing to test on the way; where
  * only a part of the span is bent, the rest gets too many. {@link WangCount} has the source.
+ *
+ * <p>Source: G.-Z. Wang, The subdivision method for finding the intersection between two Bézier
+ * curves or surfaces, Zhejiang University Journal, 1984.
  */
 public final class UniformCurve implements SteppedCurve {
     private final DeCasteljauCurve triangle = new DeCasteljauCurve();

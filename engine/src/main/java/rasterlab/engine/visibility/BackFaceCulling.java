@@ -9,6 +9,9 @@ import rasterlab.engine.raster.Raster;
  * <p>A face shows its outer side when n·p &lt; 0 for a point p of it seen from the eye, or n_z &lt;
  * 0 in parallel projection. Of one convex body that is all there is to do; of others it leaves
  * about half of the faces to another method.
+ *
+ * <p>Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, A characterization of ten
+ * hidden-surface algorithms, ACM Computing Surveys, 1974.
  */
 final class BackFaceCulling implements SteppedVisibility {
     @Override

@@ -9,6 +9,9 @@ import rasterlab.engine.raster.Raster;
  *
  * <p>Inner sides are drawn before them only where they can be seen: through a transparent face, or
  * where the near plane or a clip plane cuts the body open.
+ *
+ * <p>Source: I. E. Sutherland, R. F. Sproull, R. A. Schumacker, A characterization of ten
+ * hidden-surface algorithms, ACM Computing Surveys, 1974.
  */
 final class ConvexFaces implements SteppedVisibility {
     @Override

@@ -17,6 +17,10 @@ import rasterlab.engine.visibility.order.SteppedOrder;
  *
  * <p>A piece is filled as its whole face, up to its cuts, and not by its own corners: those lie on
  * the edges of the face only nearly, and pixels on such an edge would be lost.
+ *
+ * <p>Sources: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
+ * 1972; H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori tree
+ * structures, SIGGRAPH 1980.
  */
 final class OrderedPieces implements SteppedVisibility {
     private final SteppedOrder method;

@@ -13,6 +13,9 @@ import rasterlab.engine.geometry.Finite;
  * on its side: whether the point is behind p₁, between or beyond p₂ is told without error. All
  * coordinates of one kind are multiplied by one power of two, which leaves μ as it is; those not 0
  * have to be within 2⁴⁰⁰ of the largest, so that every product's error is a double.
+ *
+ * <p>Source: exact sums after J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast
+ * robust geometric predicates, 1997.
  */
 final class UnroundedMeeting implements LinePlane {
     private static final double SMALLEST_PART = 0x1p-400;

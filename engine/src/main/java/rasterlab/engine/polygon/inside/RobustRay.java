@@ -8,6 +8,9 @@ import rasterlab.engine.geometry.Orientation;
  * <p>An edge with one end on or below the ray and the other above it is met where the point lies on
  * its left as it goes up, by {@link Orientation}. A point that lies on the line of an edge and
  * between its ends is on the boundary: inside, and no more need be counted.
+ *
+ * <p>Source: exact signs after J. R. Shewchuk, Adaptive precision floating-point arithmetic and
+ * fast robust geometric predicates, 1997.
  */
 public final class RobustRay implements SteppedPolygonTest {
     @Override

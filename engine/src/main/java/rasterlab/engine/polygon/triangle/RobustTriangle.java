@@ -23,6 +23,9 @@ import rasterlab.engine.geometry.Orientation;
  *
  * <p>A walk asks side after side exactly, and so answers what {@code contains} does: doubles only
  * spare the exact signs.
+ *
+ * <p>Source: exact signs after J. R. Shewchuk, Adaptive precision floating-point arithmetic and
+ * fast robust geometric predicates, 1997.
  */
 public final class RobustTriangle implements SteppedTriangleTest {
     private static final double ROUNDING = 8 * 0x1p-53;

@@ -9,6 +9,8 @@ package rasterlab.engine.polygon.triangle;
  * <p>−0.0 has its sign bit set, so a point on a side may count as beyond it, whichever way round
  * the corners go; near a side the products' rounding decides. Three zeros agree, so of corners on
  * one line the whole line is inside.
+ *
+ * <p>Source: D. Träger's idea of 2005, told in the course's text on analytic geometry.
  */
 final class SignDouble implements SteppedTriangleTest {
     @Override

@@ -10,6 +10,8 @@ package rasterlab.engine.polygon.triangle;
  * <p>Coordinates have to be whole. Past ±2¹⁵ or so the products overflow. 0 has the sign bit of a
  * positive number, so the boundary is inside where the sides' values are positive and outside where
  * the corners go the other way round.
+ *
+ * <p>Source: D. Träger's idea of 2005, told in the course's text on analytic geometry.
  */
 final class SignInt implements SteppedTriangleTest {
     @Override

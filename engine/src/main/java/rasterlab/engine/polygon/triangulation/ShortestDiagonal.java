@@ -9,6 +9,9 @@ package rasterlab.engine.polygon.triangulation;
  *
  * <p>Each cut looks at all ears: n²/2 diagonals for n corners. At most {@value
  * EarClipping#MOST_CORNERS} corners are taken.
+ *
+ * <p>Source: the course's lecture text on triangulation, with the ears of G. H. Meisters, Polygons
+ * have ears, 1975.
  */
 final class ShortestDiagonal implements SteppedTriangulator {
     @Override

@@ -8,7 +8,12 @@ import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.texture.Wrap;
 
-/** A texture looked up at the pixel's centre, by one of the filters that OpenGL names. */
+/**
+ * A texture looked up at the pixel's centre, by one of the filters that OpenGL names.
+ *
+ * <p>Source: L. Williams, Pyramidal parametrics, SIGGRAPH 1983; Kazantsev, course text on computer
+ * graphics, chapter 15, parameters of textures.
+ */
 final class SampledFilter implements SteppedFilter {
     /** What is done with the texture, the place and the level. */
     @FunctionalInterface

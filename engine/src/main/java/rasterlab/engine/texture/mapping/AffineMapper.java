@@ -8,6 +8,9 @@ import rasterlab.contract.TexturedSpan;
  *
  * <p>In one piece it is the affine mapping, which bends a texture along the diagonals of its faces;
  * in pieces of 16 pixels it saves 15 of 16 divisions.
+ *
+ * <p>Source: P. S. Heckbert, H. P. Moreton, Interpolation for polygon texture mapping and shading,
+ * 1991.
  */
 final class AffineMapper implements CountedMapper {
     private final int piece;

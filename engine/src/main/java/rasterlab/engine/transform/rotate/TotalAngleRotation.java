@@ -7,6 +7,9 @@ import rasterlab.engine.transform.Angle;
  *
  * <p>n·θ has at most 77 bits; the product's rounding error is recovered by a fused multiply-add,
  * and taking off whole turns is exact. What is left is a double with an error below its last bit.
+ *
+ * <p>Source: T. J. Dekker, A floating-point technique for extending the available precision,
+ * Numerische Mathematik 18, 1971 (exact products).
  */
 final class TotalAngleRotation extends CountedRotation {
     @Override

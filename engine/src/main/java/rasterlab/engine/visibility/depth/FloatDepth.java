@@ -8,6 +8,8 @@ import rasterlab.contract.DepthRange;
  * <p>Most depths lie close to 1, where floats are 2⁻²⁴ apart: no finer than 24 bits. The many
  * floats close to 0 are spent next to the near plane. The bits of floats from 0 up are in their
  * order.
+ *
+ * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006.
  */
 final class FloatDepth implements DepthCoding {
     @Override

@@ -7,6 +7,8 @@ import rasterlab.contract.DepthRange;
  *
  * <p>One step of the code is (far − near)/(2ⁿ − 1) of depth everywhere. z is not linear along a
  * scan line, so each pixel costs a division.
+ *
+ * <p>Source: E. Lapidous, G. Jiao, Optimal depth buffer for low-cost graphics hardware, 1999.
  */
 final class LinearDepth implements DepthCoding {
     private final int bits;

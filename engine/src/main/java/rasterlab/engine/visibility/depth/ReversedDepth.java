@@ -7,6 +7,8 @@ import rasterlab.contract.DepthRange;
  *
  * <p>Far off, where perspective crowds depths together, the floats close to 0 are as dense: depths
  * are told apart at about 2⁻²⁴ of z wherever they are. The code is minus the float's bits.
+ *
+ * <p>Source: E. Lapidous, G. Jiao, Optimal depth buffer for low-cost graphics hardware, 1999.
  */
 final class ReversedDepth implements DepthCoding {
     @Override

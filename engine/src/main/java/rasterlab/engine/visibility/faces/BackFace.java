@@ -7,6 +7,8 @@ import java.util.Map;
  *
  * <p>It judges each face by itself and needs neither an inner point nor a convex body; what a
  * convex one shows is decided by this alone.
+ *
+ * <p>Source: L. G. Roberts, Machine perception of three-dimensional solids, 1963.
  */
 final class BackFace implements SteppedVisibleFaces {
     @Override

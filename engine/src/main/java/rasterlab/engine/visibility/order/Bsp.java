@@ -4,7 +4,12 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.contract.PieceSink;
 
-/** Far side, plane, near side, at every node of a tree of planes: {@link BspTree}. */
+/**
+ * Far side, plane, near side, at every node of a tree of planes: {@link BspTree}.
+ *
+ * <p>Source: H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori tree
+ * structures, 1980.
+ */
 final class Bsp implements SteppedOrder {
     /** The most pieces, against inputs whose cuts would fill the memory. */
     private static final int MOST_PIECES = 1_000_000;

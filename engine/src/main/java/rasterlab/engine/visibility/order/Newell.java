@@ -21,6 +21,9 @@ import rasterlab.contract.PieceSink;
  *
  * <p>Cuts end, as each piece is cut by a plane at most once, and so do moves, as between two cuts
  * each polygon is marked at most once before one is painted.
+ *
+ * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
+ * 1972.
  */
 final class Newell implements SteppedOrder {
     /** The most pieces, against inputs whose cuts would fill the memory. */
