@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import rasterlab.app.language.Language;
 
@@ -136,15 +137,17 @@ public final class Lab {
     private static CommandLine configured(CommandLine lab, Console console) {
         var failures = new Failures(console.err(), console.language());
         console.language().help().ifPresent(lab::setResourceBundle);
+        ITypeConverter<Double> number = NumberText::number;
+        ITypeConverter<Integer> whole = NumberText::whole;
         return lab.setOut(new PrintWriter(console.out(), true))
                 .setErr(new PrintWriter(console.err(), true))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
                 .setUsageHelpWidth(100)
                 .registerConverter(ReportLanguage.class, ReportLanguage::named)
-                .registerConverter(Double.class, NumberText::number)
-                .registerConverter(double.class, NumberText::number)
-                .registerConverter(Integer.class, NumberText::whole)
-                .registerConverter(int.class, NumberText::whole)
+                .registerConverter(Double.class, number)
+                .registerConverter(double.class, number)
+                .registerConverter(Integer.class, whole)
+                .registerConverter(int.class, whole)
                 .registerConverter(Path.class, Lab::file)
                 .setAbbreviatedOptionsAllowed(false)
                 .setExpandAtFiles(false)

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Given;
@@ -105,6 +106,26 @@ class TopicSchemaTest {
         } catch (IllegalArgumentException e) {
             return Optional.of(e.getMessage());
         }
+    }
+
+    /** By the place of a field in the schema of an input, and of an answer. */
+    @ParameterizedTest
+    @CsvSource({
+        "rotate, input, /degrees, in degrees",
+        "view, input, /phi, in degrees",
+        "shade, input, /light/properties/spot/properties/cutoff, in degrees",
+        "line-plane, output, /angle, in degrees",
+        "line, input, /from, in pixels",
+        "curve, input, /flatness, in pixels",
+        "view, input, /rho, ''",
+        "rotate, input, /times, ''"
+    })
+    void tellsTheUnitOfNumbersThatHaveOne(
+            String topic, String of, String field, String description) {
+        JsonNode properties =
+                TopicSchemas.of(topic).text().at("/$defs/" + of + "/properties" + field);
+        assertTrue(properties.isObject(), field);
+        assertEquals(description, properties.path("description").asText());
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -21,7 +22,8 @@ import rasterlab.engine.study.Format;
  * @param <I> one input
  */
 abstract class ArcFormat<C, I> extends Format<C, I, PixelRecording> {
-    static final Field<int[]> CENTER = Field.required("center", Shape.wholes(2));
+    static final Field<int[]> CENTER =
+            Field.required("center", Shape.wholes(2)).as(FieldKind.CENTER).in("pixels");
 
     private final ArcTopic<C, I> topic;
     private final AnsweredPixels.Figure figure;

@@ -3,6 +3,7 @@ package rasterlab.engine.circle;
 import java.util.List;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Written;
@@ -12,7 +13,9 @@ import rasterlab.engine.study.Call;
 /** Circles from outside: {@code center}, {@code radius}; {@code pixels} out. */
 final class CircleFormat extends ArcFormat<CircleRasterizer, Circle> {
     private static final Field<Integer> RADIUS =
-            Field.required("radius", Shape.whole(0, Integer.MAX_VALUE));
+            Field.required("radius", Shape.whole(0, Integer.MAX_VALUE))
+                    .as(FieldKind.RADIUS)
+                    .in("pixels");
 
     CircleFormat(CircleTopic topic) {
         super(topic, new AnsweredPixels.Figure("circle", "give a smaller \"radius\""));

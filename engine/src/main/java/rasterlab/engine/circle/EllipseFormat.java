@@ -3,6 +3,7 @@ package rasterlab.engine.circle;
 import java.util.List;
 import rasterlab.contract.EllipseRasterizer;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Written;
@@ -11,8 +12,8 @@ import rasterlab.engine.study.Call;
 
 /** Ellipses from outside: {@code center}, {@code rx}, {@code ry}; {@code pixels} out. */
 final class EllipseFormat extends ArcFormat<EllipseRasterizer, Ellipse> {
-    private static final Field<Integer> RX = radius("rx");
-    private static final Field<Integer> RY = radius("ry");
+    private static final Field<Integer> RX = radius("rx").as(FieldKind.RADIUS_X);
+    private static final Field<Integer> RY = radius("ry").as(FieldKind.RADIUS_Y);
 
     EllipseFormat(EllipseTopic topic) {
         super(topic, new AnsweredPixels.Figure("ellipse", "give smaller \"rx\" and \"ry\""));
@@ -20,7 +21,7 @@ final class EllipseFormat extends ArcFormat<EllipseRasterizer, Ellipse> {
 
     /** In the range that every method takes. */
     private static Field<Integer> radius(String name) {
-        return Field.required(name, Shape.whole(0, MidpointEllipse.LARGEST));
+        return Field.required(name, Shape.whole(0, MidpointEllipse.LARGEST)).in("pixels");
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -19,7 +20,8 @@ import rasterlab.engine.format.ValueSource;
 public record GivenWindow(boolean upright, double[] numbers) {
     private static final int MOST_CORNERS = 1_000;
 
-    public static final Field<GivenWindow> FIELD = Field.required("window", new Made());
+    public static final Field<GivenWindow> FIELD =
+            Field.required("window", new Made()).as(FieldKind.WINDOW);
 
     /** A side, or a corner. */
     private static final class Part extends EitherShape<double[]> {

@@ -6,6 +6,7 @@ import java.util.List;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Misfit;
@@ -25,18 +26,22 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
     private static final int SIDE = Raster.LARGEST_SIDE;
     private static final String ROW = "a text of 1 to " + SIDE + " characters";
     private static final Field<List<String>> PICTURE =
-            Field.required("picture", Shape.list("rows", Shape.text(ROW, 1, 2 * SIDE), 1, SIDE));
+            Field.required("picture", Shape.list("rows", Shape.text(ROW, 1, 2 * SIDE), 1, SIDE))
+                    .as(FieldKind.PICTURE);
     private static final Field<int[]> SEED =
             Field.required(
-                    "seed",
-                    Shape.told(
-                            Shape.wholes(2),
-                            Shape.list("whole numbers", Shape.whole(0, SIDE - 1), 2, 2)));
+                            "seed",
+                            Shape.told(
+                                    Shape.wholes(2),
+                                    Shape.list("whole numbers", Shape.whole(0, SIDE - 1), 2, 2)))
+                    .as(FieldKind.SEED)
+                    .in("pixels");
     private static final Field<String> WITH =
             Field.required("with", Shape.text("a text of one character", 1, 2));
     private static final Field<Integer> CONNECTIVITY =
             Field.required("connectivity", new Connectivity());
-    private static final Field<?> FILLED = Field.required("picture", Shape.list(Shape.text()));
+    private static final Field<?> FILLED =
+            Field.required("picture", Shape.list(Shape.text())).as(FieldKind.PICTURE);
 
     FillFormat(Topic<SeedFiller, FillTask, PixelRecording> topic) {
         super(topic);

@@ -31,7 +31,7 @@ public record ObjectShape(List<Field<?>> fields) implements Shape<Given> {
         out.startObject();
         for (Field<?> field : fields) {
             out.name(field.name());
-            field.shape().schema(out);
+            field.schema(out);
         }
         out.endObject();
         out.name("required");

@@ -32,7 +32,8 @@ public final class LightFormat {
     private static final Field<Attenuation> ATTENUATION =
             Field.optional("attenuation", new Terms());
     private static final Field<double[]> DIRECTION = vector("direction");
-    private static final Field<Double> CUTOFF = Field.required("cutoff", Shape.number());
+    private static final Field<Double> CUTOFF =
+            Field.required("cutoff", Shape.number()).in("degrees");
     private static final Field<Double> EXPONENT = Field.optional("exponent", Shape.number());
     private static final Field<SpotCone> SPOT = Field.optional("spot", new Spot());
 

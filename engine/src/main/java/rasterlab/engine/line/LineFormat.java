@@ -7,6 +7,7 @@ import rasterlab.contract.CoveragePixels;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.format.Doubles;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Shape;
@@ -25,9 +26,12 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
     /** The most steps of a method that cannot begin at the window: some seconds. */
     private static final int MOST_STEPS = 500_000_000;
 
-    private static final Field<int[]> FROM = Field.required("from", Shape.wholes(2));
-    private static final Field<int[]> TO = Field.required("to", Shape.wholes(2));
-    private static final Field<PixelWindow> WINDOW = Field.optional("window", new Window());
+    private static final Field<int[]> FROM =
+            Field.required("from", Shape.wholes(2)).as(FieldKind.START).in("pixels");
+    private static final Field<int[]> TO =
+            Field.required("to", Shape.wholes(2)).as(FieldKind.END).in("pixels");
+    private static final Field<PixelWindow> WINDOW =
+            Field.optional("window", new Window()).as(FieldKind.WINDOW).in("pixels");
     private static final Field<?> COVERAGE =
             Field.optional("coverage", Shape.list(Shape.whole(0, 255)));
     private static final AnsweredPixels.Figure FIGURE =

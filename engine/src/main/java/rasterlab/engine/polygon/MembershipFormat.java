@@ -3,6 +3,7 @@ package rasterlab.engine.polygon;
 import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -19,8 +20,9 @@ import rasterlab.engine.study.Topic;
  */
 public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Membership> {
     protected static final Field<double[]> POINTS =
-            Field.required("points", Shape.points(2, 0, Shape.MOST_POINTS));
-    private static final Field<?> INSIDE = Field.required("inside", Shape.list(Shape.flag()));
+            Field.required("points", Shape.points(2, 0, Shape.MOST_POINTS)).as(FieldKind.POINTS);
+    private static final Field<?> INSIDE =
+            Field.required("inside", Shape.list(Shape.flag())).as(FieldKind.CHOICE);
 
     protected MembershipFormat(Topic<C, ShapeAndPoints, Membership> topic) {
         super(topic);

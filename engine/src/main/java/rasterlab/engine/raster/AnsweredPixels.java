@@ -3,6 +3,7 @@ package rasterlab.engine.raster;
 import java.io.IOException;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
@@ -16,7 +17,8 @@ public final class AnsweredPixels implements Pixels {
     public static final int MOST = 10_000_000;
 
     /** The field that they are written into. */
-    public static final Field<?> FIELD = Field.required("pixels", Shape.list(Shape.wholes(2)));
+    public static final Field<?> FIELD =
+            Field.required("pixels", Shape.list(Shape.wholes(2))).as(FieldKind.PIXELS);
 
     /**
      * What is drawn, for complaints.

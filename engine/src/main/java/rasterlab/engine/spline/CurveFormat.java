@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
@@ -34,7 +35,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             Stream.of(Curve.Kind.values()).map(Curve.Kind::code).toList();
     private static final Field<String> KIND = Field.required("kind", Shape.word(KINDS));
     private static final Field<double[]> POINTS =
-            Field.required("points", Shape.points(2, 1, MOST));
+            Field.required("points", Shape.points(2, 1, MOST)).as(FieldKind.POINTS);
     private static final Field<double[]> AT =
             Field.optional(
                     "at",
@@ -42,9 +43,10 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
                             Shape.numbers(1, MOST),
                             Shape.list("numbers", Shape.number(0, 1), 1, MOST)));
     private static final Field<Double> FLATNESS =
-            Field.optional("flatness", Shape.told(Shape.number(), Shape.number(SMALLEST, LARGEST)));
+            Field.optional("flatness", Shape.told(Shape.number(), Shape.number(SMALLEST, LARGEST)))
+                    .in("pixels");
     private static final Field<?> TRACED =
-            Field.required("points", Shape.list(Shape.numbersOrNull(2, 2)));
+            Field.required("points", Shape.list(Shape.numbersOrNull(2, 2))).as(FieldKind.POINTS);
     private static final Field<?> SEGMENTS =
             Field.required("segments", Shape.whole(-1, Integer.MAX_VALUE));
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import rasterlab.engine.Topics;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
@@ -83,10 +84,10 @@ final class StatementPictures {
         var input = new String(content, StandardCharsets.UTF_8);
         var shown = new Case(source, Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
         List<Call> calls = grading().calls(shown, new Tolerance(false), 0);
-        return Picture.drawn(source, content, () -> drawn(calls.get(0)));
+        return Picture.drawn(source, content, () -> drawn(topic, calls.get(0)));
     }
 
-    private static byte[] drawn(Call one) {
-        return new RightPicture(one.input(), one.exact()).png();
+    private static byte[] drawn(String topic, Call one) {
+        return new RightPicture(Topics.named(topic).format(), one.input(), one.exact()).png();
     }
 }

@@ -40,6 +40,7 @@ public final class AnyGrading<C, I, O> extends ByTopic<C, I, O> {
 
     @Override
     protected List<CasePicture> pictures(I input, O exact, O actual) {
-        return new FormPictures(json(input), json(input, exact), json(input, actual)).drawn();
+        var fields = new FormFields(topic().format(), json(input));
+        return new FormPictures(fields, json(input, exact), json(input, actual)).drawn();
     }
 }

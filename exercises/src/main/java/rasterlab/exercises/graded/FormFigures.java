@@ -4,48 +4,56 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.exercises.drawing.PlaneFigure;
 
 /**
- * The figures of the plane that an answer is made of: {@code polygons}, {@code triangles} of the
- * given polygon, {@code segments}, {@code points}, and given points that are {@code inside}.
+ * The figures of the plane that an answer is made of: polygons, triangles of the given polygon,
+ * segments, points, and given points that belong to the answer.
  */
 final class FormFigures {
     private static final int TRIANGLE = 3;
 
-    private final JsonNode input;
+    private final FormFields fields;
 
-    FormFigures(JsonNode input) {
-        this.input = input;
+    FormFigures(FormFields fields) {
+        this.fields = fields;
     }
 
     /** What is given, as far as it lies in the plane. */
     List<PlaneFigure> given() {
         List<PlaneFigure> given = new ArrayList<>();
-        JsonNode window = input.path("window");
-        if (window.size() == 4 && window.get(0).isNumber())
-            given.add(
-                    PlaneFigure.window(at(window, 0), at(window, 1), at(window, 2), at(window, 3)));
-        else polygon(window).ifPresent(given::add);
-        for (String shape : List.of("polygon", "triangle"))
-            polygon(input.path(shape)).ifPresent(given::add);
-        segments(input.path("segments"), given);
-        if (!input.has("inside")) points(input.path("points"), given);
+        for (JsonNode one : fields.given(FieldKind.WINDOW)) window(one).ifPresent(given::add);
+        for (JsonNode one : fields.given(FieldKind.POLYGON)) polygon(one).ifPresent(given::add);
+        for (JsonNode one : fields.given(FieldKind.SEGMENTS)) segments(one, given);
+        for (JsonNode one : fields.given(FieldKind.POINTS)) points(one, given);
         return given;
     }
 
     /** Those of an answer; none where it does not lie in the plane. */
     List<PlaneFigure> of(JsonNode answer) {
         List<PlaneFigure> figures = new ArrayList<>();
-        for (JsonNode one : answer.path("polygons")) polygon(one).ifPresent(figures::add);
-        for (JsonNode one : answer.path("triangles")) triangle(one).ifPresent(figures::add);
-        segments(answer.path("segments"), figures);
-        points(answer.path("points"), figures);
-        JsonNode inside = answer.path("inside");
-        JsonNode points = input.path("points");
-        for (int i = 0; i < Math.min(inside.size(), points.size()); i++)
-            if (inside.get(i).booleanValue()) point(points.get(i)).ifPresent(figures::add);
+        for (JsonNode all : fields.answered(answer, FieldKind.POLYGONS))
+            for (JsonNode one : all) polygon(one).ifPresent(figures::add);
+        for (JsonNode all : fields.answered(answer, FieldKind.TRIANGLES))
+            for (JsonNode one : all) triangle(one).ifPresent(figures::add);
+        for (JsonNode all : fields.answered(answer, FieldKind.SEGMENTS)) segments(all, figures);
+        for (JsonNode all : fields.answered(answer, FieldKind.POINTS)) points(all, figures);
+        for (JsonNode all : fields.answered(answer, FieldKind.CHOICE)) chosen(all, figures);
         return figures;
+    }
+
+    private void chosen(JsonNode choice, List<PlaneFigure> into) {
+        JsonNode points = fields.one(FieldKind.POINTS);
+        for (int i = 0; i < Math.min(choice.size(), points.size()); i++)
+            if (choice.get(i).booleanValue()) point(points.get(i)).ifPresent(into::add);
+    }
+
+    private static Optional<PlaneFigure> window(JsonNode sides) {
+        return sides.size() == 4 && sides.get(0).isNumber()
+                ? Optional.of(
+                        PlaneFigure.window(at(sides, 0), at(sides, 1), at(sides, 2), at(sides, 3)))
+                : polygon(sides);
     }
 
     private static void segments(JsonNode segments, List<PlaneFigure> into) {
@@ -76,7 +84,7 @@ final class FormFigures {
 
     /** Three corner numbers of the given polygon; none where one is no corner. */
     private Optional<PlaneFigure> triangle(JsonNode corners) {
-        JsonNode polygon = input.path("polygon");
+        JsonNode polygon = fields.one(FieldKind.POLYGON);
         var numbers = new double[2 * TRIANGLE];
         for (int k = 0; k < TRIANGLE; k++) {
             JsonNode corner = polygon.path(corners.path(k).asInt(-1));

@@ -3,6 +3,7 @@ package rasterlab.exercises.graded;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.exercises.drawing.Agreement;
 import rasterlab.exercises.drawing.PlaneFigure;
 import rasterlab.exercises.drawing.PlanePictures;
@@ -12,40 +13,40 @@ import rasterlab.exercises.drawing.YAxis;
 import rasterlab.exercises.score.CasePicture;
 
 /**
- * Draws answers by the form they have as JSON: pixels and pictures as a grid, what lies in the
- * plane to scale, all others as a table of their numbers.
+ * Draws answers by what the topic's format says they are: pixels and pictures as a grid, what lies
+ * in the plane to scale, all others as a table of their numbers.
  */
 final class FormPictures {
     /** Of the largest difference; a smaller one is not marked, as rounding is. */
     private static final double SEEN = 0.01;
 
-    private final JsonNode input;
+    private final FormFields fields;
     private final JsonNode exact;
     private final JsonNode actual;
 
     /**
-     * @param input as {@code ./lab run} takes it
      * @param exact the right answer as {@code ./lab run} gives it
      * @param actual one that is not right; the right one itself where that alone is asked for
      */
-    FormPictures(JsonNode input, JsonNode exact, JsonNode actual) {
-        this.input = input;
+    FormPictures(FormFields fields, JsonNode exact, JsonNode actual) {
+        this.fields = fields;
         this.exact = exact;
         this.actual = actual;
     }
 
     List<CasePicture> drawn() {
-        List<CasePicture> pixels = new FormPixels(input).pictures(exact, actual);
+        List<CasePicture> pixels = new FormPixels(fields).pictures(exact, actual);
         if (!pixels.isEmpty()) return pixels;
-        List<PlaneFigure> right = new FormFigures(input).of(exact);
-        List<PlaneFigure> mine = new FormFigures(input).of(actual);
+        List<PlaneFigure> right = new FormFigures(fields).of(exact);
+        List<PlaneFigure> mine = new FormFigures(fields).of(actual);
         boolean alike = right.equals(mine) && !exact.equals(actual);
         return right.isEmpty() && mine.isEmpty() || alike ? table() : plane(right, mine);
     }
 
     private List<CasePicture> plane(List<PlaneFigure> right, List<PlaneFigure> mine) {
-        List<PlaneFigure> given = new FormFigures(input).given();
-        double tolerance = exact.has("points") ? SEEN * largestDifference() : 0;
+        List<PlaneFigure> given = new FormFigures(fields).given();
+        boolean points = !fields.answered(exact, FieldKind.POINTS).isEmpty();
+        double tolerance = points ? SEEN * largestDifference() : 0;
         return PlanePictures.of(given, right, mine, tolerance, YAxis.UP);
     }
 

@@ -3,6 +3,7 @@ package rasterlab.exercises.graded;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
@@ -11,14 +12,14 @@ import rasterlab.exercises.drawing.PixelPictures;
 import rasterlab.exercises.score.CasePicture;
 
 /**
- * Draws the pixels of an answer as a grid: those it lists as {@code pixels}, or those of a {@code
- * picture} that are not as they were given.
+ * Draws the pixels of an answer as a grid: those it lists, or those of a picture that are not as
+ * they were given.
  */
 final class FormPixels {
-    private final JsonNode input;
+    private final FormFields fields;
 
-    FormPixels(JsonNode input) {
-        this.input = input;
+    FormPixels(FormFields fields) {
+        this.fields = fields;
     }
 
     /** None where the answers have no pixels, or the same ones. */
@@ -43,12 +44,12 @@ final class FormPixels {
 
     private PixelRecording pixels(JsonNode answer) {
         var recording = new PixelRecording(Integer.MAX_VALUE);
-        for (JsonNode one : answer.path("pixels"))
-            recording.plot(one.get(0).asInt(), one.get(1).asInt());
-        JsonNode given = input.path("picture");
-        JsonNode picture = answer.path("picture");
-        for (int y = 0; y < Math.min(given.size(), picture.size()); y++)
-            plotChanged(y, given.get(y).asText(), picture.get(y).asText(), recording);
+        for (JsonNode all : fields.answered(answer, FieldKind.PIXELS))
+            for (JsonNode one : all) recording.plot(one.get(0).asInt(), one.get(1).asInt());
+        JsonNode given = fields.one(FieldKind.PICTURE);
+        for (JsonNode picture : fields.answered(answer, FieldKind.PICTURE))
+            for (int y = 0; y < Math.min(given.size(), picture.size()); y++)
+                plotChanged(y, given.get(y).asText(), picture.get(y).asText(), recording);
         return recording;
     }
 

@@ -8,52 +8,58 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.engine.study.Format;
 import rasterlab.exercises.drawing.AnswerGrid;
 import rasterlab.exercises.score.CasePicture;
 
 /**
- * Draws the right answer to an input by the form that both have as JSON, for a statement: pixels
- * with the exact curve they stand for, all others as in the answer to a case.
+ * Draws the right answer to an input by what the topic's format says of both, for a statement:
+ * pixels with the exact curve they stand for, all others as in the answer to a case.
  */
 public final class RightPicture {
     private static final int MOST_COLUMNS = 80;
     private static final int MOST_ROWS = 60;
 
-    private final JsonNode input;
+    private final FormFields fields;
     private final JsonNode exact;
 
     /**
      * @param input as {@code ./lab run} takes it
      * @param exact the right answer as {@code ./lab run} gives it
      */
-    public RightPicture(JsonNode input, JsonNode exact) {
-        this.input = input;
+    public RightPicture(Format<?, ?, ?> format, JsonNode input, JsonNode exact) {
+        this.fields = new FormFields(format, input);
         this.exact = exact;
     }
 
     public byte[] png() {
-        if (exact.has("pixels") || exact.has("picture")) return pixels();
-        return CasePicture.of(new FormPictures(input, exact, exact).drawn(), CasePicture.EXPECTED)
+        boolean pixels =
+                Stream.of(FieldKind.PIXELS, FieldKind.PICTURE)
+                        .anyMatch(kind -> !fields.answered(exact, kind).isEmpty());
+        if (pixels) return pixels();
+        return CasePicture.of(new FormPictures(fields, exact, exact).drawn(), CasePicture.EXPECTED)
                 .orElseThrow()
                 .png();
     }
 
     private byte[] pixels() {
-        PixelSet lit = new FormPixels(input).lit(exact);
+        PixelSet lit = new FormPixels(fields).lit(exact);
         List<Shape> curves = curves();
         List<Pixel> begin = new ArrayList<>();
-        JsonNode seed = input.path("seed");
+        JsonNode seed = fields.one(FieldKind.SEED);
         if (seed.size() == 2) begin.add(new Pixel(seed.get(0).asInt(), seed.get(1).asInt()));
         return new AnswerGrid(shown(lit, curves)).png(lit, blocked(lit), curves, begin);
     }
 
     /** A given picture whole; of anything else what is drawn, with one pixel around it. */
     private PixelWindow shown(PixelSet lit, List<Shape> curves) {
-        JsonNode rows = input.path("picture");
+        JsonNode rows = fields.one(FieldKind.PICTURE);
         if (!rows.isEmpty())
             return new PixelWindow(0, 0, rows.get(0).asText().length() - 1, rows.size() - 1)
                     .around(0, 0, MOST_COLUMNS, MOST_ROWS);
@@ -79,8 +85,8 @@ public final class RightPicture {
 
     /** The given pixels of another colour than the seed's, that are not written. */
     private PixelSet blocked(PixelSet lit) {
-        JsonNode rows = input.path("picture");
-        JsonNode seed = input.path("seed");
+        JsonNode rows = fields.one(FieldKind.PICTURE);
+        JsonNode seed = fields.one(FieldKind.SEED);
         var blocked = new PixelRecording(Integer.MAX_VALUE);
         if (rows.isEmpty() || seed.size() != 2) return PixelSet.of(blocked);
         char free = rows.get(seed.get(1).asInt()).asText().charAt(seed.get(0).asInt());
@@ -93,17 +99,13 @@ public final class RightPicture {
 
     /** The exact line, circle, ellipse or polygon; none where the input has none of these. */
     private List<Shape> curves() {
-        if (input.has("from") && input.has("to")) {
-            JsonNode from = input.get("from");
-            JsonNode to = input.get("to");
+        JsonNode from = fields.one(FieldKind.START);
+        JsonNode to = fields.one(FieldKind.END);
+        if (from.isArray() && to.isArray())
             return List.of(new Line2D.Double(at(from, 0), at(from, 1), at(to, 0), at(to, 1)));
-        }
-        if (input.has("center"))
-            return List.of(
-                    input.has("radius")
-                            ? ellipse(at("radius"), at("radius"))
-                            : ellipse(at("rx"), at("ry")));
-        JsonNode polygon = input.path("polygon");
+        JsonNode center = fields.one(FieldKind.CENTER);
+        if (center.isArray()) return List.of(ellipse(center));
+        JsonNode polygon = fields.one(FieldKind.POLYGON);
         if (polygon.isEmpty()) return List.of();
         var path = new Path2D.Double();
         path.moveTo(at(polygon.get(0), 0), at(polygon.get(0), 1));
@@ -113,13 +115,18 @@ public final class RightPicture {
         return List.of(path);
     }
 
-    private Shape ellipse(double rx, double ry) {
-        JsonNode center = input.get("center");
+    private Shape ellipse(JsonNode center) {
+        double radius = number(FieldKind.RADIUS, 0);
+        double rx = number(FieldKind.RADIUS_X, radius);
+        double ry = number(FieldKind.RADIUS_Y, radius);
         return new Ellipse2D.Double(at(center, 0) - rx, at(center, 1) - ry, 2 * rx, 2 * ry);
     }
 
-    private double at(String field) {
-        return FormPictures.number(input.get(field));
+    private double number(FieldKind kind, double otherwise) {
+        return fields.given(kind).stream()
+                .mapToDouble(FormPictures::number)
+                .findFirst()
+                .orElse(otherwise);
     }
 
     private static double at(JsonNode array, int index) {

@@ -29,6 +29,7 @@ public final class ShadeGrading extends ByTopic<PointShader, LitPoints, Shades> 
 
     @Override
     protected List<CasePicture> pictures(LitPoints input, Shades exact, Shades actual) {
-        return new FormPictures(json(input), json(input, exact), json(input, actual)).drawn();
+        var fields = new FormFields(topic().format(), json(input));
+        return new FormPictures(fields, json(input, exact), json(input, actual)).drawn();
     }
 }

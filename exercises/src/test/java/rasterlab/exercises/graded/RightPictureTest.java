@@ -13,6 +13,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.Topics;
 
 /** Statements show right answers of each form. */
 class RightPictureTest {
@@ -26,9 +27,11 @@ class RightPictureTest {
         return new ObjectMapper().readTree(text.replace('\'', '"'));
     }
 
-    private static BufferedImage picture(String input, String exact) throws IOException {
+    private static BufferedImage picture(String topic, String input, String exact)
+            throws IOException {
+        var format = Topics.named(topic).format();
         return ImageIO.read(
-                new ByteArrayInputStream(new RightPicture(json(input), json(exact)).png()));
+                new ByteArrayInputStream(new RightPicture(format, json(input), json(exact)).png()));
     }
 
     /** Whether a dot is orange; edges are blended with what is below. */
@@ -41,6 +44,7 @@ class RightPictureTest {
     void pixelsAreLitWithTheExactCurveOverThem() throws IOException {
         BufferedImage picture =
                 picture(
+                        "polygon-fill",
                         "{'polygon':[[0,0],[2,0],[2,2],[0,2]],'rule':'evenodd','size':[3,3]}",
                         "{'pixels':[[0,0],[1,0],[0,1],[1,1]]}");
         int cell = 28;
@@ -61,6 +65,7 @@ class RightPictureTest {
     void aGivenPictureIsShownWholeWithItsSeedAndWalls() throws IOException {
         BufferedImage picture =
                 picture(
+                        "fill",
                         "{'picture':['.#.'],'seed':[0,0],'with':'*','connectivity':4}",
                         "{'picture':['*#.']}");
         int cell = 28;
@@ -74,21 +79,21 @@ class RightPictureTest {
 
     @Test
     void aLongNumberBesideARowIsWhole() throws IOException {
-        BufferedImage near = picture("{}", "{'pixels':[[0,0]]}");
-        BufferedImage far = picture("{}", "{'pixels':[[0,-123456789]]}");
+        BufferedImage near = picture("circle", "{}", "{'pixels':[[0,0]]}");
+        BufferedImage far = picture("circle", "{}", "{'pixels':[[0,-123456789]]}");
         assertTrue(far.getWidth() > near.getWidth() + 30, far.getWidth() + " columns");
     }
 
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "{'window':[0,0,10,8],'segments':[[0,0,12,8]]} {'segments':[[0,0,10,6]]}",
-                "{'triangle':[[0,0],[8,0],[0,6]],'points':[[1,1],[9,9]]} {'inside':[true,false]}",
-                "{'polygon':[[0,0],[8,0],[0,6]]} {'triangles':[[0,1,2]]}"
+                "clip-segment {'window':[0,0,10,8],'segments':[[0,0,12,8]]} {'segments':[[0,0,10,6]]}",
+                "point-in-triangle {'triangle':[[0,0],[8,0],[0,6]],'points':[[1,1],[9,9]]} {'inside':[true,false]}",
+                "triangulate {'polygon':[[0,0],[8,0],[0,6]]} {'triangles':[[0,1,2]]}"
             })
-    void whatLiesInThePlaneIsDrawnToScale(String inputAndAnswer) throws IOException {
-        String[] parts = inputAndAnswer.split(" ");
-        BufferedImage picture = picture(parts[0], parts[1]);
+    void whatLiesInThePlaneIsDrawnToScale(String topicInputAndAnswer) throws IOException {
+        String[] parts = topicInputAndAnswer.split(" ");
+        BufferedImage picture = picture(parts[0], parts[1], parts[2]);
         int dark = 0;
         for (int y = 0; y < picture.getHeight(); y++)
             for (int x = 0; x < picture.getWidth(); x++)
@@ -99,8 +104,8 @@ class RightPictureTest {
 
     @Test
     void numbersStandInATable() throws IOException {
-        BufferedImage one = picture("{}", "{'point':[1,2,3]}");
-        BufferedImage two = picture("{}", "{'point':[1,2,3],'other':[4,5,6]}");
+        BufferedImage one = picture("line-plane", "{}", "{'point':[1,2,3]}");
+        BufferedImage two = picture("line-plane", "{}", "{'point':[1,2,3],'other':[4,5,6]}");
         assertTrue(two.getHeight() > one.getHeight(), "a row more");
     }
 }

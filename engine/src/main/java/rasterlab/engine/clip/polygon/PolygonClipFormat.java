@@ -7,6 +7,7 @@ import rasterlab.contract.PolygonClipper;
 import rasterlab.engine.clip.GivenWindow;
 import rasterlab.engine.clip.PartFormat;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -20,9 +21,10 @@ import rasterlab.engine.study.Topic;
 final class PolygonClipFormat extends Format<PolygonClipper, PolygonInWindow, List<double[]>> {
     private static final String DECISION = "how many corners the step leaves";
     private static final Field<double[]> POLYGON =
-            Field.required("polygon", Shape.points(2, 0, PartFormat.MOST));
+            Field.required("polygon", Shape.points(2, 0, PartFormat.MOST)).as(FieldKind.POLYGON);
     private static final Field<?> POLYGONS =
-            Field.required("polygons", Shape.list(Shape.list(Shape.numbersOrNull(2, 2))));
+            Field.required("polygons", Shape.list(Shape.list(Shape.numbersOrNull(2, 2))))
+                    .as(FieldKind.POLYGONS);
 
     PolygonClipFormat(Topic<PolygonClipper, PolygonInWindow, List<double[]>> topic) {
         super(topic);

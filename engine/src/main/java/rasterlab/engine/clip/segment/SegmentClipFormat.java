@@ -13,6 +13,7 @@ import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.clip.PartFormat;
 import rasterlab.engine.clip.polygon.ConvexWindow;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -30,8 +31,8 @@ import rasterlab.engine.study.Topic;
  */
 public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWindow, ClippedEnds> {
     private static final Field<double[]> SEGMENTS =
-            Field.required("segments", Shape.points(4, 0, PartFormat.MOST));
-    private static final Field<?> PARTS = PartFormat.segments(4);
+            Field.required("segments", Shape.points(4, 0, PartFormat.MOST)).as(FieldKind.SEGMENTS);
+    private static final Field<?> PARTS = PartFormat.segments(4).as(FieldKind.SEGMENTS);
 
     public SegmentClipFormat(Topic<SegmentClipper, SegmentsInWindow, ClippedEnds> topic) {
         super(topic);

@@ -51,7 +51,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
                 Field.required("mu", NUMBER),
                 Field.optional("point", Shape.numbers(3, 3)),
                 Field.optional("part", Shape.word(List.of("behind", "between", "beyond"))),
-                Field.required("angle", NUMBER),
+                Field.required("angle", NUMBER).in("degrees"),
                 Field.required("cosines", Shape.numbers(3, 3)),
                 Field.required("projection", NUMBER));
     }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -27,7 +28,7 @@ public final class PolygonTestFormat extends MembershipFormat<PointInPolygon> {
 
     private static final String WORK = "corners times points";
     private static final Field<double[]> POLYGON =
-            Field.required("polygon", Shape.points(2, 3, Shape.MOST_POINTS));
+            Field.required("polygon", Shape.points(2, 3, Shape.MOST_POINTS)).as(FieldKind.POLYGON);
 
     public PolygonTestFormat(Topic<PointInPolygon, ShapeAndPoints, Membership> topic) {
         super(topic);

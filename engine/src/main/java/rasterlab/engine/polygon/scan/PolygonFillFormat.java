@@ -6,6 +6,7 @@ import java.util.List;
 import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -27,12 +28,16 @@ final class PolygonFillFormat extends Format<PolygonFiller, PolygonTask, PixelRe
     private static final int MOST_CORNERS = 1_000_000;
     private static final String DECISION = "how many edges cross the row";
     private static final Field<double[]> POLYGON =
-            Field.required("polygon", Shape.points(2, 0, MOST_CORNERS));
+            Field.required("polygon", Shape.points(2, 0, MOST_CORNERS))
+                    .as(FieldKind.POLYGON)
+                    .in("pixels");
     private static final Field<String> RULE =
             Field.required("rule", Shape.word(List.of("evenodd", "nonzero")));
     private static final Field<List<Integer>> SIZE =
             Field.required(
-                    "size", Shape.list("whole numbers", Shape.whole(1, Raster.LARGEST_SIDE), 2, 2));
+                            "size",
+                            Shape.list("whole numbers", Shape.whole(1, Raster.LARGEST_SIDE), 2, 2))
+                    .in("pixels");
 
     PolygonFillFormat(Topic<PolygonFiller, PolygonTask, PixelRecording> topic) {
         super(topic);

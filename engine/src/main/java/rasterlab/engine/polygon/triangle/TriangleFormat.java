@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -23,7 +24,7 @@ public final class TriangleFormat extends MembershipFormat<PointInTriangle> {
     private static final int MOST_STEPPED = 100_000;
 
     private static final Field<double[]> TRIANGLE =
-            Field.required("triangle", Shape.points(2, 3, 3));
+            Field.required("triangle", Shape.points(2, 3, 3)).as(FieldKind.POLYGON);
 
     public TriangleFormat(Topic<PointInTriangle, ShapeAndPoints, Membership> topic) {
         super(topic);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.contract.Triangulator;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -20,9 +21,9 @@ import rasterlab.engine.study.Topic;
 final class TriangulateFormat extends Format<Triangulator, Points, Triangles> {
     private static final String VALUE = "; the value is the squared length of the diagonal";
     private static final Field<double[]> POLYGON =
-            Field.required("polygon", Shape.points(2, 3, Shape.MOST_POINTS));
+            Field.required("polygon", Shape.points(2, 3, Shape.MOST_POINTS)).as(FieldKind.POLYGON);
     private static final Field<?> TRIANGLES =
-            Field.required("triangles", Shape.list(Shape.wholes(3)));
+            Field.required("triangles", Shape.list(Shape.wholes(3))).as(FieldKind.TRIANGLES);
 
     TriangulateFormat(Topic<Triangulator, Points, Triangles> topic) {
         super(topic);

@@ -25,7 +25,8 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
     private static final Field<double[]> THROUGH = Field.required("through", Shape.numbers(3, 3));
     private static final Field<double[]> DIRECTION =
             Field.required("direction", Shape.numbers(3, 3));
-    private static final Field<Double> DEGREES = Field.required("degrees", Shape.number());
+    private static final Field<Double> DEGREES =
+            Field.required("degrees", Shape.number()).in("degrees");
     private static final Field<?> TURNED =
             Field.required("points", Shape.list(Shape.numbersOrNull(3, 3)));
 

@@ -7,6 +7,7 @@ import java.util.List;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
@@ -36,9 +37,12 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
             Field.optional("matrices", Shape.list("matrices", new GivenMatrix(), 0, MOST_MATRICES));
     private static final Field<List<double[]>> POINTS =
             Field.required(
-                    "points", Shape.list("points", Shape.numbers(2, 4), 0, Shape.MOST_POINTS));
+                            "points",
+                            Shape.list("points", Shape.numbers(2, 4), 0, Shape.MOST_POINTS))
+                    .as(FieldKind.POINTS);
     private static final Field<?> IMAGES =
-            Field.required("points", Shape.list(EitherShape.orNull(Shape.numbersOrNull(2, 3))));
+            Field.required("points", Shape.list(EitherShape.orNull(Shape.numbersOrNull(2, 3))))
+                    .as(FieldKind.POINTS);
     private static final Field<?> H =
             Field.required("h", Shape.list(EitherShape.orNull(Shape.number())));
 

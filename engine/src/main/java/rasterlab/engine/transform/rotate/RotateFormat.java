@@ -6,6 +6,7 @@ import java.util.List;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.format.Doubles;
 import rasterlab.engine.format.Field;
+import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -26,12 +27,13 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
 
     private static final String WORK = "points times turns";
     private static final Field<double[]> POINTS =
-            Field.required("points", Shape.points(2, 0, Shape.MOST_POINTS));
-    private static final Field<Double> DEGREES = Field.required("degrees", Shape.number());
+            Field.required("points", Shape.points(2, 0, Shape.MOST_POINTS)).as(FieldKind.POINTS);
+    private static final Field<Double> DEGREES =
+            Field.required("degrees", Shape.number()).in("degrees");
     private static final Field<Integer> TIMES =
             Field.optional("times", Shape.whole(0, PlaneRotation.MOST_TIMES));
     private static final Field<?> TURNED =
-            Field.required("points", Shape.list(Shape.numbersOrNull(2, 2)));
+            Field.required("points", Shape.list(Shape.numbersOrNull(2, 2))).as(FieldKind.POINTS);
 
     public RotateFormat(Topic<PlaneRotation, Turns, Images> topic) {
         super(topic);

@@ -23,8 +23,9 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
 
     private static final Field<double[]> POINTS =
             Field.required("points", Shape.points(3, 0, Shape.MOST_POINTS));
-    private static final Field<Double> THETA = Field.required("theta", Shape.number());
-    private static final Field<Double> PHI = Field.required("phi", Shape.number());
+    private static final Field<Double> THETA =
+            Field.required("theta", Shape.number()).in("degrees");
+    private static final Field<Double> PHI = Field.required("phi", Shape.number()).in("degrees");
     private static final Field<Double> RHO =
             Field.required("rho", Shape.numberAbove(0, Coordinates.LARGEST));
     private static final Field<?> SEEN =

@@ -33,11 +33,12 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
     private static final Shape<Integer> NUMBER = Shape.whole(-1, Integer.MAX_VALUE);
     private static final Field<double[]> VERTICES =
             Field.required("vertices", Shape.points(3, 0, Shape.MOST_POINTS));
-    private static final Field<Double> THETA = Field.required("theta", Shape.number());
-    private static final Field<Double> PHI = Field.required("phi", Shape.number());
+    private static final Field<Double> THETA =
+            Field.required("theta", Shape.number()).in("degrees");
+    private static final Field<Double> PHI = Field.required("phi", Shape.number()).in("degrees");
     private static final Field<Double> RHO =
             Field.required("rho", Shape.number(SphericalView.NEAREST, SphericalView.FARTHEST));
-    private static final Field<int[]> SIZE = Field.required("size", Shape.wholes(2));
+    private static final Field<int[]> SIZE = Field.required("size", Shape.wholes(2)).in("pixels");
     private static final Field<String> PROJECTION =
             Field.optional("projection", Shape.word(Projection.names()));
     private static final Field<Double> SCALE =
