@@ -17,8 +17,10 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
 
@@ -121,19 +123,22 @@ final class ClipInspector {
     }
 
     private void addMethods() {
+        Texts shared = Texts.of("canvas", texts.language());
         for (ClipMode each : ClipMode.values()) {
             List<String> names = model.methods(each);
             method.put(
                     each,
-                    new MethodChooser("method", "", names, ClipColours.OWN, model::chooseMethod));
+                    new MethodChooser("method", "", names, ClipColours.OWN, model::chooseMethod)
+                            .withOwn(shared));
             comparison.put(
                     each,
                     new MethodChooser(
-                            "comparison",
-                            texts.text("none"),
-                            names,
-                            ClipColours.OWN,
-                            model::compareWith));
+                                    "comparison",
+                                    texts.text("none"),
+                                    names,
+                                    ClipColours.OWN,
+                                    model::compareWith)
+                            .withOwn(shared));
             column.row("method", method.get(each));
             column.row("comparison", comparison.get(each));
         }
@@ -230,6 +235,8 @@ final class ClipInspector {
     private String refusal(ClipLabState state) {
         Clipping clipping = state.results().clipping();
         if (clipping.ending() != Clipping.Ending.REFUSED) return "";
+        if (clipping.method().equals(OwnMethods.NAME))
+            return VerdictDetail.said(texts.language(), clipping.message());
         return texts.language() == Language.ENGLISH
                 ? clipping.message()
                 : ClipNotes.reason(state.results().scene(), texts);

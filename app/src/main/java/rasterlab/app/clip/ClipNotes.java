@@ -1,6 +1,7 @@
 package rasterlab.app.clip;
 
 import java.util.List;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 
@@ -10,25 +11,26 @@ final class ClipNotes {
 
     /** "" where there is nothing to say. */
     static String about(ClipScene scene, Clipping clipping, Texts texts) {
-        String method = clipping.method();
+        String method = OwnWords.called(clipping.method(), texts.language());
         return switch (clipping.ending()) {
             case ENDLESS -> texts.text("note.endless", method, SegmentClipTopic.MOST_STEPS);
-            case REFUSED -> texts.text("note.refused", method, reason(scene, texts));
+            case REFUSED ->
+                    OwnWords.refusal(clipping.method(), clipping.message(), texts.language())
+                            .orElseGet(
+                                    () -> texts.text("note.refused", method, reason(scene, texts)));
             case CRASHED -> texts.text("note.crashed", method, clipping.message());
             case ENDED -> ended(scene, clipping, texts);
         };
     }
 
     private static String ended(ClipScene scene, Clipping clipping, Texts texts) {
+        String method = OwnWords.called(clipping.method(), texts.language());
         boolean pieces = scene instanceof PolygonScene;
         if (pieces && clipping.deviation().missing() > 0)
             return texts.text(
-                    "note.bridges",
-                    clipping.method(),
-                    clipping.parts().size(),
-                    clipping.deviation().of());
+                    "note.bridges", method, clipping.parts().size(), clipping.deviation().of());
         if (!clipping.parts().isEmpty()) return "";
-        return texts.text(clipping.isRight() ? "note.nothing" : "note.lost", clipping.method());
+        return texts.text(clipping.isRight() ? "note.nothing" : "note.lost", method);
     }
 
     /** Why a method refuses the scene, in the window's language. */

@@ -25,13 +25,19 @@ public record ClipResults(
         return of(
                 scene,
                 present(exact),
-                method -> SegmentClipping.of(topics.segments(), scene, method, exact));
+                method ->
+                        SegmentClipping.of(
+                                topics.own().in(topics.segments()), scene, method, exact));
     }
 
     private static ClipResults of(ClipTopics topics, PolygonScene scene) {
         List<double[]> exact = PolygonClipping.exact(topics.polygon(), scene);
         return of(
-                scene, exact, method -> PolygonClipping.of(topics.polygon(), scene, method, exact));
+                scene,
+                exact,
+                method ->
+                        PolygonClipping.of(
+                                topics.own().in(topics.polygon()), scene, method, exact));
     }
 
     private static ClipResults of(ClipTopics topics, VolumeScene scene) {
@@ -39,7 +45,8 @@ public record ClipResults(
         return of(
                 scene,
                 present(exact),
-                method -> VolumeClipping.of(topics.volume(), scene, method, exact));
+                method ->
+                        VolumeClipping.of(topics.own().in(topics.volume()), scene, method, exact));
     }
 
     private static ClipResults of(

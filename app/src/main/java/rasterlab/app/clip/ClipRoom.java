@@ -22,7 +22,7 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
 
     @Override
     public ClipLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new ClipLabModel(new ClipTopics(), events, onFailure);
+        return new ClipLabModel(new ClipTopics(own), events, onFailure);
     }
 
     @Override
@@ -51,10 +51,15 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
                 this,
                 new TopicCard.Place("clip", mode.code() + "."),
                 ClipColours.OWN,
-                TopicWay.inTurn(
-                        ClipLabModel::history,
-                        (lab, input) -> lab.showInput(mode, input),
-                        ClipLabModel::chooseMethod));
+                TopicWay.<ClipLabModel>inTurn(
+                                ClipLabModel::history,
+                                (lab, input) -> lab.showInput(mode, input),
+                                ClipLabModel::chooseMethod)
+                        .withOwn(
+                                ClipLabModel::history,
+                                lab -> lab.chooseMode(mode),
+                                ClipLabModel::chooseMethod,
+                                ClipLabModel::compareWith));
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
@@ -139,7 +140,9 @@ final class ClipStage extends JPanel implements AutoCloseable {
     private String note(Clipping clipping, boolean finished, boolean named) {
         ClipScene scene = model.state().results().scene();
         String note = finished ? ClipNotes.about(scene, clipping, texts) : "";
-        return note.isEmpty() && named ? clipping.method() : note;
+        return note.isEmpty() && named
+                ? OwnWords.called(clipping.method(), texts.language())
+                : note;
     }
 
     private Rectangle2D everything() {

@@ -1,6 +1,7 @@
 package rasterlab.app.clip;
 
 import java.util.List;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
 import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
@@ -16,9 +17,17 @@ import rasterlab.engine.study.Topic;
 
 /** The engine's topics that the lab shows, one for each mode. */
 public record ClipTopics(
-        SegmentClipTopic segments, PolygonClipTopic polygon, VolumeClipTopic volume) {
+        SegmentClipTopic segments,
+        PolygonClipTopic polygon,
+        VolumeClipTopic volume,
+        OwnMethods own) {
+    /** For somebody without programs of his own. */
     public ClipTopics() {
-        this(new SegmentClipTopic(), new PolygonClipTopic(), new VolumeClipTopic());
+        this(new OwnMethods());
+    }
+
+    ClipTopics(OwnMethods own) {
+        this(new SegmentClipTopic(), new PolygonClipTopic(), new VolumeClipTopic(), own);
     }
 
     Topic<?, ?, ?> of(ClipMode mode) {
@@ -37,7 +46,7 @@ public record ClipTopics(
      * @throws IllegalArgumentException naming the methods there are
      */
     Method<?> method(ClipMode mode, String name) {
-        return of(mode).method(name);
+        return own.method(of(mode), name);
     }
 
     List<? extends Hazard<?>> hazards(ClipMode mode) {

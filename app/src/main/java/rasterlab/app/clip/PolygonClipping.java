@@ -8,6 +8,7 @@ import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.polygon.PolygonWalk;
 import rasterlab.engine.clip.polygon.SteppedPolygonClipper;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Topic;
 
 /** Clips the polygon of a scene step by step. */
 final class PolygonClipping {
@@ -26,7 +27,10 @@ final class PolygonClipping {
      * @throws IllegalArgumentException if the topic has no method of that name
      */
     static Clipping of(
-            PolygonClipTopic topic, PolygonScene scene, String method, List<double[]> exact) {
+            Topic<PolygonClipper, PolygonInWindow, List<double[]>> topic,
+            PolygonScene scene,
+            String method,
+            List<double[]> exact) {
         PolygonClipper clipper = topic.method(method).implementation();
         var steps = new ArrayList<ClipStep>();
         var pieces = new ArrayList<double[]>();

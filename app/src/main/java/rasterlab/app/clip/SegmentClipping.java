@@ -16,6 +16,7 @@ import rasterlab.engine.clip.segment.SegmentWalk;
 import rasterlab.engine.clip.segment.SegmentsInWindow;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Topic;
 
 /** Clips the segments of a scene, each step by step. */
 final class SegmentClipping {
@@ -69,18 +70,25 @@ final class SegmentClipping {
      * @throws IllegalArgumentException if the topic has no method of that name
      */
     static Clipping of(
-            SegmentClipTopic topic, SegmentScene scene, String method, ClippedEnds exact) {
+            Topic<SegmentClipper, SegmentsInWindow, ClippedEnds> topic,
+            SegmentScene scene,
+            String method,
+            ClippedEnds exact) {
         SegmentClipper clipper = topic.method(method).implementation();
         var run = new ClipRecord(method, decidesByCode(clipper));
         if (!scene.window().upright() && !(clipper instanceof CyrusBeck)) run.refuse(UPRIGHT_ONLY);
         else if (clipper instanceof SteppedSegmentClipper stepped)
             run.attempt(() -> new SegmentClipping(scene, stepped).clipAll(run));
+        else run.attempt(() -> clipAll(clipper, scene, run));
         return run.clipping(exact, parts -> compare(topic, scene, exact, parts), unit(scene));
     }
 
     /** The topic's own comparison; an oblique border's new ends may lie outside by a rounding. */
     private static Deviation compare(
-            SegmentClipTopic topic, SegmentScene scene, ClippedEnds exact, ClippedEnds parts) {
+            Topic<SegmentClipper, SegmentsInWindow, ClippedEnds> topic,
+            SegmentScene scene,
+            ClippedEnds exact,
+            ClippedEnds parts) {
         SegmentsInWindow input = input(scene);
         if (scene.window().upright()) return topic.compare(input, exact, parts);
         return EndComparison.compare(exact, parts, unit(scene), input.segments(), point -> true);
@@ -100,6 +108,14 @@ final class SegmentClipping {
         for (int i = 0; i < scene.segments().size(); i++) {
             int item = i;
             run.attempt(() -> clip(item, run));
+            run.next();
+        }
+    }
+
+    /** Clips by a method without steps, up to the first segment that it does not answer. */
+    private static void clipAll(SegmentClipper method, SegmentScene scene, ClipRecord run) {
+        for (PlaneSegment segment : scene.segments()) {
+            SegmentClipTopic.clip(method, scene.window().rectangle(), segment.ends(), run.sink());
             run.next();
         }
     }

@@ -9,6 +9,7 @@ import rasterlab.engine.clip.volume.SegmentsInVolume;
 import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
 import rasterlab.engine.clip.volume.VolumeWalk;
+import rasterlab.engine.study.Topic;
 
 /** Clips the segments of a scene in space, each step by step. */
 final class VolumeClipping {
@@ -35,11 +36,16 @@ final class VolumeClipping {
     /**
      * @throws IllegalArgumentException if the topic has no method of that name
      */
-    static Clipping of(VolumeClipTopic topic, VolumeScene scene, String method, ClippedEnds exact) {
+    static Clipping of(
+            Topic<VolumeClipper, SegmentsInVolume, ClippedEnds> topic,
+            VolumeScene scene,
+            String method,
+            ClippedEnds exact) {
         VolumeClipper clipper = topic.method(method).implementation();
         var run = new ClipRecord(method, false);
         if (clipper instanceof SteppedVolumeClipper stepped)
             new VolumeClipping(scene, stepped).clipAll(run);
+        else run.attempt(() -> clipAll(clipper, scene, run));
         return run.clipping(exact, parts -> topic.compare(input(scene), exact, parts), 1);
     }
 
@@ -47,6 +53,14 @@ final class VolumeClipping {
         for (int i = 0; i < scene.segments().size(); i++) {
             int item = i;
             run.attempt(() -> clip(item, run));
+            run.next();
+        }
+    }
+
+    /** Clips by a method without steps, up to the first segment that it does not answer. */
+    private static void clipAll(VolumeClipper method, VolumeScene scene, ClipRecord run) {
+        for (SpaceSegment segment : scene.segments()) {
+            VolumeClipTopic.clip(method, scene.zmin(), segment.ends(), run.sink());
             run.next();
         }
     }

@@ -5,15 +5,18 @@ import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.app.polygon.CutAnswer.Cut;
 import rasterlab.app.polygon.CutAnswer.Fault;
+import rasterlab.contract.Triangulator;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.ExactTriangulation;
 import rasterlab.engine.polygon.triangulation.SteppedTriangulator;
 import rasterlab.engine.polygon.triangulation.TriangleWalk;
 import rasterlab.engine.polygon.triangulation.Triangles;
-import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.NoAnswer;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 /** Cuts a polygon into triangles by a method, and looks at each of them. */
 final class Cutting {
@@ -25,16 +28,21 @@ final class Cutting {
         exact = new ExactTriangulation(corners);
     }
 
-    static Outcome of(TriangulateTopic topic, CutFigure figure, String method) {
+    static Outcome of(
+            Topic<Triangulator, Points, Triangles> topic, CutFigure figure, String method) {
         Points corners = CornerList.points(figure.corners());
         var cutting = new Cutting(corners);
         var cuts = new ArrayList<Cut>();
         var attempt =
                 new Attempt(
                         () -> {
-                            if (topic.method(method).implementation()
-                                    instanceof SteppedTriangulator stepped)
+                            Triangulator triangulator = topic.method(method).implementation();
+                            if (triangulator instanceof SteppedTriangulator stepped)
                                 cutting.drain(stepped, cuts);
+                            else
+                                cutting.take(
+                                        topic.record(triangulator, corners, topic.mostItems()),
+                                        cuts);
                         });
         Triangles right = topic.exact(corners, topic.mostItems());
         Deviation deviation =
@@ -56,6 +64,19 @@ final class Cutting {
                 throw new LimitReached(2 * corners.size(), triangles(cuts));
             int[] abc = {walk.a(), walk.b(), walk.c()};
             cuts.add(new Cut(abc[0], abc[1], abc[2], walk.turns(), fault(abc)));
+        }
+    }
+
+    /** Takes an answer triangle by triangle; how many turns they took is not known. */
+    private void take(Triangles answer, List<Cut> cuts) {
+        for (int i = 0; i < answer.size(); i++) {
+            int[] abc = {answer.corner(i, 0), answer.corner(i, 1), answer.corner(i, 2)};
+            for (int corner : abc)
+                if (corner < 0 || corner >= corners.size())
+                    throw new NoAnswer(
+                            Verdict.Kind.WRONG,
+                            "your program's answer cannot be used: there is no corner " + corner);
+            cuts.add(new Cut(abc[0], abc[1], abc[2], 0, fault(abc)));
         }
     }
 

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;
@@ -38,6 +39,9 @@ record InsidePicture(
         Texts texts,
         List<Rectangle> taken)
         implements PlanePicture {
+    /** View units between points that a program of the user's is asked for, at least. */
+    private static final double OWN_APART = 12;
+
     private static final double MARK = 18;
 
     @Override
@@ -92,10 +96,16 @@ record InsidePicture(
         return ClassificationField.of(
                 map,
                 g.getClipBounds(),
-                whole ? 1 : 0,
+                Math.max(whole ? 1 : 0, leastStep(map)),
                 topics.judge(mode, method, corners),
                 second,
                 cancelled);
+    }
+
+    /** A program of the user's is asked for fewer points: each takes the way to its process. */
+    private double leastStep(PlaneMap map) {
+        boolean own = method.equals(OwnMethods.NAME) || other.equals(OwnMethods.NAME);
+        return own ? Math.scalb(1.0, Math.getExponent(map.worldWidth(OWN_APART)) + 1) : 0;
     }
 
     private static boolean takesWholeOnly(String method) {

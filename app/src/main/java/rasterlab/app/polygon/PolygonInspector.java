@@ -17,8 +17,10 @@ import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
 
@@ -116,20 +118,22 @@ final class PolygonInspector {
     }
 
     private void addMethods() {
+        Texts shared = Texts.of("canvas", texts.language());
         for (PolygonMode each : PolygonMode.values()) {
             List<String> names = model.methods(each);
             method.put(
                     each,
-                    new MethodChooser(
-                            "method", "", names, PolygonColours.OWN, model::chooseMethod));
+                    new MethodChooser("method", "", names, PolygonColours.OWN, model::chooseMethod)
+                            .withOwn(shared));
             comparison.put(
                     each,
                     new MethodChooser(
-                            "comparison",
-                            texts.text("none"),
-                            names,
-                            PolygonColours.OWN,
-                            model::compareWith));
+                                    "comparison",
+                                    texts.text("none"),
+                                    names,
+                                    PolygonColours.OWN,
+                                    model::compareWith)
+                            .withOwn(shared));
             column.row("method", method.get(each));
             column.row("comparison", comparison.get(each));
         }
@@ -231,6 +235,8 @@ final class PolygonInspector {
     private String refusal(PolygonLabState state) {
         Outcome outcome = state.results().outcome();
         if (outcome.ending() != Outcome.Ending.REFUSED) return "";
+        if (outcome.method().equals(OwnMethods.NAME))
+            return VerdictDetail.said(texts.language(), outcome.message());
         return texts.language() == Language.ENGLISH
                 ? outcome.message()
                 : PolygonNotes.reason(state.results().scene().figure(), outcome, texts);

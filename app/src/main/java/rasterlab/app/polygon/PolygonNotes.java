@@ -1,5 +1,6 @@
 package rasterlab.app.polygon;
 
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 
@@ -9,11 +10,18 @@ final class PolygonNotes {
 
     /** "" where there is nothing to say. */
     static String about(Figure figure, Outcome outcome, Texts texts) {
-        String method = outcome.method();
+        String method = OwnWords.called(outcome.method(), texts.language());
         return switch (outcome.ending()) {
             case ENDLESS ->
                     texts.text("note.endless", method, ((PixelAnswer) outcome.answer()).writes());
-            case REFUSED -> texts.text("note.refused", method, reason(figure, outcome, texts));
+            case REFUSED ->
+                    OwnWords.refusal(outcome.method(), outcome.message(), texts.language())
+                            .orElseGet(
+                                    () ->
+                                            texts.text(
+                                                    "note.refused",
+                                                    method,
+                                                    reason(figure, outcome, texts)));
             case CRASHED -> crashed(outcome, texts);
             case ENDED -> ended(figure, outcome, texts);
         };
@@ -21,18 +29,26 @@ final class PolygonNotes {
 
     private static String crashed(Outcome outcome, Texts texts) {
         if (outcome.message().contains("StackOverflowError"))
-            return texts.text("note.overflow", outcome.method(), outcome.steps());
-        return texts.text("note.crashed", outcome.method(), outcome.message());
+            return texts.text(
+                    "note.overflow",
+                    OwnWords.called(outcome.method(), texts.language()),
+                    outcome.steps());
+        return texts.text(
+                "note.crashed",
+                OwnWords.called(outcome.method(), texts.language()),
+                outcome.message());
     }
 
     private static String ended(Figure figure, Outcome outcome, Texts texts) {
         if (figure instanceof SeedFigure seed && seed.same())
-            return texts.text("note.same", outcome.method());
+            return texts.text("note.same", OwnWords.called(outcome.method(), texts.language()));
         if (outcome.isRight()) return "";
         if (figure instanceof CutFigure) {
             double percent = outcome.deviation().worst();
             return texts.text(
-                    "note.cut", outcome.method(), Shown.number(percent, 1, texts.locale()));
+                    "note.cut",
+                    OwnWords.called(outcome.method(), texts.language()),
+                    Shown.number(percent, 1, texts.locale()));
         }
         return "";
     }

@@ -126,7 +126,8 @@ final class PolygonReadings {
             return made == 0 ? NONE : texts.text("turns", answer.cuts().get(made - 1).turns());
         }
         if (!(outcome.answer() instanceof PixelAnswer answer)) return NONE;
-        return scene.mode() == PolygonMode.SEED
+        boolean counted = scene.mode() == PolygonMode.SEED && answer.reads() > 0;
+        return counted
                 ? texts.text("reads", answer.reads(), answer.writes())
                 : texts.text("writes", answer.writes());
     }

@@ -22,9 +22,9 @@ public record PolygonResults(PolygonScene scene, Outcome outcome, Optional<Outco
         if (figure instanceof InsideFigure inside)
             return Judging.of(topics, scene.mode(), inside, scene.method());
         if (figure instanceof CutFigure cut)
-            return Cutting.of(topics.triangulation(), cut, scene.method());
+            return Cutting.of(topics.own().in(topics.triangulation()), cut, scene.method());
         if (figure instanceof FillFigure fill)
-            return ScanFilling.of(topics.fill(), fill, scene.method());
-        return SeedFilling.of(topics.seed(), (SeedFigure) figure, scene.method());
+            return ScanFilling.of(topics.own().in(topics.fill()), fill, scene.method());
+        return SeedFilling.of(topics.own().in(topics.seed()), (SeedFigure) figure, scene.method());
     }
 }

@@ -22,7 +22,7 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
 
     @Override
     public PolygonLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new PolygonLabModel(new PolygonTopics(), events, onFailure);
+        return new PolygonLabModel(new PolygonTopics(own), events, onFailure);
     }
 
     @Override
@@ -51,10 +51,15 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
                 this,
                 new TopicCard.Place("polygon", mode.code() + "."),
                 PolygonColours.OWN,
-                TopicWay.inTurn(
-                        PolygonLabModel::history,
-                        (lab, input) -> lab.showInput(mode, input),
-                        PolygonLabModel::chooseMethod));
+                TopicWay.<PolygonLabModel>inTurn(
+                                PolygonLabModel::history,
+                                (lab, input) -> lab.showInput(mode, input),
+                                PolygonLabModel::chooseMethod)
+                        .withOwn(
+                                PolygonLabModel::history,
+                                lab -> lab.chooseMode(mode),
+                                PolygonLabModel::chooseMethod,
+                                PolygonLabModel::compareWith));
     }
 
     @Override

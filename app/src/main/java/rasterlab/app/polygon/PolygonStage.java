@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PicturePair;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
@@ -129,7 +130,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
     private String note(Outcome outcome, boolean finished, boolean named) {
         Figure figure = model.state().results().scene().figure();
         String note = finished ? PolygonNotes.about(figure, outcome, texts) : "";
-        return note.isEmpty() && named ? outcome.method() : note;
+        return note.isEmpty() && named ? OwnWords.called(outcome.method(), texts.language()) : note;
     }
 
     /** At the places that the user chose last, though the picture may not be there yet. */

@@ -1,6 +1,7 @@
 package rasterlab.app.polygon;
 
 import java.util.List;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.fill.FillTask;
@@ -28,14 +29,21 @@ public record PolygonTopics(
         PointInPolygonTopic polygon,
         TriangulateTopic triangulation,
         PolygonFillTopic fill,
-        FillTopic seed) {
+        FillTopic seed,
+        OwnMethods own) {
+    /** For somebody without programs of his own. */
     public PolygonTopics() {
+        this(new OwnMethods());
+    }
+
+    PolygonTopics(OwnMethods own) {
         this(
                 new PointInTriangleTopic(),
                 new PointInPolygonTopic(),
                 new TriangulateTopic(),
                 new PolygonFillTopic(),
-                new FillTopic());
+                new FillTopic(),
+                own);
     }
 
     Topic<?, ?, ?> of(PolygonMode mode) {
@@ -56,7 +64,7 @@ public record PolygonTopics(
      * @throws IllegalArgumentException naming the methods there are
      */
     Method<?> method(PolygonMode mode, String name) {
-        return of(mode).method(name);
+        return own.method(of(mode), name);
     }
 
     List<? extends Hazard<?>> hazards(PolygonMode mode) {
@@ -90,13 +98,18 @@ public record PolygonTopics(
      * @param corners three for a triangle
      */
     Membership.Judge judge(PolygonMode mode, String method, Points corners) {
+        Membership.Judge judge = anyJudge(mode, method, corners);
+        return method.equals(OwnMethods.NAME) ? new StoppedJudge(judge) : judge;
+    }
+
+    private Membership.Judge anyJudge(PolygonMode mode, String method, Points corners) {
         if (mode == PolygonMode.POLYGON) {
-            PointInPolygon test = polygon.method(method).implementation();
+            PointInPolygon test = own.method(polygon, method).implementation();
             double[] polygonX = corners.xs();
             double[] polygonY = corners.ys();
             return (x, y) -> test.contains(polygonX, polygonY, x, y);
         }
-        PointInTriangle test = triangle.method(method).implementation();
+        PointInTriangle test = own.method(triangle, method).implementation();
         double[] cornerX = corners.xs();
         double[] cornerY = corners.ys();
         return (x, y) ->

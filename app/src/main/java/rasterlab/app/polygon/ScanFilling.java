@@ -3,19 +3,23 @@ package rasterlab.app.polygon;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import rasterlab.engine.polygon.scan.PolygonFillTopic;
+import rasterlab.contract.PolygonFiller;
 import rasterlab.engine.polygon.scan.PolygonTask;
 import rasterlab.engine.polygon.scan.RowCrossing;
 import rasterlab.engine.polygon.scan.SpanWalk;
 import rasterlab.engine.polygon.scan.SteppedPolygon;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Topic;
 
 /** Fills a polygon by a method, span by span. */
 final class ScanFilling {
     private ScanFilling() {}
 
-    static Outcome of(PolygonFillTopic topic, FillFigure figure, String method) {
+    static Outcome of(
+            Topic<PolygonFiller, PolygonTask, PixelRecording> topic,
+            FillFigure figure,
+            String method) {
         PolygonTask task = figure.task();
         PixelRecording exact = topic.exact(task, topic.mostItems());
         var filled = new PixelRecording((int) topic.mostBeforeEndless(exact.size()));
@@ -24,9 +28,10 @@ final class ScanFilling {
         var attempt =
                 new Attempt(
                         () -> {
-                            if (topic.method(method).implementation()
-                                    instanceof SteppedPolygon stepped)
+                            PolygonFiller filler = topic.method(method).implementation();
+                            if (filler instanceof SteppedPolygon stepped)
                                 drain(stepped, task, filled, runs, crossings);
+                            else take(filler, task, filled, runs);
                         });
         boolean refused = attempt.ending() == Outcome.Ending.REFUSED;
         PixelDifference difference = PixelDifference.of(refused ? filled : exact, filled);
@@ -42,6 +47,21 @@ final class ScanFilling {
                         crossings,
                         0,
                         filled.size()));
+    }
+
+    /** Takes an answer span by span; how many edges cross a row is not known. */
+    private static void take(
+            PolygonFiller filler, PolygonTask task, PixelRecording filled, Runs runs) {
+        filler.fill(
+                task.x(),
+                task.y(),
+                task.rule(),
+                task.width(),
+                task.height(),
+                (y, from, to) -> {
+                    runs.add(y, from, to, 0);
+                    for (int x = from; x < to; x++) filled.plot(x, y);
+                });
     }
 
     private static void drain(

@@ -1,19 +1,21 @@
 package rasterlab.app.polygon;
 
 import java.util.Map;
+import rasterlab.contract.SeedFiller;
 import rasterlab.engine.fill.FillTask;
-import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.fill.TextPicture;
 import rasterlab.engine.fill.TracedFill;
 import rasterlab.engine.fill.WatchedPicture;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Topic;
 
 /** Fills a region from a pixel by a method, run by run. */
 final class SeedFilling {
     private SeedFilling() {}
 
-    static Outcome of(FillTopic topic, SeedFigure figure, String method) {
+    static Outcome of(
+            Topic<SeedFiller, FillTask, PixelRecording> topic, SeedFigure figure, String method) {
         FillTask task = figure.task();
         PixelRecording exact = topic.exact(task, topic.mostItems());
         var written = new PixelRecording((int) topic.mostBeforeEndless(exact.size()));
@@ -22,7 +24,9 @@ final class SeedFilling {
         var attempt =
                 new Attempt(
                         () -> {
-                            if (topic.method(method).implementation() instanceof TracedFill fill)
+                            SeedFiller filler = topic.method(method).implementation();
+                            if (!(filler instanceof TracedFill fill)) take(filler, task, written);
+                            else
                                 fill.trace(
                                         picture,
                                         task.x(),
@@ -31,6 +35,10 @@ final class SeedFilling {
                                         task.connectivity(),
                                         runs::add);
                         });
+        // A method without runs of its own is told pixel by pixel.
+        if (runs.size() == 0)
+            for (int i = 0; i < written.size(); i++)
+                runs.add(written.y(i), written.x(i), written.x(i) + 1, 0);
         boolean refused = attempt.ending() == Outcome.Ending.REFUSED;
         PixelDifference difference = PixelDifference.of(refused ? written : exact, written);
         return new Outcome(
@@ -44,6 +52,16 @@ final class SeedFilling {
                         difference.extra(),
                         Map.of(),
                         picture.reads(),
-                        picture.writes()));
+                        written.size()));
+    }
+
+    /** Has a picture filled whose reads nobody counts. */
+    private static void take(SeedFiller filler, FillTask task, PixelRecording written) {
+        filler.fill(
+                new WatchedPicture(new TextPicture(task.rows()), written),
+                task.x(),
+                task.y(),
+                task.with(),
+                task.connectivity());
     }
 }

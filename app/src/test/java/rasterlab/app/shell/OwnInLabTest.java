@@ -11,6 +11,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.language.Language;
@@ -21,6 +23,9 @@ import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.scene.MethodCase;
+import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.topic.TopicGradings;
 
 /** A program of the user's own as a method of its topic's lab, run in a process of its own. */
 @Tag("slow")
@@ -62,6 +67,10 @@ class OwnInLabTest {
 
     private void settle() throws InterruptedException {
         models.line().settle();
+        drain();
+    }
+
+    private void drain() {
         for (Runnable next = answers.poll(); next != null; next = answers.poll()) next.run();
     }
 
@@ -141,6 +150,64 @@ class OwnInLabTest {
     void aLabWithoutMethodsOfTheContractRunsNone() {
         assertEquals(Optional.of(Unshown.NO_OWN), opening.obstacleToOwn("depth-buffer"));
         assertEquals(Optional.empty(), opening.obstacleToOwn("line"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"seed-fill", "polygon-fill", "point-in-polygon", "triangulate"})
+    void theModelSolutionIsRightInTheLabOfPolygons(String id) throws InterruptedException {
+        showModel(Catalogue.builtIn().named(id));
+        models.polygon().settle();
+        drain();
+        var results = models.polygon().state().results();
+        assertEquals(OwnMethods.NAME, results.outcome().method());
+        assertTrue(results.outcome().isRight(), results.outcome().message());
+        assertTrue(results.other().isPresent());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"clip-polygon", "clip-volume"})
+    void theModelSolutionIsRightInTheLabOfClipping(String id) throws InterruptedException {
+        showModel(Catalogue.builtIn().named(id));
+        models.clip().settle();
+        drain();
+        var clipping = models.clip().state().results().clipping();
+        assertEquals(OwnMethods.NAME, clipping.method());
+        assertEquals("", clipping.message());
+        assertEquals(0, clipping.deviation().missing() + clipping.deviation().extra());
+        assertTrue(clipping.deviation().worst() < 1e-6, clipping.deviation().toString());
+    }
+
+    @Test
+    void anEndlessClipperIsStoppedAtTheFirstSegment() throws InterruptedException {
+        Exercise exercise = Catalogue.builtIn().named("clip-segment");
+        models.own()
+                .bring(
+                        exercise,
+                        """
+                        import rasterlab.contract.*;
+                        public class Mine implements SegmentClipper {
+                            public void clip(double xmin, double ymin, double xmax, double ymax,
+                                    double x0, double y0, double x1, double y1, SegmentSink out) {
+                                while (xmin <= xmax) y0++;
+                            }
+                        }
+                        """);
+        opening.showOwn("clip-segment", "", "");
+        models.clip().settle();
+        drain();
+        assertEquals(
+                "your program did not answer within 2.0 s and was stopped",
+                models.clip().state().results().clipping().message());
+    }
+
+    private void showModel(Exercise exercise) {
+        models.own().bring(exercise, exercise.evidence().model().orElseThrow());
+        var call =
+                TopicGradings.of(exercise)
+                        .calls(exercise.cases().get(0), exercise.tolerance(), 7)
+                        .get(0);
+        var scene = (MethodCase) SceneFile.read(call.scene());
+        opening.showOwn(scene.topic(), scene.input(), scene.method().orElse(""));
     }
 
     @Test

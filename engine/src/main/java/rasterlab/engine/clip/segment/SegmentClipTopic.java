@@ -89,7 +89,8 @@ public final class SegmentClipTopic
         return walk;
     }
 
-    static void clip(SegmentClipper method, ClipWindow window, double[] s, SegmentSink out) {
+    /** Has a method clip one segment, given by the coordinates of its ends. */
+    public static void clip(SegmentClipper method, ClipWindow window, double[] s, SegmentSink out) {
         method.clip(
                 window.xmin(),
                 window.ymin(),

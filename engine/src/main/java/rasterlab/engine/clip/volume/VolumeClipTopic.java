@@ -88,7 +88,8 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
         return walk;
     }
 
-    static void clip(VolumeClipper method, double zmin, double[] s, SpaceSegmentSink out) {
+    /** Has a method clip one segment, given by the coordinates of its ends. */
+    public static void clip(VolumeClipper method, double zmin, double[] s, SpaceSegmentSink out) {
         method.clip(zmin, s[0], s[1], s[2], s[3], s[4], s[5], out);
     }
 
