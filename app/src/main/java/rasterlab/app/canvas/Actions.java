@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -24,6 +25,9 @@ public final class Actions extends JPanel {
     public static final Insets NARROW = new Insets(2, 4, 2, 4);
 
     private static final List<String> REDO_KEYS = List.of("ctrl Y", "ctrl shift Z");
+
+    /** The name of the button that asks for steps. */
+    public static final String QUESTIONS = "questions";
 
     private static final String HALF = "wmin pref";
 
@@ -54,6 +58,10 @@ public final class Actions extends JPanel {
      *     action.KEY.hint}
      */
     public void add(String key, Runnable action) {
+        place(button(key, action));
+    }
+
+    private JButton button(String key, Runnable action) {
         var button = new JButton(texts.label("action." + key));
         button.setName(key);
         button.setMnemonic(texts.mnemonic("action." + key));
@@ -66,7 +74,7 @@ public final class Actions extends JPanel {
                     action.run();
                 });
         buttons.put(key, button);
-        place(button);
+        return button;
     }
 
     /** The last button takes both columns where it would stand alone. */
@@ -102,6 +110,21 @@ public final class Actions extends JPanel {
     public void addCopy(String key, Consumer<Consumer<String>> text) {
         Consumer<Throwable> refused = onFailure.orElseThrow();
         add(key, () -> text.accept(made -> copy(key, made, refused)));
+    }
+
+    /**
+     * Adds a button, behind all others and as wide as two, that asks for the next step of a method
+     * in place of the lab.
+     *
+     * @param topic whose methods the lab shows when the button is pressed
+     */
+    public void addQuestions(Supplier<String> topic) {
+        Runnable asking =
+                () -> {
+                    if (SwingUtilities.getAncestorOfClass(StepQuestions.class, this)
+                            instanceof StepQuestions place) place.ask(topic.get());
+                };
+        add(button(QUESTIONS, asking), "newline, span 2, " + HALF);
     }
 
     private void copy(String key, String text, Consumer<Throwable> refused) {

@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.stream.DoubleStream;
 
 /** Grid lines at round numbers of a plane, its axes, and the numbers along two margins. */
-final class PlaneRulers {
+public final class PlaneRulers {
     /** View units between grid lines, at least. */
     private static final double APART = 28;
 
@@ -33,7 +33,7 @@ final class PlaneRulers {
      * @param font of a label; the numbers are smaller
      * @param least world units between two lines; 0 for any step
      */
-    PlaneRulers(
+    public PlaneRulers(
             PlaneMap map,
             Dimension view,
             StageColours colours,
@@ -52,7 +52,7 @@ final class PlaneRulers {
         return RoundTicks.atLeast(Math.max(least, world));
     }
 
-    void paintGrid(Graphics2D g) {
+    public void paintGrid(Graphics2D g) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, view.width, view.height);
         Numbers numbers = numbers(g);
@@ -68,7 +68,7 @@ final class PlaneRulers {
         horizontal(g, 0, colours.axis());
     }
 
-    void paintMargins(Graphics2D g) {
+    public void paintMargins(Graphics2D g) {
         g.setColor(colours.margin());
         g.fillRect(0, 0, view.width, Rulers.top());
         g.fillRect(0, 0, Rulers.left(), view.height);

@@ -48,6 +48,7 @@ public final class ClipPanel extends LabPanel {
         actions.addPicture(new ShownPicture("clipping", stage, stage::svg), onFailure);
         actions.addCopy(
                 "copyCommand", told -> told.accept(ClipCommand.of(model.state().choice().scene())));
+        actions.addQuestions(() -> model.state().choice().mode().topic());
     }
 
     @Override

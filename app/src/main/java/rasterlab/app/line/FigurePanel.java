@@ -50,6 +50,7 @@ final class FigurePanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("figure", stage, stage::svg), onFailure);
         actions.addCopy("copyCommand", told -> command().ifPresent(told));
+        actions.addQuestions(() -> model.state().scene().mode().code());
         var layout = new LabLayout(above, stage, inspector.column(), actions, player);
         guide =
                 layout.guide()
@@ -100,6 +101,7 @@ final class FigurePanel extends LabPanel {
         String mode = model.state().scene().mode().code();
         guide.hint("line." + mode, texts.text("first." + mode));
         actions.enable("copyCommand", command().isPresent());
+        actions.enable(Actions.QUESTIONS, hasSteps(model.state().scene().mode()));
     }
 
     /** Whether methods draw it pixel by pixel. */

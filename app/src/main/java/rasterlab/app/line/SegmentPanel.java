@@ -49,6 +49,7 @@ final class SegmentPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("segment", stage, stage::svg), onFailure);
         actions.addCopy("copyCommand", told -> told.accept(LineCommand.of(model.state().choice())));
+        actions.addQuestions(() -> "line");
     }
 
     @Override

@@ -49,6 +49,7 @@ public final class PolygonPanel extends LabPanel {
         actions.addCopy(
                 "copyCommand",
                 told -> PolygonCommand.of(model.state().choice().scene()).ifPresent(told));
+        actions.addQuestions(() -> model.state().choice().mode().topic());
     }
 
     @Override

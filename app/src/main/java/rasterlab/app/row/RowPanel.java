@@ -3,6 +3,7 @@ package rasterlab.app.row;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
@@ -40,6 +41,7 @@ public final class RowPanel extends LabCard {
         stage = new RowStage(model, texts);
         inspector = new RowInspector(model, texts, tab, modes, onMode);
         addCopies(() -> stage, stage::svg, () -> Optional.of(model.command()), onFailure);
+        actions().addQuestions(() -> model.choice().topic());
         var steps =
                 new StepPlayer(
                         Texts.of("canvas", language),
@@ -108,6 +110,7 @@ public final class RowPanel extends LabCard {
     protected void refreshParts() {
         stage.repaint();
         inspector.refresh();
+        actions().enable(Actions.QUESTIONS, model.choice().topic().equals("texture-filter"));
     }
 
     @Override

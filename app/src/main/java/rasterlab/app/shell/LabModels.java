@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ThreadLocalRandom;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import rasterlab.app.canvas.Kept;
@@ -28,6 +29,8 @@ import rasterlab.app.opengl.OpenGlLabModel;
 import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonRoom;
+import rasterlab.app.practice.PracticeExercises;
+import rasterlab.app.practice.PracticeModel;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.spline.SplineRoom;
 import rasterlab.app.study.StudyLabModel;
@@ -40,6 +43,11 @@ import rasterlab.app.visibility.VisibilityRoom;
  * when it is first asked for; since that takes long, {@link #make} asks on another thread before.
  */
 public final class LabModels implements AutoCloseable {
+    /** The mode "which is next?" of each tab that was shown. */
+    private final Map<String, PracticeModel> practice = new LinkedHashMap<>();
+
+    private final PracticeExercises exercises = new PracticeExercises();
+
     /** The models by the names of their tabs. */
     private final Map<String, LabModel<?>> labs = new LinkedHashMap<>();
 
@@ -132,6 +140,17 @@ public final class LabModels implements AutoCloseable {
         return own;
     }
 
+    /** The mode "which is next?" of that lab; the same one every time. */
+    PracticeModel practice(LabRoom<?> room) {
+        return practice.computeIfAbsent(
+                room.name(),
+                name -> new PracticeModel(exercises, LabModels::seed, events, onFailure));
+    }
+
+    private static long seed() {
+        return ThreadLocalRandom.current().nextLong(PracticeModel.SEEDS);
+    }
+
     public CoordinatesLabModel coordinates() {
         return of(new CoordinatesRoom());
     }
@@ -201,5 +220,6 @@ public final class LabModels implements AutoCloseable {
         labs.values().forEach(LabModel::giveUp);
         labs.values().forEach(LabModel::close);
         own.close();
+        practice.values().forEach(PracticeModel::close);
     }
 }

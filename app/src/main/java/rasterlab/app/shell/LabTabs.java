@@ -5,10 +5,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.HazardTold;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.practice.PracticeCards;
 import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
@@ -61,7 +63,16 @@ public final class LabTabs implements AutoCloseable {
                     models.make(room.name());
                     room.prepare(models.of(room));
                 },
-                () -> room.panel(models.of(room), around));
+                () -> panel(room, models, around));
+    }
+
+    /** A lab that shows topics can ask for their steps too. */
+    private static <M> LabPanel panel(
+            LabRoom<M> room, LabModels models, LabRoom.Surroundings around) {
+        LabPanel lab = room.panel(models.of(room), around);
+        return room.cards().isEmpty()
+                ? lab
+                : new PracticeCards(lab, models.practice(room), around.language());
     }
 
     /** The same tabs once more, in another language or theme. */

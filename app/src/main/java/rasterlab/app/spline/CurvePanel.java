@@ -68,6 +68,7 @@ final class CurvePanel extends LabPanel {
         actions.addPicture(new ShownPicture("curve", stage, stage::svg), onFailure);
         actions.addCopy(
                 "copyCommand", told -> told.accept(CurveCommand.of(model.state().choice())));
+        actions.addQuestions(() -> "curve");
     }
 
     @Override

@@ -71,6 +71,7 @@ final class FunctionPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("function", stage, stage::svg), onFailure);
         actions.addCopy("copyCommand", told -> told.accept(FunctionCommand.of(model.state())));
+        actions.addQuestions(() -> "spline-function");
         var layout = new LabLayout(chips(), stage, inspector.column(), actions, player);
         guide =
                 layout.guide()

@@ -70,6 +70,7 @@ public final class VisibilityPanel extends LabPanel {
         verdicts = new ViewVerdicts(EventQueue::invokeLater, onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
         actions.addCopy("copyCommand", saving::tellCommand);
+        actions.addQuestions(this::topic);
     }
 
     @Override
@@ -103,6 +104,12 @@ public final class VisibilityPanel extends LabPanel {
                     noCharts.run();
                 };
         showMode();
+    }
+
+    /** The topic whose steps are asked for: what the convex method decides, else the order. */
+    private String topic() {
+        boolean convex = model.state().choice().visibility().startsWith("convex");
+        return convex ? "visible-faces" : "depth-order";
     }
 
     /** The view that every method is given. */

@@ -59,7 +59,17 @@ public record Question(
     }
 
     public boolean isRight(JsonNode answer) {
-        return !isOpen(answer) && Values.same(right(), answer, rules.tolerance());
+        return isRight(answer, 0);
+    }
+
+    /**
+     * Whether an answer is right that was given less exactly, such as by a click in a picture.
+     *
+     * @param tolerance the largest error of a number, where that is more than the rules have
+     */
+    public boolean isRight(JsonNode answer, double tolerance) {
+        return !isOpen(answer)
+                && Values.same(right(), answer, Math.max(tolerance, rules.tolerance()));
     }
 
     /** The verdict on an answer in words: what was answered, what is right, and why. */

@@ -46,6 +46,7 @@ public final class ListPanel extends LabCard {
                 () -> stage.shown().svg(),
                 () -> Optional.of(ListCommand.of(model)),
                 onFailure);
+        actions().addQuestions(() -> model.choice().trial().map(Trial::topic).orElse("transform"));
         chips = new ModeRows<>(topic -> chips(model, topic, texts));
         play(chips, stage, inspector.column(), model, texts);
     }

@@ -41,6 +41,7 @@ public final class TurnPanel extends LabCard {
                 stage::svg,
                 () -> Optional.of(TurnCommand.of(model.choice())),
                 onFailure);
+        actions().addQuestions(() -> "rotate");
         play(
                 hazards(
                         texts,

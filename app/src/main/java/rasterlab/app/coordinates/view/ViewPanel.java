@@ -67,6 +67,7 @@ public final class ViewPanel extends LabCard {
                 () -> stage.shown().svg(),
                 () -> Optional.of(ViewCommand.of(model.scene(), model.step())),
                 onFailure);
+        actions().addQuestions(() -> "view");
         situations = situations(model, texts);
         stages =
                 new StepPlayer(

@@ -1,0 +1,92 @@
+package rasterlab.app.practice;
+
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.PlaneAxes;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlaneRulers;
+import rasterlab.app.canvas.Rulers;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.practice.Board.Cell;
+import rasterlab.app.practice.Board.Dot;
+import rasterlab.app.practice.Board.Figure;
+import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.Path;
+import rasterlab.app.practice.Board.Space;
+
+/** Where a board lies in its stage, with rulers. */
+record BoardFrame(Space space, PlaneMap map, Dimension view) {
+    /** Pixels around what is drawn, where a wrong answer may lie. */
+    private static final int AROUND = 2;
+
+    /** Shows the whole board; a wrong answer moves nothing. */
+    static BoardFrame of(Board board, Dimension view) {
+        List<Point2D> points = board.figures().stream().flatMap(BoardFrame::points).toList();
+        Rectangle2D world = new Rectangle2D.Double();
+        if (!points.isEmpty()) {
+            world = new Rectangle2D.Double(points.get(0).getX(), points.get(0).getY(), 0, 0);
+            for (Point2D point : points) world.add(point);
+        }
+        Rectangle sight = Rulers.inside(view);
+        return new BoardFrame(
+                board.space(),
+                switch (board.space()) {
+                    case PIXELS -> pixels(world, sight);
+                    case PLANE -> PlaneMap.fitting(world, sight, PlaneAxes.GEOMETRY);
+                    case DEPTH -> PlaneMap.fitting(world, sight, PlaneAxes.GRAPH);
+                },
+                view);
+    }
+
+    private static PlaneMap pixels(Rectangle2D world, Rectangle sight) {
+        int left = (int) Math.ceil(world.getMinX()) - AROUND;
+        int top = (int) Math.ceil(world.getMinY()) - AROUND;
+        int right = (int) Math.floor(world.getMaxX()) + AROUND;
+        int bottom = (int) Math.floor(world.getMaxY()) + AROUND;
+        PixelGrid grid =
+                PixelGrid.fitting(
+                        new Rectangle(left, top, right - left + 1, bottom - top + 1), sight);
+        return new PlaneMap(grid.originX(), grid.originY(), grid.cell(), grid.cell());
+    }
+
+    private static Stream<Point2D> points(Figure figure) {
+        if (figure instanceof Cell cell && cell.look() != Look.WRONG)
+            return Stream.of(new Point2D.Double(cell.x(), cell.y()));
+        if (figure instanceof Path path) return path.points().stream();
+        if (figure instanceof Dot dot && dot.look() != Look.WRONG) return Stream.of(dot.at());
+        return Stream.empty();
+    }
+
+    void paintGrid(Graphics2D g, Font font, Locale locale) {
+        if (space == Space.PIXELS) rulers(font).paintGrid(g);
+        else planeRulers(font, locale).paintGrid(g);
+    }
+
+    void paintMargins(Graphics2D g, Font font, Locale locale) {
+        if (space == Space.PIXELS) rulers(font).paintMargins(g);
+        else planeRulers(font, locale).paintMargins(g);
+    }
+
+    private Rulers rulers(Font font) {
+        var grid = new PixelGrid(map.originX(), map.originY(), map.scaleX());
+        return new Rulers(grid, view, StageColours.now(), font);
+    }
+
+    private PlaneRulers planeRulers(Font font, Locale locale) {
+        return new PlaneRulers(map, view, StageColours.now(), font, locale, 0);
+    }
+
+    /** The pixel there. */
+    Point pixelAt(Point view) {
+        return new PixelGrid(map.originX(), map.originY(), map.scaleX()).pixelAt(view.x, view.y);
+    }
+}

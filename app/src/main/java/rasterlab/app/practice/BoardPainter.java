@@ -1,0 +1,169 @@
+package rasterlab.app.practice;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PictureType;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
+import rasterlab.app.practice.Board.Cell;
+import rasterlab.app.practice.Board.Dot;
+import rasterlab.app.practice.Board.Figure;
+import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.Path;
+
+/**
+ * Draws a board's figures; what is newest, asked or wrong has a sign of its own beside its colour.
+ */
+final class BoardPainter {
+    private static final float THIN = 1.5f;
+    private static final float THICK = 3.5f;
+
+    private final Graphics2D g;
+    private final PlaneMap map;
+    private final StageColours colours;
+    private final Texts texts;
+
+    BoardPainter(Graphics2D g, PlaneMap map, StageColours colours, Texts texts) {
+        this.g = g;
+        this.map = map;
+        this.colours = colours;
+        this.texts = texts;
+    }
+
+    void paint(Board board) {
+        for (Figure figure : board.figures())
+            if (figure instanceof Cell cell) paint(cell);
+            else if (figure instanceof Path path) paint(path);
+            else if (figure instanceof Dot dot) paint(dot);
+    }
+
+    private Color colour(Look look) {
+        return switch (look) {
+            case GIVEN -> colours.ink();
+            case WALL -> colours.axis();
+            case DONE -> MethodColours.SKY_BLUE;
+            case NEWEST -> MethodColours.ORANGE;
+            case ASKED -> MethodColours.BLUE;
+            case WRONG -> MethodColours.VERMILLION;
+        };
+    }
+
+    /** The view square of a pixel. */
+    Rectangle2D square(int x, int y) {
+        double cell = map.scaleX();
+        return new Rectangle2D.Double(
+                map.viewX(x - 0.5) + 1, map.viewY(y - 0.5) + 1, cell - 2, cell - 2);
+    }
+
+    private void paint(Cell cell) {
+        Rectangle2D square = square(cell.x(), cell.y());
+        Color colour = colour(cell.look());
+        if (cell.look() != Look.WRONG) {
+            g.setColor(colour);
+            g.fill(square);
+        }
+        g.setColor(MethodColours.edgeOn(colours.ground(), colour));
+        g.setStroke(new BasicStroke(THIN));
+        g.draw(square);
+        if (cell.look() == Look.WRONG) cross(square);
+        if (cell.look() == Look.NEWEST) {
+            double size = map.scaleX() / 4;
+            g.setColor(MethodColours.inkOn(colour));
+            g.fill(
+                    new Ellipse2D.Double(
+                            square.getCenterX() - size / 2,
+                            square.getCenterY() - size / 2,
+                            size,
+                            size));
+        }
+    }
+
+    private void cross(Rectangle2D in) {
+        g.setColor(MethodColours.lineOn(colours.ground(), MethodColours.VERMILLION));
+        g.setStroke(new BasicStroke(THICK));
+        double pad = in.getWidth() / 5;
+        double left = in.getMinX() + pad;
+        double right = in.getMaxX() - pad;
+        g.draw(new Line2D.Double(left, in.getMinY() + pad, right, in.getMaxY() - pad));
+        g.draw(new Line2D.Double(left, in.getMaxY() - pad, right, in.getMinY() + pad));
+    }
+
+    private void paint(Path path) {
+        if (path.points().isEmpty()) return;
+        var shape = new Path2D.Double();
+        for (Point2D point : path.points())
+            if (shape.getCurrentPoint() == null) shape.moveTo(viewX(point), viewY(point));
+            else shape.lineTo(viewX(point), viewY(point));
+        if (path.closed()) shape.closePath();
+        g.setColor(MethodColours.lineOn(colours.ground(), colour(path.look())));
+        g.setStroke(stroke(path.look()));
+        g.draw(shape);
+    }
+
+    /** What is asked for is dashed, so that it is seen on what is given. */
+    private static BasicStroke stroke(Look look) {
+        float wide = look == Look.GIVEN || look == Look.DONE ? THIN : THICK;
+        return look == Look.ASKED
+                ? new BasicStroke(
+                        2 * THICK,
+                        BasicStroke.CAP_BUTT,
+                        BasicStroke.JOIN_ROUND,
+                        10,
+                        new float[] {10, 6},
+                        0)
+                : new BasicStroke(wide, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    }
+
+    private void paint(Dot dot) {
+        double size = PictureType.scaled(9);
+        Rectangle2D box =
+                new Rectangle2D.Double(
+                        viewX(dot.at()) - size / 2, viewY(dot.at()) - size / 2, size, size);
+        if (dot.look() == Look.WRONG) {
+            double large = 2 * size;
+            cross(
+                    new Rectangle2D.Double(
+                            box.getCenterX() - large / 2,
+                            box.getCenterY() - large / 2,
+                            large,
+                            large));
+        } else {
+            g.setColor(MethodColours.lineOn(colours.ground(), colour(dot.look())));
+            g.fill(new Ellipse2D.Double(box.getX(), box.getY(), size, size));
+        }
+        if (!dot.label().isEmpty()) label(dot, size);
+    }
+
+    private void label(Dot dot, double size) {
+        String words = texts.textOr("label." + dot.label(), dot.label());
+        FontMetrics metrics = g.getFontMetrics();
+        float x = (float) (viewX(dot.at()) + size);
+        float y = (float) (viewY(dot.at()) - size / 2);
+        g.setColor(colours.ground());
+        g.fill(
+                new Rectangle2D.Double(
+                        x - 1,
+                        y - metrics.getAscent(),
+                        metrics.stringWidth(words) + 2,
+                        metrics.getAscent() + metrics.getDescent()));
+        g.setColor(colours.ink());
+        g.drawString(words, x, y);
+    }
+
+    private double viewX(Point2D point) {
+        return map.viewX(point.getX());
+    }
+
+    private double viewY(Point2D point) {
+        return map.viewY(point.getY());
+    }
+}

@@ -1,0 +1,77 @@
+package rasterlab.app.practice;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.TextNode;
+import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.practice.Board.Dot;
+import rasterlab.app.practice.Board.Figure;
+import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.Named;
+import rasterlab.app.practice.Board.None;
+import rasterlab.app.practice.Board.Path;
+import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.Target;
+import rasterlab.app.practice.Sketch.Walked;
+
+/** Segments and polygons that a window clips side by side. */
+final class ClipSketches {
+    private static final String WINDOW = "window";
+    private static final String POLYGON = "polygon";
+
+    /** The words of the sides, in the order in which the corners of a box begin them. */
+    private static final List<String> SIDES = List.of("bottom", "right", "top", "left");
+
+    private ClipSketches() {}
+
+    /** What is left of the segment; a side of the window can be clicked. */
+    static Board segment(Walked walked) {
+        List<Point2D> box = Points.box(walked.input().path(WINDOW));
+        List<Point2D> whole = Points.flat(walked.input().path("segments").path(0));
+        List<Point2D> left =
+                walked.steps().isEmpty()
+                        ? whole
+                        : Points.flat(
+                                walked.steps().get(walked.steps().size() - 1).path("segment"));
+        var figures = new ArrayList<Figure>();
+        figures.add(new Path(box, true, Look.GIVEN));
+        figures.add(new Path(whole, false, Look.DONE));
+        figures.add(new Path(left, false, Look.NEWEST));
+        for (int i = 0; i < left.size(); i++)
+            figures.add(new Dot(left.get(i), String.valueOf(i + 1), Look.NEWEST));
+        var targets = new ArrayList<Target>();
+        for (int i = 0; i < SIDES.size(); i++)
+            targets.add(new Target(TextNode.valueOf(SIDES.get(i)), side(box, i)));
+        return new Board(Space.PLANE, figures, new Named("at", targets));
+    }
+
+    private static List<Point2D> side(List<Point2D> box, int from) {
+        return Points.along(List.of(box.get(from), box.get((from + 1) % box.size())), false);
+    }
+
+    /** What is left of the polygon, and the side whose turn it is. */
+    static Board polygon(Walked walked) {
+        List<Point2D> box = Points.box(walked.input().path(WINDOW));
+        JsonNode whole = walked.input().path(POLYGON);
+        JsonNode left =
+                walked.steps().isEmpty()
+                        ? whole
+                        : walked.steps().get(walked.steps().size() - 1).path(POLYGON);
+        var figures = new ArrayList<Figure>();
+        figures.add(new Path(box, true, Look.GIVEN));
+        String at = walked.told().path("at").asText();
+        if (at.startsWith("side ")) {
+            int side = Integer.parseInt(at.substring("side ".length()));
+            figures.add(
+                    new Path(
+                            List.of(box.get(side), box.get((side + 1) % box.size())),
+                            false,
+                            Look.ASKED));
+        }
+        figures.add(new Path(Points.all(whole), true, Look.DONE));
+        figures.add(new Path(Points.all(left), true, Look.NEWEST));
+        for (Point2D corner : Points.all(left)) figures.add(new Dot(corner, "", Look.NEWEST));
+        return new Board(Space.PLANE, figures, new None());
+    }
+}

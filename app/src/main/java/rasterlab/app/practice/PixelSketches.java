@@ -1,0 +1,65 @@
+package rasterlab.app.practice;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.practice.Board.Cell;
+import rasterlab.app.practice.Board.Figure;
+import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.Path;
+import rasterlab.app.practice.Board.Pixel;
+import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Sketch.Walked;
+
+/** Figures that are drawn pixel by pixel: the next one is clicked. */
+final class PixelSketches {
+    /** Chords that an arc is drawn with. */
+    private static final int CHORDS = 64;
+
+    private PixelSketches() {}
+
+    static Board line(Walked walked) {
+        List<Point2D> ends =
+                List.of(
+                        Points.of(walked.input().path("from")),
+                        Points.of(walked.input().path("to")));
+        return board(walked, "x", "y", new Path(ends, false, Look.GIVEN));
+    }
+
+    /** The octant from (0, r), in u and v from the center. */
+    static Board circle(Walked walked) {
+        double radius = walked.input().path("radius").doubleValue();
+        return board(walked, "u", "v", arc(radius, radius, Math.PI / 4));
+    }
+
+    /** The quarter from (0, ry), in u and v from the center. */
+    static Board ellipse(Walked walked) {
+        double rx = walked.input().path("rx").doubleValue();
+        double ry = walked.input().path("ry").doubleValue();
+        return board(walked, "u", "v", arc(rx, ry, Math.PI / 2));
+    }
+
+    /** From the axis of v on, by the angle. */
+    private static Path arc(double rx, double ry, double angle) {
+        var points = new ArrayList<Point2D>();
+        for (int i = 0; i <= CHORDS; i++) {
+            double at = angle * i / CHORDS;
+            points.add(new Point2D.Double(rx * Math.sin(at), ry * Math.cos(at)));
+        }
+        return new Path(points, false, Look.GIVEN);
+    }
+
+    private static Board board(Walked walked, String x, String y, Path exact) {
+        var figures = new ArrayList<Figure>();
+        for (int i = 0; i < walked.steps().size(); i++)
+            figures.add(cell(walked.steps().get(i), x, y, walked.look(i)));
+        walked.wrong().ifPresent(answer -> figures.add(cell(answer, x, y, Look.WRONG)));
+        figures.add(exact);
+        return new Board(Space.PIXELS, figures, new Pixel(x, y));
+    }
+
+    private static Cell cell(JsonNode step, String x, String y, Look look) {
+        return new Cell(step.path(x).intValue(), step.path(y).intValue(), look);
+    }
+}

@@ -1,0 +1,155 @@
+package rasterlab.app.practice;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.LongNode;
+import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.StreamSupport;
+import rasterlab.app.practice.Board.Dot;
+import rasterlab.app.practice.Board.Figure;
+import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.Named;
+import rasterlab.app.practice.Board.None;
+import rasterlab.app.practice.Board.Path;
+import rasterlab.app.practice.Board.Point;
+import rasterlab.app.practice.Board.Space;
+import rasterlab.app.practice.Board.Target;
+import rasterlab.app.practice.Sketch.Walked;
+
+/** Polygons, points and curves in a plane. */
+final class PlaneSketches {
+    private static final String POLYGON = "polygon";
+
+    private PlaneSketches() {}
+
+    /** Ears that are cut off, and the corners, of which one is clicked. */
+    static Board triangulate(Walked walked) {
+        List<Point2D> corners = Points.all(walked.input().path(POLYGON));
+        var figures = new ArrayList<Figure>();
+        figures.add(new Path(corners, true, Look.GIVEN));
+        for (int i = 0; i < walked.steps().size(); i++) {
+            JsonNode ends = walked.steps().get(i).path("diagonal");
+            if (ends.size() == 2)
+                figures.add(
+                        new Path(
+                                List.of(
+                                        corners.get(ends.get(0).intValue()),
+                                        corners.get(ends.get(1).intValue())),
+                                false,
+                                walked.look(i)));
+        }
+        var targets = new ArrayList<Target>();
+        for (int i = 0; i < corners.size(); i++) {
+            figures.add(new Dot(corners.get(i), String.valueOf(i), corner(walked, "cut", i)));
+            targets.add(new Target(LongNode.valueOf(i), List.of(corners.get(i))));
+        }
+        return new Board(Space.PLANE, figures, new Named("cut", targets));
+    }
+
+    /** How a thing of that number looks, by the steps whose field has it. */
+    private static Look corner(Walked walked, String field, int number) {
+        for (int i = 0; i < walked.steps().size(); i++)
+            if (walked.steps().get(i).path(field).asInt(-1) == number) return walked.look(i);
+        boolean wrong =
+                walked.wrong().filter(one -> one.path(field).asInt(-1) == number).isPresent();
+        return wrong ? Look.WRONG : Look.GIVEN;
+    }
+
+    /** A ray from the point to the right, and the edge that it is compared with. */
+    static Board inPolygon(Walked walked) {
+        List<Point2D> corners = Points.all(walked.input().path(POLYGON));
+        Point2D from = Points.of(walked.input().path("points").path(0));
+        double right = corners.stream().mapToDouble(Point2D::getX).max().orElse(0) + 1;
+        var figures = new ArrayList<Figure>();
+        figures.add(new Path(corners, true, Look.GIVEN));
+        for (int i = 0; i < corners.size(); i++)
+            figures.add(new Dot(corners.get(i), String.valueOf(i), Look.GIVEN));
+        addSide(figures, corners, walked.told().path("edge"));
+        var end = new Point2D.Double(Math.max(right, from.getX() + 1), from.getY());
+        figures.add(new Path(List.of(from, end), false, Look.DONE));
+        figures.add(new Dot(from, "", Look.NEWEST));
+        return new Board(Space.PLANE, figures, new None());
+    }
+
+    private static void addSide(List<Figure> figures, List<Point2D> corners, JsonNode side) {
+        if (!side.isNumber()) return;
+        int from = side.intValue();
+        figures.add(
+                new Path(
+                        List.of(corners.get(from), corners.get((from + 1) % corners.size())),
+                        false,
+                        Look.ASKED));
+    }
+
+    /**
+     * A point beside the sides of a triangle, which are walked against the order of its corners.
+     */
+    static Board inTriangle(Walked walked) {
+        List<Point2D> corners = Points.all(walked.input().path("triangle"));
+        Point2D point = Points.of(walked.input().path("points").path(0));
+        List<Point2D> walkedCorners = List.of(corners.get(0), corners.get(2), corners.get(1));
+        var figures = new ArrayList<Figure>();
+        figures.add(new Path(corners, true, Look.GIVEN));
+        addSide(figures, walkedCorners, walked.told().path("side"));
+        for (int i = 0; i < corners.size(); i++)
+            figures.add(new Dot(corners.get(i), "abc".substring(i, i + 1), Look.GIVEN));
+        figures.add(new Dot(point, "", Look.NEWEST));
+        return new Board(Space.PLANE, figures, new None());
+    }
+
+    /** The control points, the points that came out, and the scheme of the newest one. */
+    static Board curve(Walked walked) {
+        List<Point2D> control = Points.all(walked.input().path("points"));
+        var figures = new ArrayList<Figure>();
+        figures.add(new Path(control, false, Look.GIVEN));
+        for (int i = 0; i < control.size(); i++)
+            figures.add(new Dot(control.get(i), String.valueOf(i), Look.GIVEN));
+        int newest = walked.steps().size() - 1;
+        if (newest >= 0) addScheme(figures, control, walked.steps().get(newest).path("t"));
+        for (int i = 0; i <= newest; i++) figures.add(point(walked.steps().get(i), walked.look(i)));
+        walked.wrong().ifPresent(answer -> figures.add(point(answer, Look.WRONG)));
+        return new Board(Space.PLANE, figures, new Point("x", "y"));
+    }
+
+    private static Dot point(JsonNode step, Look look) {
+        return new Dot(
+                new Point2D.Double(step.path("x").doubleValue(), step.path("y").doubleValue()),
+                "",
+                look);
+    }
+
+    private static void addScheme(List<Figure> figures, List<Point2D> control, JsonNode at) {
+        List<Point2D> row = control;
+        while (row.size() > 2) {
+            List<Point2D> next = new ArrayList<>();
+            for (int i = 1; i < row.size(); i++)
+                next.add(Points.between(row.get(i - 1), row.get(i), at.doubleValue()));
+            figures.add(new Path(next, false, Look.DONE));
+            row = next;
+        }
+    }
+
+    /** The polygons seen from above: x to the right, depth upward from the eye. */
+    static Board order(Walked walked) {
+        JsonNode polygons = walked.input().path("polygons");
+        var figures = new ArrayList<Figure>();
+        var targets = new ArrayList<Target>();
+        figures.add(new Dot(fromAbove(walked.input().path("eye")), "eye", Look.DONE));
+        for (int i = 0; i < polygons.size(); i++) {
+            List<Point2D> above =
+                    StreamSupport.stream(polygons.get(i).spliterator(), false)
+                            .map(PlaneSketches::fromAbove)
+                            .toList();
+            Look look = corner(walked, "paint", i);
+            figures.add(new Path(above, true, look));
+            figures.add(new Dot(above.get(i % 2), String.valueOf(i), look));
+            targets.add(new Target(LongNode.valueOf(i), Points.along(above, true)));
+        }
+        return new Board(Space.DEPTH, figures, new Named("paint", targets));
+    }
+
+    private static Point2D fromAbove(JsonNode point) {
+        return new Point2D.Double(point.path(0).doubleValue(), point.path(2).doubleValue());
+    }
+}

@@ -1,0 +1,242 @@
+package rasterlab.app.practice;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
+import java.awt.Font;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.practice.Sketch.Walked;
+import rasterlab.exercises.predicting.Question;
+import rasterlab.exercises.predicting.Sheet;
+import rasterlab.exercises.predicting.Values;
+
+/** The mode "which is next?" as its lab shows it, in one language. */
+final class PracticePanel extends JPanel implements Settling {
+    private static final long serialVersionUID = 1L;
+
+    private final transient PracticeModel model;
+    private final transient Texts texts;
+    private final JLabel title = new JLabel(" ");
+    private final JLabel position = new JLabel(" ");
+    private final WrappedText question = new WrappedText("practice.question");
+    private final WrappedText told = new WrappedText("practice.told");
+    private final WrappedText hint = new WrappedText("practice.hint");
+    private final JLabel score = new JLabel(" ");
+    private final SeedField seed;
+    private final JButton answer;
+    private final JButton next;
+    private final AnswerForm form;
+    private final VerdictPane verdict;
+    private final PracticeStage stage;
+    private final JPanel place = new JPanel(new BorderLayout());
+    private final JTextArea walk = new JTextArea();
+    private final JScrollPane walkScroll = new JScrollPane(walk);
+    private final JPanel column;
+    private transient Optional<Question> shown = Optional.empty();
+
+    PracticePanel(PracticeModel model, Language language) {
+        super(new MigLayout("insets 8 10 10 10, gap 10 8", "[grow,fill][fill]", "[][grow,fill]"));
+        this.model = model;
+        texts = Texts.of("practice", language);
+        setName("practice");
+        answer = button("answer", this::submit);
+        next = button("next", this::next);
+        form = new AnswerForm(texts, this::submit);
+        verdict = new VerdictPane(texts);
+        stage = new PracticeStage(texts, this::picked);
+        title.setName("practice.title");
+        title.putClientProperty("FlatLaf.styleClass", "h3");
+        position.setName("practice.position");
+        question.setFont(question.getFont().deriveFont(Font.BOLD));
+        score.setName("practice.score");
+        score.setFont(score.getFont().deriveFont(Font.BOLD));
+        walk.setName("practice.walk");
+        walk.setEditable(false);
+        walk.setFont(new Font(Font.MONOSPACED, Font.PLAIN, walk.getFont().getSize()));
+        walk.getAccessibleContext().setAccessibleName(texts.text("walk"));
+        seed = new SeedField(texts, model::dataOf, this::refuseSeed);
+        column = column();
+        add(title, "wmin 0");
+        add(button("leave", model::leave), "growx, wrap");
+        add(place, "wmin 100, hmin 100");
+        add(column, "w %d!".formatted(UIScale.scale(LabLayout.INSPECTOR)));
+        bindKeys();
+    }
+
+    private JPanel column() {
+        var parts =
+                new JPanel(
+                        new MigLayout("insets 0, gap 0 8, wrap 1, hidemode 3", "[grow,fill]", ""));
+        parts.add(position, "wmin 0");
+        parts.add(question, "wmin 0");
+        parts.add(told, "wmin 0");
+        parts.add(hint, "wmin 0");
+        parts.add(form, "wmin 0");
+        parts.add(answer);
+        parts.add(next);
+        parts.add(verdict, "wmin 0, gaptop 6");
+        var foot = new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][]", ""));
+        foot.add(score, "wmin 0, span 2, wrap");
+        foot.add(seed, "wmin 0");
+        foot.add(button("newData", model::newData));
+        parts.add(foot);
+        return parts;
+    }
+
+    private JButton button(String key, Runnable action) {
+        var button = new JButton(texts.label(key));
+        button.setName("practice." + key);
+        button.setMnemonic(texts.mnemonic(key));
+        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        button.addActionListener(e -> action.run());
+        return button;
+    }
+
+    private void bindKeys() {
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::leave);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ENTER"), this::submit);
+        for (int digit = 0; digit <= 9; digit++) {
+            int pressed = digit;
+            for (String key : new String[] {"" + digit, "NUMPAD" + digit})
+                KeyBinding.within(this, KeyStroke.getKeyStroke(key), () -> form.digit(pressed));
+        }
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        model.settle();
+    }
+
+    /** Gives the keyboard to the picture where pixels are asked for, else to the answer. */
+    void focusPicture() {
+        PracticeState state = model.state();
+        if (state.resting()) next.requestFocusInWindow();
+        else if (stage.isShowing() && stage.takesKeys()) stage.requestFocusInWindow();
+        else form.focus();
+    }
+
+    private void picked(StagePick pick) {
+        form.set(pick.answer());
+        if (form.missing().isEmpty() && !pick.answer().isEmpty())
+            model.answer(form.answer(), pick.tolerance());
+        else submitUnlessPart(pick);
+    }
+
+    /** A part of an answer waits for the rest; a key in the picture confirms. */
+    private void submitUnlessPart(StagePick pick) {
+        if (pick.answer().isEmpty()) submit();
+        else form.focus();
+    }
+
+    private void submit() {
+        PracticeState state = model.state();
+        if (state.resting()) {
+            next();
+            return;
+        }
+        if (!state.isAsking()) return;
+        Optional<String> missing = form.missing();
+        if (missing.isEmpty()) {
+            model.answer(form.answer(), 0);
+            return;
+        }
+        String topic = state.topic().orElseThrow();
+        verdict.tell(texts.text("missing", AnswerForm.label(texts, topic, missing.get())));
+        form.focus();
+    }
+
+    private void refuseSeed() {
+        verdict.tell(texts.text("seed.wrong", String.valueOf(Sheet.MOST_SEED)));
+    }
+
+    private void next() {
+        model.next();
+        focusPicture();
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        PracticeState state = model.state();
+        score.setText(texts.text("score", state.right(), state.given()));
+        seed.show(state.seed());
+        boolean ready = state.asked().isPresent();
+        if (ready) refresh(state);
+        else {
+            position.setText(texts.text("drawing"));
+            shown = Optional.empty();
+        }
+        column.revalidate();
+    }
+
+    private void refresh(PracticeState state) {
+        String language = texts.locale().getLanguage();
+        PracticeSheet sheet = state.asked().orElseThrow();
+        Question now = state.question();
+        String topic = state.topic().orElseThrow();
+        title.setText(sheet.exercise().title().get(language));
+        position.setText(texts.text("position", state.at() + 1, sheet.size()));
+        question.show(now.rules().question(language));
+        told.show(texts.text("told", WalkText.signed(Values.told(now.told()))));
+        told.setVisible(state.isAsking() && !now.told().isEmpty());
+        Optional<Sketch> sketch = Sketches.of(topic);
+        Optional<Board> board = sketch.map(each -> each.of(walked(state)));
+        boolean other = shown.filter(now::equals).isEmpty();
+        if (other) form.show(topic, now, board);
+        place(board.isPresent());
+        board.ifPresent(drawn -> stage.show(drawn, isOtherWalk(now), state.isAsking()));
+        hint.show(hint(board));
+        hint.setVisible(state.isAsking() && !hint.getText().isEmpty());
+        form.showAsking(state.isAsking());
+        answer.setVisible(state.isAsking());
+        next.setVisible(state.resting());
+        next.setText(texts.label(state.isThrough() ? "again" : "next"));
+        verdict.setVisible(state.last().isPresent());
+        state.last().ifPresent(verdict::show);
+        walk.setText(WalkText.of(state, texts));
+        walk.setCaretPosition(0);
+        shown = Optional.of(now);
+        if (other || state.resting()) focusPicture();
+    }
+
+    private boolean isOtherWalk(Question now) {
+        return shown.filter(before -> before.input().equals(now.input())).isEmpty();
+    }
+
+    private static Walked walked(PracticeState state) {
+        return new Walked(
+                WalkText.input(state.question().input()),
+                state.steps(),
+                state.told(),
+                state.wrong());
+    }
+
+    /** What a click in the picture answers, in words. */
+    private String hint(Optional<Board> board) {
+        return board.map(each -> each.picking().getClass().getSimpleName().toLowerCase())
+                .map(kind -> texts.textOr("hint." + kind, ""))
+                .orElse("");
+    }
+
+    /** The picture beside the column; where there is none, the words take its place. */
+    private void place(boolean drawn) {
+        JComponent wanted = drawn ? stage : walkScroll;
+        if (place.getComponentCount() > 0 && place.getComponent(0) == wanted) return;
+        place.removeAll();
+        place.add(wanted);
+        if (drawn) column.add(walkScroll, "wmin 0, hmin 60, growy, pushy");
+        revalidate();
+    }
+}

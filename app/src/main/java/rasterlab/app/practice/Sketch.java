@@ -1,0 +1,29 @@
+package rasterlab.app.practice;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.Optional;
+
+/** Draws the questions on one topic's steps. */
+interface Sketch {
+    Board of(Walked walked);
+
+    /**
+     * How far a walk has gone.
+     *
+     * @param input of the walk
+     * @param steps that are made
+     * @param told of the step that is asked for; empty where the walk rests
+     * @param wrong the answer that was given in place of the newest step, if it was wrong
+     */
+    record Walked(JsonNode input, List<JsonNode> steps, JsonNode told, Optional<JsonNode> wrong) {
+        public Walked {
+            steps = List.copyOf(steps);
+        }
+
+        /** What a step has, the newest first to be told apart. */
+        Board.Look look(int step) {
+            return step == steps.size() - 1 ? Board.Look.NEWEST : Board.Look.DONE;
+        }
+    }
+}

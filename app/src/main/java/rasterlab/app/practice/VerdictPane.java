@@ -1,0 +1,57 @@
+package rasterlab.app.practice;
+
+import java.awt.Color;
+import java.awt.Font;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.language.Texts;
+
+/** Says whether the last answer was right, what is right, and why. */
+final class VerdictPane extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final JLabel verdict = new JLabel(" ");
+    private final WrappedText why = new WrappedText("practice.why");
+
+    VerdictPane(Texts texts) {
+        super(new MigLayout("insets 0, gap 0 4, wrap 1, hidemode 3", "[grow,fill]", ""));
+        this.texts = texts;
+        verdict.setName("practice.verdict");
+        verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
+        add(verdict, "wmin 0");
+        add(why, "wmin 0");
+    }
+
+    /** The verdict on an answer, with the method's own reason. */
+    void show(Answered last) {
+        Color own = last.right() ? MethodColours.GREEN : MethodColours.VERMILLION;
+        verdict.setForeground(MethodColours.textOn(getBackground(), own));
+        verdict.setText(texts.text(last.right() ? "right" : "wrong"));
+        String language = texts.locale().getLanguage();
+        say(sentence(WalkText.signed(last.question().said(last.answer()).in(language))));
+        setVisible(true);
+    }
+
+    private static String sentence(String words) {
+        String whole = words.substring(0, 1).toUpperCase() + words.substring(1);
+        return whole.endsWith(".") ? whole : whole + ".";
+    }
+
+    /** Asks for what is missing. */
+    void tell(String sentence) {
+        verdict.setForeground(getForeground());
+        verdict.setText(texts.text("incomplete"));
+        say(sentence);
+        setVisible(true);
+    }
+
+    private void say(String words) {
+        why.show(words);
+        // Read aloud as one: a change of the name is what screen readers are told.
+        why.getAccessibleContext().setAccessibleName(verdict.getText() + " " + words);
+    }
+}
