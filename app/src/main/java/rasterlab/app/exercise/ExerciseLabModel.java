@@ -317,11 +317,11 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String source = state.source();
         String about = account.server() + "\n" + exercise.id() + "\n" + source;
         String key = key(about);
-        var server = new CourseServer(account.server(), patience);
-        var submitting = new Submitting(server, account.token(), exercise.form());
+        var submitting = Submitting.to(account, patience, exercise.form());
         begin(
                 Work.of(SENDING),
                 tell -> {
+                    UnreadableSheet.check(exercise, source);
                     Outcome outcome = submitting.result(exercise.id(), source, key, follower(tell));
                     return () -> {
                         keys.remove(about);

@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -10,16 +11,22 @@ import rasterlab.app.language.Texts;
  *
  * @param key of the text, behind {@code notice.}
  * @param arguments what stands in its places
+ * @param quoted what stands in the place behind them, in the window's language
  */
-record Notice(String key, List<String> arguments) {
-    static final Notice NONE = new Notice("", List.of());
+record Notice(String key, List<String> arguments, Said quoted) {
+    static final Notice NONE = of("");
 
     Notice {
         arguments = List.copyOf(arguments);
     }
 
     static Notice of(String key, String... arguments) {
-        return new Notice(key, List.of(arguments));
+        return new Notice(key, List.of(arguments), Said.NOTHING);
+    }
+
+    /** A notice around a sentence that comes in every language. */
+    static Notice quoting(String key, Said sentence) {
+        return new Notice(key, List.of(), sentence);
     }
 
     boolean isEmpty() {
@@ -27,7 +34,10 @@ record Notice(String key, List<String> arguments) {
     }
 
     private Object[] said(Language language) {
-        return arguments.stream().map(each -> Complaints.said(language, each)).toArray();
+        return Stream.concat(
+                        arguments.stream().map(each -> Complaints.said(language, each)),
+                        Stream.of(quoted.in(language)))
+                .toArray();
     }
 
     String in(Texts texts) {

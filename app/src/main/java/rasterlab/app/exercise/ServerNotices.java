@@ -15,6 +15,7 @@ final class ServerNotices {
 
     /** The notice of a source that could not be handed in. */
     static Notice of(URI server, IOException failure) {
+        if (failure instanceof UnreadableSheet sheet) return sheet.notice();
         return told("server", server, failure);
     }
 

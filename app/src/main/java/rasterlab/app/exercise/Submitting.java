@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.Following;
 import rasterlab.app.server.ServerReport;
@@ -46,6 +47,11 @@ final class Submitting {
         this.server = server;
         this.token = token;
         this.form = form;
+    }
+
+    /** Hands in what an exercise of that form is answered by, on the account. */
+    static Submitting to(Account account, CourseServer.Patience patience, Form form) {
+        return new Submitting(new CourseServer(account.server(), patience), account.token(), form);
     }
 
     /**

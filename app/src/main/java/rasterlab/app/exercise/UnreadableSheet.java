@@ -1,0 +1,39 @@
+package rasterlab.app.exercise;
+
+import java.io.IOException;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.predicting.HandedAnswers;
+
+/**
+ * The server would refuse a sheet; it is not sent, since here it is told in the window's language.
+ */
+final class UnreadableSheet extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient CatalogueException misfit;
+
+    private UnreadableSheet(CatalogueException misfit) {
+        super(misfit.getMessage(), misfit);
+        this.misfit = misfit;
+    }
+
+    /**
+     * Reads what is about to be handed in, if it is a sheet, as the server does.
+     *
+     * @throws UnreadableSheet if it is none
+     */
+    static void check(Exercise exercise, String text) throws UnreadableSheet {
+        if (exercise.form() != Form.PREDICT) return;
+        try {
+            HandedAnswers.of(exercise, text.replaceFirst("^\uFEFF", ""));
+        } catch (CatalogueException misfit) {
+            throw new UnreadableSheet(misfit);
+        }
+    }
+
+    Notice notice() {
+        return Notice.quoting("sheet", Said.of(misfit::in));
+    }
+}
