@@ -3,13 +3,20 @@ package rasterlab.app.cli;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.folder.CopiedFolder;
 import rasterlab.exercises.folder.NewFolder;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -20,6 +27,7 @@ import rasterlab.exercises.topic.TopicGradings;
         description = {
             "Makes the folder of an exercise to begin with, which `./lab exercises validate` takes:",
             "cases of the topic's hazards, texts in English and Russian, a starter, a model solution.",
+            "Of the kinds break and predict it is a copy of the course's own exercise on the topic.",
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -39,30 +47,53 @@ final class ExercisesNewCommand implements Callable<Integer> {
             description = "the folder to make; its name, lower-case words with hyphens, is the ID")
     private Path folder;
 
+    @Option(
+            names = "--kind",
+            paramLabel = "KIND",
+            description =
+                    "write, break or predict: whether a program is written, inputs are found or"
+                            + " steps are predicted; default: write")
+    private String kind = "write";
+
     ExercisesNewCommand(Console console) {
         this.console = console;
     }
 
     @Override
     public Integer call() {
-        if (!TopicGradings.names().contains(topic))
+        Form form = form();
+        List<String> topics =
+                form == Form.WRITE ? TopicGradings.names() : CopiedFolder.topics(form);
+        if (!topics.contains(topic))
             throw Complaint.badInput(
-                    "no exercise of topic '"
-                            + topic
-                            + "'; there are "
-                            + String.join(", ", TopicGradings.names()));
+                    "no exercise of topic '" + topic + "'; there are " + String.join(", ", topics));
         Path made = folder.toAbsolutePath().normalize();
         String id = made.getFileName() == null ? "" : made.getFileName().toString();
         if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
             throw Complaint.badInput(
                     folder + ": its last name must be lower-case words with hyphens");
         if (Files.exists(made)) throw Complaint.badInput(folder + ": is there already");
-        Map<String, String> files = NewFolder.files(topic);
+        Map<String, byte[]> files = files(form, id);
         WholeFile.requireFolder(made);
-        files.forEach(
-                (name, text) ->
-                        WholeFile.write(made.resolve(name), text.getBytes(StandardCharsets.UTF_8)));
+        files.forEach((name, content) -> WholeFile.write(made.resolve(name), content));
         console.out().println(console.language().texts().text("new", folder));
         return ExitCode.DONE;
+    }
+
+    private Form form() {
+        List<String> kinds =
+                Stream.of(Form.values()).map(each -> each.name().toLowerCase(Locale.ROOT)).toList();
+        if (!kinds.contains(kind))
+            throw Complaint.badInput(
+                    "no kind '" + kind + "'; there are " + String.join(", ", kinds));
+        return Form.valueOf(kind.toUpperCase(Locale.ROOT));
+    }
+
+    private Map<String, byte[]> files(Form form, String id) {
+        if (form != Form.WRITE) return CopiedFolder.files(topic, form, id).orElseThrow();
+        Map<String, byte[]> files = new LinkedHashMap<>();
+        NewFolder.files(topic)
+                .forEach((name, text) -> files.put(name, text.getBytes(StandardCharsets.UTF_8)));
+        return files;
     }
 }

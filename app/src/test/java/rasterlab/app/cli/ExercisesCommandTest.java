@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -26,6 +27,32 @@ class ExercisesCommandTest {
         Path made = folder.resolve(id);
         Ran.lab("exercises", "new", topic, made.toString()).assertDone();
         return made;
+    }
+
+    @ParameterizedTest(name = "a new exercise of kind {0} is refused by validate")
+    @CsvSource({"write", "break", "predict"})
+    void aNewExerciseOfEachKindIsValid(String kind) throws IOException {
+        Path made = folder.resolve("my-line");
+        Ran.lab("exercises", "new", "line", made.toString(), "--kind", kind).assertDone();
+        Ran.lab("exercises", "validate", made.toString()).assertDone();
+        Exercise read = Catalogue.read(made).exercise().orElseThrow();
+        assertEquals(kind, read.form().name().toLowerCase(Locale.ROOT));
+        assertEquals(
+                kind.equals("predict"),
+                Files.readString(made.resolve("statement.ru.md")).contains("lab check my-line"));
+    }
+
+    @Test
+    void aNewExerciseIsRefusedWhereThereIsNoneToBeginWith() {
+        String place = folder.resolve("mine").toString();
+        Ran color = Ran.lab("exercises", "new", "color", place, "--kind", "predict");
+        assertEquals(2, color.exitCode());
+        assertTrue(
+                color.err().contains("no exercise of topic 'color'; there are line,"), color.err());
+        Ran kind = Ran.lab("exercises", "new", "line", place, "--kind", "read");
+        assertEquals(2, kind.exitCode());
+        assertTrue(
+                kind.err().contains("no kind 'read'; there are write, break, predict"), kind.err());
     }
 
     @Test

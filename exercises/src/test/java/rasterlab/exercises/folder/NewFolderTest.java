@@ -10,6 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.topic.TopicGradings;
 
 /** The folder that an exercise begins with is one that the server takes, whatever the topic. */
@@ -26,6 +27,20 @@ class NewFolderTest {
         Path folder = Files.createDirectory(parent.resolve("new-one"));
         for (Map.Entry<String, String> file : NewFolder.files(topic).entrySet())
             Files.writeString(folder.resolve(file.getKey()), file.getValue());
+        assertEquals(List.of(), FolderCheck.faults(folder));
+    }
+
+    static List<String> predicted() {
+        return CopiedFolder.topics(Form.PREDICT);
+    }
+
+    @ParameterizedTest(name = "a new folder that asks for steps of {0} is not valid")
+    @MethodSource("predicted")
+    void aNewFolderThatAsksForStepsIsValid(String topic) throws IOException {
+        Path folder = Files.createDirectory(parent.resolve("new-one"));
+        var files = CopiedFolder.files(topic, Form.PREDICT, "new-one").orElseThrow();
+        for (Map.Entry<String, byte[]> file : files.entrySet())
+            Files.write(folder.resolve(file.getKey()), file.getValue());
         assertEquals(List.of(), FolderCheck.faults(folder));
     }
 }
