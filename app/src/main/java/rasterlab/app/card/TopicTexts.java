@@ -16,11 +16,19 @@ import rasterlab.engine.study.Method;
 public record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
     /** The texts of the card's topic. */
     public static TopicTexts of(TopicCard<?> card, Language language) {
+        return of(card.texts(), card.labels(), language);
+    }
+
+    /**
+     * @param texts where methods and hazards are explained
+     * @param labels where hazards are called by their short names
+     */
+    public static TopicTexts of(TopicCard.Place texts, TopicCard.Place labels, Language language) {
         return new TopicTexts(
-                Texts.of(card.texts().feature(), "topic", language),
-                card.texts().part(),
-                Texts.of(card.labels().feature(), language),
-                card.labels().part());
+                Texts.of(texts.feature(), "topic", language),
+                texts.part(),
+                Texts.of(labels.feature(), language),
+                labels.part());
     }
 
     /** The name of the hazard in the lab; empty where it does not show it. */

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.Optional;
+import rasterlab.app.card.TopicCard.Place;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.chain.Chain;
@@ -9,7 +10,7 @@ import rasterlab.engine.transform.chain.TransformTopic;
 /** Points through matrices. */
 final class ChainTrial extends TrialKind<PointTransformer, Chain, TransformTopic.Output> {
     ChainTrial() {
-        super(new TransformTopic(), new TrialTexts("coordinates.view", ""));
+        super(new TransformTopic(), new Place("coordinates.view", ""));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.Optional;
+import rasterlab.app.card.TopicCard.Place;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
 
@@ -15,7 +16,7 @@ abstract class ImagesTrial<C, I> extends TrialKind<C, I, Images> {
      * @param prefix of the keys of its methods' and hazards' texts
      */
     ImagesTrial(Topic<C, I, Images> topic, String prefix) {
-        super(topic, new TrialTexts("coordinates.list", prefix));
+        super(topic, new Place("coordinates.list", prefix));
     }
 
     @Override

@@ -7,6 +7,7 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.ModeRows;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
@@ -60,13 +61,13 @@ public final class ListPanel extends LabCard {
                     model.methods().stream().map(Method::name).toList(),
                     model::show);
         var chips = new Chips(texts, "hazards");
-        TrialTexts said = model.trials().kind(topic).texts();
+        TopicTexts said = model.trials().kind(topic).said(texts.language());
         for (Hazard<?> hazard : model.trials().hazards(topic))
             chips.add(
                     HazardCase.of(
                             hazard,
-                            texts.textOr("hazard." + topic + "." + hazard.name(), hazard.name()),
-                            said.said(hazard, texts.language()),
+                            said.label(hazard).orElse(hazard.name()),
+                            said.hazard(hazard),
                             model.trials().methods(topic).stream().map(Method::name).toList(),
                             () -> model.show(topic, hazard.name(), "")));
         return chips;

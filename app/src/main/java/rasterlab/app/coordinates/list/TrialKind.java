@@ -5,6 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.card.TopicCard.Place;
+import rasterlab.app.card.TopicTexts;
+import rasterlab.app.language.Language;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -20,12 +23,12 @@ import rasterlab.engine.transform.Images;
  */
 abstract class TrialKind<C, I, O> {
     private final Topic<C, I, O> topic;
-    private final TrialTexts texts;
+    private final Place texts;
 
     /**
-     * @param texts what its methods and hazards are in the window's language
+     * @param texts where its methods and hazards are explained
      */
-    TrialKind(Topic<C, I, O> topic, TrialTexts texts) {
+    TrialKind(Topic<C, I, O> topic, Place texts) {
         this.topic = topic;
         this.texts = texts;
     }
@@ -34,8 +37,9 @@ abstract class TrialKind<C, I, O> {
         return topic;
     }
 
-    final TrialTexts texts() {
-        return texts;
+    final TopicTexts said(Language language) {
+        var labels = new Place("coordinates.list", topic.name() + ".");
+        return TopicTexts.of(texts, labels, language);
     }
 
     /** The points, and matrices that do what the topic's methods should. */

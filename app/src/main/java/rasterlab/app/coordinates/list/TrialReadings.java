@@ -47,7 +47,7 @@ final class TrialReadings {
                         trial -> {
                             TrialKind<?, ?, ?> kind = model.trials().kind(trial.topic());
                             Hazard<?> hazard = model.trials().hazard(trial);
-                            return kind.texts().said(hazard, texts.language());
+                            return kind.said(texts.language()).hazard(hazard);
                         })
                 .orElse("");
     }

@@ -13,6 +13,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
@@ -92,8 +93,8 @@ final class TrialRows {
         table.show(readings.headings(), readings.rows(), -1);
         Trial trial = model.choice().trial().orElseThrow();
         Method<?> method = model.trials().method(trial);
-        TrialTexts said = model.trials().kind(trial.topic()).texts();
-        about.show(said.in(texts.language()), said.key(method), "", refusal());
+        TopicTexts said = model.trials().kind(trial.topic()).said(texts.language());
+        about.show(said.texts(), said.key(method), "", refusal());
     }
 
     /** What the method says to the hazard, where it says that it cannot. */
