@@ -125,7 +125,7 @@ class Server(
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
                     courses(courses, accounts)
-                    exercises(exercises, sheets::starter)
+                    exercises(exercises, sheets::starter, submissions::bestsOf)
                     hints(exercises, hints, courses)
                     submissions(exercises, intake, queue)
                     results(results, live)

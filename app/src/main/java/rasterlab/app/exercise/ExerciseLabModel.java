@@ -1,10 +1,8 @@
 package rasterlab.app.exercise;
 
 import static rasterlab.app.exercise.Work.Phase.CHECKING;
-import static rasterlab.app.exercise.Work.Phase.GRADING;
 import static rasterlab.app.exercise.Work.Phase.JOINING;
 import static rasterlab.app.exercise.Work.Phase.SENDING;
-import static rasterlab.app.exercise.Work.Phase.WAITING;
 
 import java.io.IOException;
 import java.net.URI;
@@ -21,6 +19,7 @@ import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.course.Standings;
 import rasterlab.app.exercise.JoinAnswer.Field;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.server.Account;
@@ -37,6 +36,7 @@ import rasterlab.exercises.formula.Formulas;
  */
 public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseable {
     final Formulas formulas = new Formulas();
+    final Standings standings;
     private final ExerciseList exercises;
     private final CourseServer.Patience patience;
     private final OwnMethods own;
@@ -92,6 +92,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         this.own = own;
         exercises = new ExerciseList(catalogue);
         this.patience = patience;
+        standings = new Standings(patience, events, onFailure);
         this.events = events;
         background = new Background("exercise", events, onFailure);
         outcomes = new Outcomes(id -> drafts.flatMap(held -> held.outcomePath(id)), events);
@@ -105,6 +106,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     public void keepIn(Path folder) {
         if (state != null) throw new IllegalStateException("sources are kept elsewhere already");
         this.folder = Optional.of(folder);
+        standings.readFrom(folder.resolve("drafts"));
     }
 
     ExerciseState state() {
@@ -247,7 +249,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                             checking.outcome(
                                     exercise,
                                     source,
-                                    cases -> tell.accept(() -> judged(CHECKING, cases, of)));
+                                    cases -> tell.accept(() -> judged(cases, of)));
                     return () -> accept(exercise, outcome);
                 },
                 failure -> tell(Notice.of("failed", failure.toString())));
@@ -322,7 +324,15 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 Work.of(SENDING),
                 tell -> {
                     UnreadableSheet.check(exercise, source);
-                    Outcome outcome = submitting.result(exercise.id(), source, key, follower(tell));
+                    Outcome outcome =
+                            submitting.result(
+                                    exercise.id(),
+                                    source,
+                                    key,
+                                    new GradingWork(
+                                            work ->
+                                                    tell.accept(
+                                                            () -> publish(changed().work(work)))));
                     return () -> {
                         keys.remove(about);
                         accept(exercise, outcome);
@@ -331,27 +341,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 failure -> tell(ServerNotices.of(account.server(), failure)));
     }
 
-    private Submitting.Follower follower(Consumer<Runnable> tell) {
-        return new Submitting.Follower() {
-            @Override
-            public void waits(int position) {
-                var waiting = new Work(WAITING, position, 0, List.of());
-                tell.accept(() -> publish(changed().work(waiting)));
-            }
-
-            @Override
-            public void judged(List<TriedCase> cases) {
-                tell.accept(() -> ExerciseLabModel.this.judged(GRADING, cases, 0));
-            }
-        };
-    }
-
     private String key(String about) {
         return keys.computeIfAbsent(about, is -> UUID.randomUUID().toString());
     }
 
-    private void judged(Work.Phase phase, List<TriedCase> cases, int of) {
-        publish(changed().work(new Work(phase, cases.size(), of, cases)));
+    private void judged(List<TriedCase> cases, int of) {
+        publish(changed().work(new Work(CHECKING, cases.size(), of, cases)));
     }
 
     private void begin(Work first, Background.Task task, Consumer<IOException> failed) {
@@ -409,6 +404,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     public void close() {
         background.close(checking::close);
         outcomes.close();
+        standings.close();
         drafts.ifPresent(Drafts::close);
     }
 

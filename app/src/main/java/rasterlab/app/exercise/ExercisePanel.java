@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -40,6 +41,8 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private final JTextArea unsaved = Controls.words("unsaved");
     private ResultPane result;
     private Rooms rooms;
+    private transient CourseMapPlace map;
+    private transient Optional<JPanel> head = Optional.empty();
     private boolean running;
     private Notice said = Notice.NONE;
     private transient Runnable end = () -> {};
@@ -101,20 +104,37 @@ public final class ExercisePanel extends LabPanel implements Settling {
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.setForeground(VerdictLook.colour("wrong", getBackground()));
-        if (LargeType.now()) add(chooser("8 10 4 10"), BorderLayout.NORTH);
+        if (LargeType.now()) head = Optional.of(chooser("8 10 4 10"));
         result.setBorder(BorderFactory.createEmptyBorder(6, 10, 8, 10));
         rooms = new Rooms(texts, kept.rooms(), task(), work(), result);
-        add(rooms);
+        map = new CourseMapPlace(model, kept, lab, texts.language(), this::turn);
+        turn();
         keys();
         Runnable noState = model.listen(state -> refresh());
         end =
                 () -> {
                     noState.run();
+                    map.close();
                     place.close();
                     result.close();
                 };
         if (model.state().outcome().isPresent() && kept.rooms().chosen().isEmpty())
             rooms.show(Rooms.Room.RESULT);
+    }
+
+    /** Shows the exercise, or the map of the course. */
+    private void turn() {
+        removeAll();
+        Optional<JPanel> course = map.shown();
+        if (course.isPresent()) {
+            add(course.get());
+        } else {
+            head.ifPresent(above -> add(above, BorderLayout.NORTH));
+            add(rooms);
+        }
+        revalidate();
+        repaint();
+        focusPicture();
     }
 
     private void goTo(Outcome.Remark remark) {
@@ -159,9 +179,10 @@ public final class ExercisePanel extends LabPanel implements Settling {
 
     /** Beside its label above the statement, in large type above all, where it has room. */
     private JPanel chooser(String insets) {
-        var row = new JPanel(new MigLayout("insets " + insets + ", gap 8", "[][grow,fill]"));
+        var row = new JPanel(new MigLayout("insets " + insets + ", gap 8", "[][grow,fill][]"));
         row.add(Controls.label("exercise", texts, exercise));
         row.add(exercise, "wmin 0");
+        row.add(Controls.button("map", texts, () -> map.open()));
         return row;
     }
 
@@ -182,7 +203,8 @@ public final class ExercisePanel extends LabPanel implements Settling {
     /** Gives the keyboard to the editor. */
     @Override
     public void focusPicture() {
-        editor.focus();
+        if (map.shown().isPresent()) map.focus();
+        else editor.focus();
     }
 
     /** Waits until nothing is checked; a server may never answer. */

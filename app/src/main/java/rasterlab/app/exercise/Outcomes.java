@@ -11,6 +11,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import rasterlab.app.course.LocalTries;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.exercises.Exercise;
 
@@ -55,6 +56,7 @@ final class Outcomes implements AutoCloseable {
     private static void write(Path file, Exercise exercise, Outcome outcome) {
         try {
             OutcomeFile.write(file, exercise, outcome);
+            LocalTries.note(file, outcome.points());
         } catch (Complaint unwritable) {
             // Of an older outcome than the one that is shown.
             file.toFile().delete();

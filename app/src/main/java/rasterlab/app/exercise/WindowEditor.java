@@ -14,6 +14,7 @@ public final class WindowEditor {
     private final RoomsKept rooms = new RoomsKept();
     private Optional<SourceEditor> made = Optional.empty();
     private Optional<JoinForm.Typed> typed = Optional.empty();
+    private boolean onMap;
 
     RoomsKept rooms() {
         return rooms;
@@ -26,6 +27,15 @@ public final class WindowEditor {
 
     void type(JoinForm.Typed forACourse) {
         typed = Optional.of(forACourse);
+    }
+
+    /** Whether the map of the course is shown, and not an exercise. */
+    boolean isOnMap() {
+        return onMap;
+    }
+
+    void turnToMap(boolean shown) {
+        onMap = shown;
     }
 
     SourceEditor of(ExerciseLabModel model) {

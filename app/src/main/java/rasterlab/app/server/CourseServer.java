@@ -90,6 +90,11 @@ public final class CourseServer {
         return id;
     }
 
+    /** All exercises as the server has them, with how far the student has come. */
+    public JsonNode exercises(String token) throws IOException, InterruptedException {
+        return tree(get("/api/v1/exercises", token));
+    }
+
     /**
      * An exercise as the server has it.
      *

@@ -28,6 +28,8 @@ private data class ExerciseView(
     val deadline: String?,
     val attemptsLeft: Int?,
     val minutes: Int?,
+    val state: String?,
+    val best: Int?,
 )
 
 @Serializable
@@ -42,13 +44,21 @@ private data class PlanView(
  * Inside `authenticate`. Deadline and attempts left are null as long as nobody limits them.
  *
  * @param starter what somebody begins an exercise with
+ * @param bests what somebody has earned at most, by exercise, null as long as nothing is graded; null for whoever
+ * hands nothing in
  */
 fun Route.exercises(
     exercises: Exercises,
     starter: (Identity, Exercise) -> String,
+    bests: (Identity) -> Map<String, Int?>?,
 ) {
-    get("/exercises") { call.respondJson(exercises.all.map { it.view(call.language()) }) }
-    get("/exercises/{id}") { call.respondJson(exercises.named(call.exerciseId()).view(call.language())) }
+    get("/exercises") {
+        val earned = bests(call.identity())
+        call.respondJson(exercises.all.map { it.view(call.language(), earned) })
+    }
+    get("/exercises/{id}") {
+        call.respondJson(exercises.named(call.exerciseId()).view(call.language(), bests(call.identity())))
+    }
     get("/exercises/{id}/starter") {
         val exercise = exercises.named(call.exerciseId())
         call.respondStarter(exercise, starter(call.identity(), exercise))
@@ -94,15 +104,28 @@ private val CLASS = Regex("""\bclass\s+(\w+)""")
 
 private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
 
-private fun Exercise.view(language: String) =
-    ExerciseView(
-        id(),
-        topic(),
-        form().code(),
-        title(language),
-        revision(),
-        PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
-        deadline = null,
-        attemptsLeft = null,
-        minutes = if (minutes().isPresent) minutes().asInt else null,
-    )
+private fun Exercise.view(
+    language: String,
+    bests: Map<String, Int?>?,
+) = ExerciseView(
+    id(),
+    topic(),
+    form().code(),
+    title(language),
+    revision(),
+    PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
+    deadline = null,
+    attemptsLeft = null,
+    minutes = if (minutes().isPresent) minutes().asInt else null,
+    state = bests?.let { stateOf(id(), it) },
+    best = bests?.get(id()),
+)
+
+private fun stateOf(
+    id: String,
+    bests: Map<String, Int?>,
+) = when {
+    id !in bests -> "not-tried"
+    bests[id] == null -> "waiting"
+    else -> "graded"
+}

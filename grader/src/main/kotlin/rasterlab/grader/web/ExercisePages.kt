@@ -16,6 +16,7 @@ import kotlinx.html.button
 import kotlinx.html.div
 import kotlinx.html.form
 import kotlinx.html.h2
+import kotlinx.html.id
 import kotlinx.html.input
 import kotlinx.html.label
 import kotlinx.html.p
@@ -24,6 +25,7 @@ import kotlinx.html.span
 import kotlinx.html.textArea
 import kotlinx.html.unsafe
 import rasterlab.exercises.Exercise
+import rasterlab.exercises.course.Chapter
 import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
@@ -98,16 +100,30 @@ private suspend fun ApplicationCall.respondExercises(
     submissions: Submissions,
 ) {
     val texts = texts()
-    val bests = if (who is Identity.Student) submissions.bests(who.id) else null
+    val bests = submissions.bestsOf(who)
     respondPage(texts, who, texts.say("exercises.title")) {
         if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
-        div("columns") {
-            exercises.all.forEach { exercise ->
-                a("/exercises/${exercise.id()}", classes = "card exercise") {
-                    span("title") { +exercise.title(texts.language) }
-                    span { +about(texts, exercise) }
-                    if (bests != null) span("state") { +state(texts, exercise, bests) }
-                }
+        Chapter.of(exercises.all).forEach { chapter(texts, it, bests) }
+    }
+}
+
+/** A topic: what prepares for its exercises, and these. */
+private fun FlowContent.chapter(
+    texts: Texts,
+    chapter: Chapter,
+    bests: Map<String, Int?>?,
+) = section("chapter") {
+    h2 {
+        id = chapter.topic()
+        +chapter.title(texts.language)
+    }
+    p("lab") { +texts.say("exercises.lab", chapter.labTitle(texts.language)) }
+    div("columns") {
+        chapter.exercises().forEach { exercise ->
+            a("/exercises/${exercise.id()}", classes = "card exercise") {
+                span("title") { +exercise.title(texts.language) }
+                span { +about(texts, exercise) }
+                if (bests != null) span("state") { +state(texts, exercise, bests) }
             }
         }
     }

@@ -36,6 +36,16 @@ class PagesTest {
     lateinit var folder: Path
 
     @Test
+    fun exercisesStandUnderTheirTopicWithTheLabThatPrepares() =
+        Classroom(folder).open {
+            val cookie = session(form("/join", "course" to newCourse(), "name" to "Ada"))
+            val list = page("/exercises", cookie)
+            val places =
+                listOf("Line segments</h2>", "tab “Lines”", "Draw a dot", "not tried yet").map { list.indexOf(it) }
+            assertTrue(places.all { it >= 0 } && places == places.sorted(), "$places in $list")
+        }
+
+    @Test
     fun showsWhatPeopleWroteAsText() =
         Classroom(folder).open {
             val code = newCourse()

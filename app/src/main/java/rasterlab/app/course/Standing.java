@@ -1,0 +1,36 @@
+package rasterlab.app.course;
+
+import java.time.Instant;
+import java.util.Optional;
+
+/**
+ * How far a student has come with an exercise.
+ *
+ * @param points the most that were earned; empty as long as nothing is graded
+ * @param deadline of handing in; empty where there is none
+ */
+record Standing(State state, Optional<Earned> points, Optional<Instant> deadline) {
+    static final Standing NOT_TRIED =
+            new Standing(State.NOT_TRIED, Optional.empty(), Optional.empty());
+
+    enum State {
+        NOT_TRIED,
+        /** Handed in, without a result as yet. */
+        WAITING,
+        GRADED
+    }
+
+    /**
+     * @param of the most that can be earned
+     */
+    record Earned(int points, int of) {
+        /** Whether this is the larger share; of equal ones neither is. */
+        boolean exceeds(Earned other) {
+            return (long) points * other.of > (long) other.points * of;
+        }
+    }
+
+    static Standing graded(Earned earned) {
+        return new Standing(State.GRADED, Optional.of(earned), Optional.empty());
+    }
+}
