@@ -21,8 +21,10 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.byToken
 import rasterlab.grader.course.courses
+import rasterlab.grader.course.deadlines
 import rasterlab.grader.course.joining
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
@@ -83,6 +85,7 @@ class Server(
 ) : AutoCloseable {
     val accounts = Accounts(database, clock)
     private val courses = Courses(database, clock)
+    private val deadlines = Deadlines(database)
     private val live = Live()
     private val submissions = Submissions(database)
     private val reports = Reports(database)
@@ -95,7 +98,20 @@ class Server(
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, steady, settings.workers)
     private val pageParts =
-        PageParts(accounts, courses, exercises, sheets, hints, submissions, intake, queue, results, live, isolation)
+        PageParts(
+            accounts,
+            courses,
+            deadlines,
+            exercises,
+            sheets,
+            hints,
+            submissions,
+            intake,
+            queue,
+            results,
+            live,
+            isolation,
+        )
 
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
@@ -125,7 +141,8 @@ class Server(
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
                     courses(courses, accounts)
-                    exercises(exercises, sheets::starter, submissions::bestsOf)
+                    exercises(exercises, sheets::starter, deadlines::of, submissions::bestsOf)
+                    deadlines(deadlines) { exercises.named(it) }
                     hints(exercises, hints, courses)
                     submissions(exercises, intake, queue)
                     results(results, live)

@@ -16,6 +16,8 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
+import rasterlab.grader.storage.text
+import java.time.Instant
 
 @Serializable
 private data class ExerciseView(
@@ -41,23 +43,27 @@ private data class PlanView(
 )
 
 /**
- * Inside `authenticate`. Deadline and attempts left are null as long as nobody limits them.
+ * Inside `authenticate`. A deadline is null where none is set, attempts left as long as nobody limits them.
  *
  * @param starter what somebody begins an exercise with
+ * @param deadlines until when somebody is to hand in, by exercise
  * @param bests what somebody has earned at most, by exercise, null as long as nothing is graded; null for whoever
  * hands nothing in
  */
 fun Route.exercises(
     exercises: Exercises,
     starter: (Identity, Exercise) -> String,
+    deadlines: (Identity) -> Map<String, Instant>,
     bests: (Identity) -> Map<String, Int?>?,
 ) {
     get("/exercises") {
         val earned = bests(call.identity())
-        call.respondJson(exercises.all.map { it.view(call.language(), earned) })
+        val due = deadlines(call.identity())
+        call.respondJson(exercises.all.map { it.view(call.language(), due, earned) })
     }
     get("/exercises/{id}") {
-        call.respondJson(exercises.named(call.exerciseId()).view(call.language(), bests(call.identity())))
+        val exercise = exercises.named(call.exerciseId())
+        call.respondJson(exercise.view(call.language(), deadlines(call.identity()), bests(call.identity())))
     }
     get("/exercises/{id}/starter") {
         val exercise = exercises.named(call.exerciseId())
@@ -106,6 +112,7 @@ private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
 
 private fun Exercise.view(
     language: String,
+    deadlines: Map<String, Instant>,
     bests: Map<String, Int?>?,
 ) = ExerciseView(
     id(),
@@ -114,7 +121,7 @@ private fun Exercise.view(
     title(language),
     revision(),
     PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
-    deadline = null,
+    deadline = deadlines[id()]?.text(),
     attemptsLeft = null,
     minutes = if (minutes().isPresent) minutes().asInt else null,
     state = bests?.let { stateOf(id(), it) },

@@ -90,6 +90,13 @@ sealed class Rejection(
     class EmptySource :
         Rejection("the source is empty; it is the whole body, or the field 'source' of a form", "empty-source")
 
+    class BadDeadline(
+        told: String,
+    ) : Rejection(
+            "deadline must be a moment in UTC such as 2027-03-01T20:00:00Z, or \"\" for none; it is '$told'",
+            "bad-deadline",
+        )
+
     /** @param likely encoding of the source */
     class NotUtf8(
         place: String,
@@ -187,7 +194,7 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
-        is Rejection.BadSheet -> UnprocessableEntity
+        is Rejection.BadSheet, is Rejection.BadDeadline -> UnprocessableEntity
         is Rejection.NoMoreHints, is Rejection.HintOrder -> Conflict
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge

@@ -28,6 +28,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.course.Chapter
 import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.respondPicture
@@ -43,10 +44,14 @@ import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.receiveFields
 import rasterlab.grader.submission.sourceOf
+import java.time.Instant
+import java.time.ZoneOffset
+import java.time.format.DateTimeFormatter
 
 /** What there is to do, and where to hand it in. */
 fun Route.exercisePages(
     accounts: Accounts,
+    deadlines: Deadlines,
     exercises: Exercises,
     sheets: Sheets,
     hints: Hints,
@@ -55,7 +60,7 @@ fun Route.exercisePages(
     queue: GradingQueue,
 ) {
     val formulas = Formulas()
-    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, submissions) }
+    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, deadlines, submissions) }
     get("/exercises/{id}") {
         val exercise = exercises.named(call.parameters.getOrFail("id"))
         val who = call.someone(accounts)
@@ -97,13 +102,15 @@ private fun onceOf(
 private suspend fun ApplicationCall.respondExercises(
     who: Identity,
     exercises: Exercises,
+    deadlines: Deadlines,
     submissions: Submissions,
 ) {
     val texts = texts()
+    val due = deadlines.of(who)
     val bests = submissions.bestsOf(who)
     respondPage(texts, who, texts.say("exercises.title")) {
         if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
-        Chapter.of(exercises.all).forEach { chapter(texts, it, bests) }
+        Chapter.of(exercises.all).forEach { chapter(texts, it, due, bests) }
     }
 }
 
@@ -111,6 +118,7 @@ private suspend fun ApplicationCall.respondExercises(
 private fun FlowContent.chapter(
     texts: Texts,
     chapter: Chapter,
+    deadlines: Map<String, Instant>,
     bests: Map<String, Int?>?,
 ) = section("chapter") {
     h2 {
@@ -123,11 +131,19 @@ private fun FlowContent.chapter(
             a("/exercises/${exercise.id()}", classes = "card exercise") {
                 span("title") { +exercise.title(texts.language) }
                 span { +about(texts, exercise) }
+                deadlines[exercise.id()]?.let {
+                    span(
+                        "state",
+                    ) { +texts.say("exercises.deadline", UTC_MINUTE.format(it)) }
+                }
                 if (bests != null) span("state") { +state(texts, exercise, bests) }
             }
         }
     }
 }
+
+/** In UTC, since a server does not know where its students are. */
+private val UTC_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'").withZone(ZoneOffset.UTC)
 
 /** Its kind, its points, and how long it takes where that is known. */
 private fun about(

@@ -11,6 +11,7 @@ import io.ktor.server.routing.Route
 import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Deadlines
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.report.Results
@@ -28,7 +29,7 @@ fun Route.pages(
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
-    exercisePages(accounts, exercises, sheets, hints, submissions, intake, queue)
+    exercisePages(accounts, deadlines, exercises, sheets, hints, submissions, intake, queue)
     hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
@@ -38,6 +39,7 @@ fun Route.pages(
 class PageParts(
     val accounts: Accounts,
     val courses: Courses,
+    val deadlines: Deadlines,
     val exercises: Exercises,
     val sheets: Sheets,
     val hints: Hints,

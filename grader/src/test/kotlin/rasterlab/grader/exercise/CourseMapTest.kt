@@ -1,5 +1,8 @@
 package rasterlab.grader.exercise
 
+import io.ktor.client.request.patch
+import io.ktor.client.request.post
+import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonNull
@@ -12,6 +15,8 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
+import rasterlab.grader.assertProblem
+import rasterlab.grader.bearer
 import rasterlab.grader.json
 import rasterlab.grader.text
 import java.nio.file.Path
@@ -49,8 +54,56 @@ class CourseMapTest {
             assertEquals(JsonNull, listed(instructor).getValue("state"))
         }
 
+    @Test
+    fun deadlineIsToldToTheStudentsOfItsCourseAlone() =
+        Classroom(folder).open {
+            val course = created()
+            val ada = newStudent(course.text("code"))
+            val id = course.text("course")
+            due(id, "2027-03-01T20:00:00Z").assertDeadline("2027-03-01T20:00:00.000Z")
+            due(id, "2027-03-02T21:00:00Z").assertDeadline("2027-03-02T21:00:00.000Z")
+            assertEquals("2027-03-02T21:00:00.000Z", listed(ada).text("deadline"))
+            assertEquals(JsonNull, listed(newStudent()).getValue("deadline"))
+            due(id, "").assertDeadline("null")
+            assertEquals(JsonNull, listed(ada).getValue("deadline"))
+        }
+
+    @Test
+    fun deadlineThatCannotBeSetIsRefusedWithItsReason() =
+        Classroom(folder).open {
+            val course = created()
+            val id = course.text("course")
+            due(id, "tomorrow").assertProblem(422, "bad-deadline")
+            due("none", "2027-03-01T20:00:00Z").assertProblem(404, "unknown-course")
+            due(id, "2027-03-01T20:00:00Z", exercise = "none").assertProblem(404, "unknown-exercise")
+            due(id, "2027-03-01T20:00:00Z", token = newStudent(course.text("code"))).assertProblem(403, "wrong-role")
+        }
+
+    private suspend fun Visit.created() =
+        client
+            .post("/api/v1/courses") {
+                bearer(instructor)
+                json("""{"name":"Graphics"}""")
+            }.json()
+
+    private suspend fun Visit.due(
+        course: String,
+        deadline: String,
+        exercise: String = "draw-dot",
+        token: String = instructor,
+    ) = client.patch("/api/v1/courses/$course/exercises/$exercise") {
+        bearer(token)
+        json("""{"deadline":"$deadline"}""")
+    }
+
+    private suspend fun HttpResponse.assertDeadline(expected: String) = assertEquals(expected, json().text("deadline"))
+
     private suspend fun Visit.standing(token: String) = listed(token).run { text("state") to text("best") }
 
     private suspend fun Visit.listed(token: String): JsonObject =
-        Json.parseToJsonElement(look(token, "/api/v1/exercises").bodyAsText()).jsonArray.single().jsonObject
+        Json
+            .parseToJsonElement(look(token, "/api/v1/exercises").bodyAsText())
+            .jsonArray
+            .single()
+            .jsonObject
 }

@@ -1,0 +1,95 @@
+package rasterlab.grader.course
+
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.patch
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.receiveJson
+import rasterlab.grader.problem.respondJson
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.text
+import java.time.Instant
+import java.time.format.DateTimeParseException
+
+/** Until when a course's students are to hand in. What comes later is graded all the same. */
+class Deadlines(
+    private val database: Database,
+) {
+    /** By exercise, those of the course of whoever asks; an instructor has none. */
+    fun of(who: Identity): Map<String, Instant> = if (who is Identity.Student) ofCourseOf(who) else emptyMap()
+
+    private fun ofCourseOf(student: Identity.Student): Map<String, Instant> =
+        database.read { handle ->
+            handle
+                .createQuery(
+                    """SELECT exercise, due_at FROM deadlines
+                       WHERE course_id = (SELECT course_id FROM students WHERE id = :student)""",
+                ).bind("student", student.id)
+                .map { row, _ -> row.getString("exercise") to Instant.parse(row.getString("due_at")) }
+                .list()
+                .toMap()
+        }
+
+    /**
+     * Sets the deadline of an exercise, or takes it away.
+     *
+     * @throws Rejection.UnknownCourse where there is no course of that id
+     */
+    fun set(
+        course: String,
+        exercise: String,
+        due: Instant?,
+    ) = database.write { handle ->
+        val courses =
+            handle
+                .createQuery("SELECT count(*) FROM courses WHERE id = :course")
+                .bind("course", course)
+                .mapTo(Int::class.javaObjectType)
+                .one()
+        if (courses == 0) throw Rejection.UnknownCourse(course)
+        handle
+            .createUpdate("DELETE FROM deadlines WHERE course_id = :course AND exercise = :exercise")
+            .bind("course", course)
+            .bind("exercise", exercise)
+            .execute()
+        if (due != null) {
+            handle
+                .createUpdate("INSERT INTO deadlines (course_id, exercise, due_at) VALUES (:course, :exercise, :due)")
+                .bind("course", course)
+                .bind("exercise", exercise)
+                .bind("due", due.text())
+                .execute()
+        }
+    }
+}
+
+@Serializable
+private data class DeadlineAnswer(
+    val exercise: String,
+    val deadline: String?,
+)
+
+/**
+ * For instructors, inside `authenticate`.
+ *
+ * @param known throws the rejection of an exercise that there is not
+ */
+fun Route.deadlines(
+    deadlines: Deadlines,
+    known: (String) -> Unit,
+) = patch("/courses/{course}/exercises/{id}") {
+    call.instructor()
+    val exercise = call.parameters.getOrFail("id").also(known)
+    val due = call.receiveJson("deadline") { moment(it.anyText("deadline")) }
+    deadlines.set(call.parameters.getOrFail("course"), exercise, due)
+    call.respondJson(DeadlineAnswer(exercise, due?.text()))
+}
+
+/** The moment that is meant; "" for none. */
+private fun moment(told: String): Instant? =
+    try {
+        told.takeIf { it.isNotEmpty() }?.let { Instant.parse(it) }
+    } catch (misfit: DateTimeParseException) {
+        throw Rejection.BadDeadline(told)
+    }
