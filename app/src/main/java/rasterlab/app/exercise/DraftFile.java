@@ -24,25 +24,37 @@ import rasterlab.app.outcome.WholeFile;
  * One exercise's source on the disk, held by one window.
  *
  * <p>Each window that has the exercise open holds a file of its own, {@code ID.java}, {@code
- * ID.2.java}, …, by a lock that ends with the process: two windows never write the same file.
+ * ID.2.java}, …, by a lock that ends with the process: two windows never write the same file. What
+ * is handed in as JSON ends with {@code .json}; earlier versions of the window named that {@code
+ * .java}, too, and such a file is renamed when it is taken.
  */
 final class DraftFile implements Closeable {
     /** Windows at once, and the number of drafts kept of one exercise. */
     static final int MOST = 9;
+
+    /** The ending of every draft of earlier versions. */
+    private static final String EARLIER = "java";
 
     /** What another window wrote. */
     record Other(String file, Instant changed, String text) {}
 
     private final Path folder;
     private final String exercise;
+    private final String ending;
     private final int number;
     private final FileChannel held;
     private final Optional<String> found;
 
     private DraftFile(
-            Path folder, String exercise, int number, FileChannel held, Optional<String> found) {
+            Path folder,
+            String exercise,
+            String ending,
+            int number,
+            FileChannel held,
+            Optional<String> found) {
         this.folder = folder;
         this.exercise = exercise;
+        this.ending = ending;
         this.number = number;
         this.held = held;
         this.found = found;
@@ -53,16 +65,19 @@ final class DraftFile implements Closeable {
      * over, so that it is not written over.
      *
      * @param folder made where it is missing
+     * @param ending of the file's name, without the dot
      * @throws IOException if no file there can be held
      */
-    static DraftFile hold(Path folder, String exercise) throws IOException {
+    static DraftFile hold(Path folder, String exercise, String ending) throws IOException {
         Files.createDirectories(folder);
         for (int number = 1; number <= MOST; number++) {
             Optional<FileChannel> held = held(folder.resolve(stem(exercise, number) + ".lock"));
             if (held.isEmpty()) continue;
             try {
-                Optional<String> found = read(folder.resolve(stem(exercise, number) + ".java"));
-                return new DraftFile(folder, exercise, number, held.get(), found);
+                Path file = file(folder, exercise, number, ending);
+                Path earlier = file(folder, exercise, number, EARLIER);
+                if (!Files.exists(file) && Files.exists(earlier)) Files.move(earlier, file);
+                return new DraftFile(folder, exercise, ending, number, held.get(), read(file));
             } catch (CharacterCodingException e) {
                 held.get().close();
             } catch (IOException e) {
@@ -137,7 +152,11 @@ final class DraftFile implements Closeable {
     }
 
     private Path path(int of) {
-        return folder.resolve(stem(exercise, of) + ".java");
+        return file(folder, exercise, of, ending);
+    }
+
+    private static Path file(Path folder, String exercise, int number, String ending) {
+        return folder.resolve(stem(exercise, number) + "." + ending);
     }
 
     private static String stem(String exercise, int number) {

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
 
@@ -24,6 +25,7 @@ import rasterlab.app.outcome.WholeFile;
  */
 final class Drafts implements AutoCloseable {
     private final Path folder;
+    private final UnaryOperator<String> endings;
     private final Consumer<Saving> told;
     private final Thread writer = new Thread(this::writeAll, "drafts");
     private final Map<String, DraftFile> files = new HashMap<>();
@@ -41,10 +43,12 @@ final class Drafts implements AutoCloseable {
     record Saving(String exercise, String problem) {}
 
     /**
+     * @param endings of the names of an exercise's files, without the dot
      * @param told each change's fate, on the writer's thread
      */
-    Drafts(Path folder, Consumer<Saving> told) {
+    Drafts(Path folder, UnaryOperator<String> endings, Consumer<Saving> told) {
         this.folder = folder;
+        this.endings = endings;
         this.told = told;
         writer.setDaemon(true);
         writer.start();
@@ -195,7 +199,7 @@ final class Drafts implements AutoCloseable {
     private DraftFile file(String exercise) throws IOException {
         DraftFile file = files.get(exercise);
         if (file == null) {
-            file = DraftFile.hold(folder, exercise);
+            file = DraftFile.hold(folder, exercise, endings.apply(exercise));
             files.put(exercise, file);
         }
         return file;

@@ -120,6 +120,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                         kept ->
                                 new Drafts(
                                         kept.resolve("drafts"),
+                                        exercises::ending,
                                         saving -> events.execute(() -> accept(saving))));
         Exercise first = exercises.namedOrFirst(chosen.exercise());
         chosen = chosen.with(first.id());

@@ -22,4 +22,9 @@ final class ExerciseList {
     Exercise namedOrFirst(String id) {
         return get().stream().filter(one -> one.id().equals(id)).findFirst().orElse(get().get(0));
     }
+
+    /** The ending of the names of files that are handed in for it, without the dot. */
+    String ending(String id) {
+        return namedOrFirst(id).form().ending();
+    }
 }

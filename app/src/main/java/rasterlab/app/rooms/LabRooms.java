@@ -33,7 +33,7 @@ public final class LabRooms {
 
     /** The cards of all topics, in the order of the tabs that show them. */
     public static List<TopicCard<?>> cards() {
-        return all().stream().<TopicCard<?>>flatMap(LabRooms::cards).toList();
+        return Cards.ALL;
     }
 
     private static <M> Stream<TopicCard<M>> cards(LabRoom<M> room) {
@@ -46,8 +46,12 @@ public final class LabRooms {
      * @throws IllegalArgumentException if no lab shows it; lists the topics that labs show
      */
     public static TopicCard<?> card(String topic) {
-        for (LabRoom<?> room : all())
-            for (TopicCard<?> card : room.cards()) if (card.topic().equals(topic)) return card;
-        return Named.find("topic with a card", topic, cards(), TopicCard::topic);
+        return Named.find("topic with a card", topic, Cards.ALL, TopicCard::topic);
+    }
+
+    /** The cards, made once, when the first is asked for: labs and cards hold no state. */
+    private static final class Cards {
+        static final List<TopicCard<?>> ALL =
+                all().stream().<TopicCard<?>>flatMap(LabRooms::cards).toList();
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -25,7 +26,11 @@ class DraftsTest {
     private final List<Drafts.Saving> told = new CopyOnWriteArrayList<>();
 
     private Drafts opened() {
-        return new Drafts(folder.resolve("drafts"), told::add);
+        return opened("java");
+    }
+
+    private Drafts opened(String ending) {
+        return new Drafts(folder.resolve("drafts"), exercise -> ending, told::add);
     }
 
     private Path file(String name) {
@@ -43,6 +48,30 @@ class DraftsTest {
             assertEquals(Optional.of("class Á {}"), again.open(ID));
         }
         assertEquals("", told.get(told.size() - 1).problem());
+    }
+
+    @Test
+    void inputsAreKeptAsJson() throws Exception {
+        try (Drafts drafts = opened("json")) {
+            assertEquals(Optional.empty(), drafts.open("break-line"));
+            drafts.save("break-line", "[]");
+            drafts.settle();
+            assertEquals(Optional.of(file("break-line.json")), drafts.path("break-line"));
+        }
+        assertEquals("[]", Files.readString(file("break-line.json")));
+    }
+
+    @Test
+    void inputsOfAnEarlierVersionAreFoundAndNamedAnew() throws Exception {
+        try (Drafts earlier = opened("java")) {
+            earlier.open("break-line");
+            earlier.save("break-line", "[1]");
+        }
+        try (Drafts drafts = opened("json")) {
+            assertEquals(Optional.of("[1]"), drafts.open("break-line"));
+        }
+        assertEquals("[1]", Files.readString(file("break-line.json")));
+        assertFalse(Files.exists(file("break-line.java")), "a second copy is left behind");
     }
 
     @Test
