@@ -15,6 +15,7 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.Hint;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.judging.MethodsOnInput;
 import rasterlab.exercises.score.Disclosure;
@@ -48,68 +49,122 @@ final class BreakingReader {
     /** A faulty method or mutant, and what it pays to break it. */
     private record Target(String name, int points) {}
 
-    Exercise read() {
+    /** The exercise; empty where something is wrong, all of which is kept. */
+    Optional<Exercise> read() {
         for (String field :
                 List.of("tolerance", "points", "caps", "timed", "shapes", "groups", "cases"))
-            if (fields.has(field)) throw fields.wrong(field, Phrase.of("field.not-in-break"));
-        String topic = fields.word("topic", Topics.names());
-        JsonFields data = fields.object("break", "inputs", "size", "targets");
-        JsonFields size = data.object("size", "points", "small", "large");
-        int small = size.integer("small", 1, MOST_CHARACTERS);
-        Breaking breaking =
-                new Breaking(
-                        data.integer("inputs", 1, MOST_INPUTS, 1),
-                        size.integer("points", 0, Exercise.MOST_POINTS - 1),
-                        small,
-                        size.integer("large", small + 1, 10 * MOST_CHARACTERS));
+            faults.checked(() -> refuse(field));
+        Optional<String> topic = faults.tried(() -> fields.word("topic", Topics.names()));
+        Optional<JsonFields> data =
+                faults.tried(() -> fields.object("break", "inputs", "size", "targets"));
+        Optional<Breaking> breaking = data.flatMap(this::rules);
+        List<Target> targets =
+                topic.isPresent() && data.isPresent()
+                        ? targets(data.get(), topic.get(), breaking)
+                        : List.of();
+        var titles = faults.tried(() -> ExerciseReader.titles(fields.object("title", "en", "ru")));
+        Map<String, String> statements = ExerciseReader.statements(folder, faults);
+        var pictures =
+                topic.flatMap(
+                        one ->
+                                faults.tried(
+                                        () -> new StatementPictures(folder, one).read(statements)));
+        var starter = faults.tried(() -> folder.text(STARTER));
+        var minutes = faults.tried(() -> ExerciseReader.minutes(fields));
+        List<Hint> hints = new HintReader(folder, fields, faults).read();
+        if (!faults.all().isEmpty()) return Optional.empty();
+        return Optional.of(
+                new Exercise(
+                        folder.id(),
+                        topic.orElseThrow(),
+                        Optional.empty(),
+                        titles.orElseThrow(),
+                        statements,
+                        pictures.orElseThrow(),
+                        starter.orElseThrow(),
+                        Revision.of(folder.read()),
+                        new Tolerance(false),
+                        new PointPlan(Exercise.MOST_POINTS, 0, 0),
+                        Exercise.Caps.NONE,
+                        Optional.empty(),
+                        List.of(),
+                        cases(topic.get(), targets, breaking.orElseThrow()),
+                        breaking,
+                        Optional.empty(),
+                        new Exercise.Evidence(Optional.empty(), Set.of()),
+                        minutes.orElseThrow(),
+                        hints));
+    }
+
+    private void refuse(String field) {
+        if (fields.has(field)) throw fields.wrong(field, Phrase.of("field.not-in-break"));
+    }
+
+    /** The rules for inputs; empty where something is wrong, all of which is kept. */
+    private Optional<Breaking> rules(JsonFields data) {
+        Optional<Integer> inputs = faults.tried(() -> data.integer("inputs", 1, MOST_INPUTS, 1));
+        Optional<JsonFields> size =
+                faults.tried(() -> data.object("size", "points", "small", "large"));
+        if (size.isEmpty()) return Optional.empty();
+        JsonFields at = size.get();
+        Optional<Integer> points =
+                faults.tried(() -> at.integer("points", 0, Exercise.MOST_POINTS - 1));
+        Optional<Integer> small = faults.tried(() -> at.integer("small", 1, MOST_CHARACTERS));
+        int least = small.orElse(1) + 1;
+        Optional<Integer> large =
+                faults.tried(() -> at.integer("large", least, 10 * MOST_CHARACTERS));
+        return inputs.isPresent() && points.isPresent() && small.isPresent() && large.isPresent()
+                ? Optional.of(new Breaking(inputs.get(), points.get(), small.get(), large.get()))
+                : Optional.empty();
+    }
+
+    private static List<Case> cases(String topic, List<Target> targets, Breaking breaking) {
         List<Case> cases = new ArrayList<>();
-        for (Target one : targets(data, topic, Exercise.MOST_POINTS - breaking.sizePoints()))
+        for (Target one : targets)
             cases.add(open(one.name(), titles(topic, one.name()), one.points()));
         cases.add(
                 open(
                         Breaking.SIZE,
                         titles(each -> Message.of("case." + Breaking.SIZE)),
                         breaking.sizePoints()));
-        Map<String, String> statements = ExerciseReader.statements(folder);
-        return new Exercise(
-                folder.id(),
-                topic,
-                Optional.empty(),
-                ExerciseReader.titles(fields.object("title", "en", "ru")),
-                statements,
-                new StatementPictures(folder, topic).read(statements),
-                folder.text(STARTER),
-                Revision.of(folder.read()),
-                new Tolerance(false),
-                new PointPlan(Exercise.MOST_POINTS, 0, 0),
-                Exercise.Caps.NONE,
-                Optional.empty(),
-                List.of(),
-                cases,
-                Optional.of(breaking),
-                Optional.empty(),
-                new Exercise.Evidence(Optional.empty(), Set.of()),
-                ExerciseReader.minutes(fields),
-                new HintReader(folder, fields, faults).read());
+        return cases;
     }
 
     private static Case open(String name, Map<String, String> titles, int points) {
         return new Case(name, titles, Kind.ACCURACY, Disclosure.OPEN, points, "{}", false);
     }
 
-    private static List<Target> targets(JsonFields data, String topic, int points) {
+    /** The targets; what is wrong with each is kept, and the sum is asked of right ones alone. */
+    private List<Target> targets(JsonFields data, String topic, Optional<Breaking> breaking) {
         List<String> known = MethodsOnInput.breakable(topic);
-        if (!data.has("targets")) return shared(known, points);
+        Optional<Integer> points = breaking.map(one -> Exercise.MOST_POINTS - one.sizePoints());
+        if (!data.has("targets")) return points.map(all -> shared(known, all)).orElse(List.of());
+        int before = faults.all().size();
         List<Target> targets = new ArrayList<>();
         Set<String> names = new HashSet<>();
-        for (JsonFields one : data.objects("targets", "name", "points")) {
-            String name = one.word("name", known);
-            if (!names.add(name)) throw one.wrong("name", Phrase.of("field.target.twice", name));
-            targets.add(new Target(name, one.integer("points", 0, Exercise.MOST_POINTS)));
-        }
+        for (JsonFields one :
+                faults.tried(() -> data.objects("targets", "name", "points")).orElse(List.of()))
+            target(one, known, names).ifPresent(targets::add);
         int sum = targets.stream().mapToInt(Target::points).sum();
-        if (sum != points) throw data.wrong("targets", Phrase.of("field.targets", sum, points));
+        if (faults.all().size() == before && points.filter(all -> all != sum).isPresent())
+            faults.checked(
+                    () -> {
+                        throw data.wrong("targets", Phrase.of("field.targets", sum, points.get()));
+                    });
         return targets;
+    }
+
+    private Optional<Target> target(JsonFields one, List<String> known, Set<String> names) {
+        Optional<String> name = faults.tried(() -> one.word("name", known));
+        Optional<Integer> points =
+                faults.tried(() -> one.integer("points", 0, Exercise.MOST_POINTS));
+        if (name.isEmpty()) return Optional.empty();
+        if (!names.add(name.get()))
+            faults.checked(
+                    () -> {
+                        throw one.wrong("name", Phrase.of("field.target.twice", name.get()));
+                    });
+        return points.map(each -> new Target(name.get(), each));
     }
 
     /** All alike; the first ones have one point more where that does not come out even. */

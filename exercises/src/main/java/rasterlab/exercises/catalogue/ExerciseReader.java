@@ -119,7 +119,7 @@ final class ExerciseReader {
         Optional<String> form = faults.tried(() -> fields.word("kind", FORMS, Form.WRITE.code()));
         if (form.isEmpty()) return Optional.empty();
         if (form.get().equals(Form.BREAK.code()))
-            return faults.tried(() -> new BreakingReader(folder, fields, faults).read());
+            return new BreakingReader(folder, fields, faults).read();
         if (form.get().equals(Form.PREDICT.code()))
             return new PredictingReader(folder, fields, faults).read();
         return written(id, fields);
@@ -135,7 +135,7 @@ final class ExerciseReader {
         List<Case> cases = cases(fields, topic, groups);
         // without a case that cannot be read the sums say nothing
         if (before == faults.all().size()) points.ifPresent(plan -> checkSums(cases, plan));
-        Map<String, String> statements = statements();
+        Map<String, String> statements = statements(folder, faults);
         var titles = faults.tried(() -> titles(fields.object("title", "en", "ru")));
         var pictures =
                 topic.flatMap(
@@ -290,15 +290,8 @@ final class ExerciseReader {
         return titles;
     }
 
-    /** The statements, none of which may be missing. */
-    static Map<String, String> statements(ExerciseFolder folder) {
-        Map<String, String> statements = new LinkedHashMap<>();
-        for (String language : LANGUAGES)
-            statements.put(language, folder.text(StatementPictures.file(language)));
-        return statements;
-    }
-
-    private Map<String, String> statements() {
+    /** The statements; one that is missing is kept as a fault. */
+    static Map<String, String> statements(ExerciseFolder folder, Faults faults) {
         Map<String, String> statements = new LinkedHashMap<>();
         for (String language : LANGUAGES)
             faults.tried(() -> folder.text(StatementPictures.file(language)))

@@ -68,12 +68,8 @@ final class PredictingReader {
                         });
         Optional<Drawn> drawn = faults.tried(this::drawn);
         var titles = faults.tried(() -> ExerciseReader.titles(fields.object("title", "en", "ru")));
-        var statements = faults.tried(() -> ExerciseReader.statements(folder));
-        var pictures =
-                statements.flatMap(
-                        texts ->
-                                drawn.flatMap(
-                                        one -> faults.tried(() -> pictures(one.topic(), texts))));
+        Map<String, String> statements = ExerciseReader.statements(folder, faults);
+        var pictures = drawn.flatMap(one -> faults.tried(() -> pictures(one.topic(), statements)));
         var minutes = faults.tried(() -> ExerciseReader.minutes(fields));
         String revision = Revision.of(folder.read());
         List<Hint> hints = new HintReader(folder, fields, faults).read();
@@ -85,7 +81,7 @@ final class PredictingReader {
                         drawn.get().topic(),
                         Optional.empty(),
                         titles.orElseThrow(),
-                        statements.orElseThrow(),
+                        statements,
                         pictures.orElseThrow(),
                         SheetText.open(folder.id(), drawn.get().sheet()),
                         revision,
