@@ -53,6 +53,9 @@ final class BreakProving {
                 right.add(
                         new RightMethod(
                                 one.name(), true, points, 0, List.of(), List.of(), List.of()));
+        // A topic whose methods all have a weakness is judged by its exact answers alone.
+        if (right.isEmpty())
+            right.add(new RightMethod("exact", true, points, 0, List.of(), List.of(), List.of()));
         List<Kill> kills = new ArrayList<>();
         for (Case one : exercise.cases())
             if (!one.name().equals(Breaking.SIZE)) kills.add(proving.kill(one.name()));
