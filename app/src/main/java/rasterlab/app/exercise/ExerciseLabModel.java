@@ -46,6 +46,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private final Listeners<ExerciseState> listeners = new Listeners<>();
     private final Map<String, String> sources = new HashMap<>();
     private final Outcomes outcomes;
+    private final HintDesk hints;
 
     /** Holds the key of each submission until it is graded, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
@@ -95,6 +96,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         standings = new Standings(patience, events, onFailure);
         this.events = events;
         background = new Background("exercise", events, onFailure);
+        hints = new HintDesk(patience, events, onFailure, () -> publish(changed()));
         outcomes = new Outcomes(id -> drafts.flatMap(held -> held.outcomePath(id)), events);
     }
 
@@ -162,6 +164,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         Exercise next = Named.find("exercise", id, exercises(), Exercise::id);
         if (next.equals(state().exercise())) return;
         cancel();
+        hints.turnTo();
         chosen = chosen.with(id);
         publish(
                 changed()
@@ -186,6 +189,20 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     public void restoreStarter() {
         var beginning = new Beginning(state().exercise(), state.account(), patience);
         beginning.give(this::type, this::tell, (task, no) -> begin(Work.of(JOINING), task, no));
+    }
+
+    /** Shows the next hint, or asks the server what it costs. */
+    void takeHint() {
+        hints.next(state().exercise(), state.account());
+    }
+
+    /** What may be shown of the hints of the chosen exercise. */
+    HintView hints() {
+        return hints.of(state().exercise(), state.account());
+    }
+
+    HintDesk hintDesk() {
+        return hints;
     }
 
     /**
@@ -406,6 +423,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         background.close(checking::close);
         outcomes.close();
         standings.close();
+        hints.close();
         drafts.ifPresent(Drafts::close);
     }
 

@@ -37,6 +37,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private SourceEditor editor;
     private WindowEditor.Place place;
     private EditorBar bar;
+    private HintRow hints;
     private final JTextArea notice = Controls.words("notice");
     private final JTextArea unsaved = Controls.words("unsaved");
     private ResultPane result;
@@ -164,16 +165,18 @@ public final class ExercisePanel extends LabPanel implements Settling {
     }
 
     private JPanel task() {
+        hints = new HintRow(texts, model::takeHint);
         var scroll = new JScrollPane(statement);
         scroll.setName("statement.scroll");
         var task =
                 new JPanel(
                         new MigLayout(
-                                "insets 8 10 8 6, gap 8 8, wrap 1",
+                                "insets 8 10 8 6, gap 8 8, wrap 1, hidemode 3",
                                 "[grow,fill]",
-                                LargeType.now() ? "[grow,fill]" : "[][grow,fill]"));
+                                LargeType.now() ? "[grow,fill][]" : "[][grow,fill][]"));
         if (!LargeType.now()) task.add(chooser("0"), "wmin 0");
         task.add(scroll, "grow, wmin 0, hmin 0");
+        task.add(hints, "wmin 0");
         return task;
     }
 
@@ -238,7 +241,9 @@ public final class ExercisePanel extends LabPanel implements Settling {
     public void refresh() {
         ExerciseState state = model.state();
         exercise.show(state.exercise().id());
-        statement.show(state.exercise(), texts.locale().getLanguage());
+        HintView shown = model.hints();
+        statement.show(state.exercise(), texts.locale().getLanguage(), told(shown));
+        hints.show(shown, model.hintDesk().asking(), model.hintDesk().notice());
         editor.show(state.exercise().id(), state.exercise().form(), state.source());
         editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
         bar.refresh();
@@ -246,6 +251,18 @@ public final class ExercisePanel extends LabPanel implements Settling {
         say(unsaved, state.unsaved());
         result.show(state, model.untried());
         turn(state);
+    }
+
+    /** The hints that were shown, as parts of the statement. */
+    private String told(HintView view) {
+        var told = new StringBuilder();
+        for (int i = 0; i < view.shown().size(); i++)
+            told.append("\n## ")
+                    .append(texts.text("hint.step", i + 1, view.steps()))
+                    .append("\n\n")
+                    .append(view.shown().get(i).in(texts.language()))
+                    .append('\n');
+        return told.toString();
     }
 
     /** Turns to the result of what begins, and to the words above which it was asked for. */

@@ -16,6 +16,7 @@ import rasterlab.exercises.score.Report;
  * @param nanosPerItem 0 where not measured or not told
  * @param earlier whether it was graded against an earlier revision of the exercise than the one
  *     that the server gives now
+ * @param hints points that hints cost, which are still in {@code points}
  */
 record Outcome(
         String source,
@@ -26,7 +27,8 @@ record Outcome(
         List<Remark> remarks,
         Said isolation,
         double nanosPerItem,
-        boolean earlier) {
+        boolean earlier,
+        int hints) {
     /**
      * A message about a place in the source.
      *
@@ -38,6 +40,25 @@ record Outcome(
     Outcome {
         cases = TriedCase.toldApart(cases);
         remarks = List.copyOf(remarks);
+    }
+
+    /** An answer that pays for no hints. */
+    Outcome(
+            String source,
+            int attempt,
+            String verdict,
+            Points points,
+            List<TriedCase> cases,
+            List<Remark> remarks,
+            Said isolation,
+            double nanosPerItem,
+            boolean earlier) {
+        this(source, attempt, verdict, points, cases, remarks, isolation, nanosPerItem, earlier, 0);
+    }
+
+    /** The points that are left when hints are paid for. */
+    int total() {
+        return Math.max(0, points.total() - hints);
     }
 
     static Outcome checked(String source, Report report) {

@@ -98,7 +98,7 @@ final class ResultHead extends JPanel {
                         + " "
                         + GradingVerdict.word(said.verdict(), texts.locale().getLanguage()));
         verdict.setForeground(VerdictLook.colour(said.verdict(), getBackground()));
-        points.setText(points(said.points()));
+        points.setText(points(said));
         where.setText(where(state, said));
         where.setToolTipText(said.isolation().in(texts.language()));
     }
@@ -123,14 +123,17 @@ final class ResultHead extends JPanel {
         };
     }
 
-    private String points(Points earned) {
-        return texts.text(
-                "result.points",
-                earned.total(),
-                earned.of(),
-                earned.accuracy(),
-                earned.stability(),
-                earned.speed());
+    private String points(Outcome said) {
+        Points earned = said.points();
+        String sum =
+                texts.text(
+                        "result.points",
+                        said.total(),
+                        earned.of(),
+                        earned.accuracy(),
+                        earned.stability(),
+                        earned.speed());
+        return said.hints() > 0 ? sum + ", " + texts.text("result.hints", said.hints()) : sum;
     }
 
     private String where(ExerciseState state, Outcome said) {

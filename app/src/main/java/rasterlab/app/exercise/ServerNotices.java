@@ -19,6 +19,20 @@ final class ServerNotices {
         return told("server", server, failure);
     }
 
+    /** The notice of a hint that was not given. */
+    static Notice hints(URI server, IOException failure) {
+        if (failure instanceof ServerRefusal refusal)
+            switch (refusal.code()) {
+                case "no-more-hints":
+                    return Notice.of("hints.none");
+                case "unknown-exercise":
+                    return Notice.of("hints.unknown", server.toString());
+                default:
+                    return refused(server.toString(), refusal);
+            }
+        return told("hints", server, failure);
+    }
+
     /** The answer to joining a course: what of the form is to be typed anew, and why. */
     static JoinAnswer joining(URI server, IOException failure) {
         String address = server.toString();

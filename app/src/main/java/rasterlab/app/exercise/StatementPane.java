@@ -49,16 +49,25 @@ final class StatementPane extends JEditorPane implements Settling {
         setBorder(javax.swing.BorderFactory.createEmptyBorder(4, 12, 8, 12));
     }
 
-    /**
-     * Shows the statement from its beginning, unless it is shown already. Formulas stand there as
-     * their authors wrote them until they are set in the background.
-     */
+    /** Shows the statement alone. */
     void show(Exercise exercise, String language) {
-        String markdown = exercise.statement(language);
+        show(exercise, language, "");
+    }
+
+    /**
+     * Shows the statement from its beginning, unless it is shown already, and of what is new below
+     * it the end. Formulas stand there as their authors wrote them until they are set in the
+     * background.
+     *
+     * @param below in Markdown, what stands below the statement
+     */
+    void show(Exercise exercise, String language, String below) {
+        String markdown = exercise.statement(language) + below;
         if (markdown.equals(shown)) return;
+        boolean goesOn = !shown.isEmpty() && markdown.startsWith(shown);
         shown = markdown;
         List<Formula> awaited = put(exercise, language);
-        setCaretPosition(0);
+        setCaretPosition(goesOn ? getDocument().getLength() : 0);
         if (awaited.isEmpty()) return;
         setting =
                 CompletableFuture.runAsync(() -> awaited.forEach(formulas::set))
@@ -76,19 +85,17 @@ final class StatementPane extends JEditorPane implements Settling {
 
     /** Loads what statements are set with, by setting one that is not shown; on any thread. */
     static void prepare(Exercise exercise, Formulas formulas) {
-        statement(exercise, "en", formulas);
+        statement(exercise, exercise.statement("en"), "en", formulas);
     }
 
-    private static Statement statement(Exercise exercise, String language, Formulas formulas) {
-        return new Statement(
-                exercise.statement(language),
-                language,
-                new Pictures(exercise.pictures(), formulas));
+    private static Statement statement(
+            Exercise exercise, String markdown, String language, Formulas formulas) {
+        return new Statement(markdown, language, new Pictures(exercise.pictures(), formulas));
     }
 
     /** The formulas that are not set yet. */
     private List<Formula> put(Exercise exercise, String language) {
-        Statement statement = statement(exercise, language, formulas);
+        Statement statement = statement(exercise, shown, language, formulas);
         kit.setFormulas(statement.formulas().drawn());
         getDocument().putProperty("imageCache", statement.pictures());
         setText(statement.html());

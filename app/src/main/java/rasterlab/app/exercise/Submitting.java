@@ -106,7 +106,8 @@ final class Submitting {
                 remarks(english.diagnostics(), russian.diagnostics()),
                 Said.of(code -> Report.isolationIn(code, english.isolation())),
                 0,
-                !submission.path("current").asBoolean(true));
+                !submission.path("current").asBoolean(true),
+                english.points().hints());
     }
 
     private static <T> Optional<T> at(List<T> all, int index) {

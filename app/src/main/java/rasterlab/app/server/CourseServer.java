@@ -115,6 +115,20 @@ public final class CourseServer {
         return tree(get("/api/v1/submissions/" + id + "?lang=" + language, token));
     }
 
+    /**
+     * Asks for something to be done that needs no more words.
+     *
+     * @param key makes repeating the call do it once
+     */
+    public byte[] post(String path, String token, String key)
+            throws IOException, InterruptedException {
+        return answered(
+                request(path, token)
+                        .header("Idempotency-Key", key)
+                        .POST(BodyPublishers.noBody())
+                        .build());
+    }
+
     public byte[] get(String path, String token) throws IOException, InterruptedException {
         return answered(request(path, token).GET().build());
     }

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.By;
+import org.openqa.selenium.Dimension;
 import org.openqa.selenium.interactions.Actions;
 import rasterlab.exercises.catalogue.Catalogue;
 
@@ -99,6 +100,37 @@ class StudentPageTest {
                     .scrollToElement(browser.element("#live .pictures:last-of-type img"))
                     .perform();
             browser.screenshot("student-result-" + id);
+            assertNothingWentWrong(browser);
+        }
+    }
+
+    @Test
+    void hintsAreShownByAButtonThatSaysTheirCost() throws Exception {
+        try (var browser = Browser.open(profile, "ru")) {
+            join(browser);
+            browser.driver().get(server.address().resolve("/exercises/color").toString());
+            assertTrue(browser.text("#hints").contains("снимется: 1;"), browser.text("#hints"));
+            for (int step = 1; step <= 3; step++) {
+                browser.element("#hints button").click();
+                String shown = "Подсказка %d из 3".formatted(step);
+                browser.waiting()
+                        .until(driver -> browser.text("#hints h3:last-of-type").equals(shown));
+                assertFitsIntoItsWidth(browser);
+            }
+            new Actions(browser.driver())
+                    .scrollToElement(browser.element("#hints .cost:last-child"))
+                    .perform();
+            browser.screenshot("student-hints");
+            assertEquals("Все подсказки показаны.", browser.text("#hints > p:last-child"));
+            browser.driver().manage().window().setSize(new Dimension(390, 900));
+            browser.driver().get(server.address().resolve("/exercises/hermite").toString());
+            browser.element("#hints button").click();
+            browser.waiting().until(driver -> browser.text("#hints h3").equals("Подсказка 1 из 3"));
+            new Actions(browser.driver())
+                    .scrollToElement(browser.element("#hints button"))
+                    .perform();
+            browser.screenshot("student-hints-narrow");
+            assertFitsIntoItsWidth(browser);
             assertNothingWentWrong(browser);
         }
     }

@@ -1,0 +1,51 @@
+package rasterlab.app.exercise;
+
+import java.util.List;
+import java.util.OptionalInt;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Hint;
+
+/**
+ * The hints of an exercise as the user has them.
+ *
+ * @param steps that there are; 0 where there are no hints
+ * @param shown texts of the steps that were shown, in Markdown
+ * @param cost points of the next step; empty where all are shown or nobody has said yet
+ * @param origin who counts
+ */
+record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
+    /** Who counts what hints cost. */
+    enum Origin {
+        /** Nobody: there is no server. */
+        PRACTICE,
+        /** A server that was not asked yet which ones were shown. */
+        UNASKED,
+        /** A server. */
+        SERVER
+    }
+
+    HintView {
+        shown = List.copyOf(shown);
+    }
+
+    /** So many steps shown without a server. */
+    static HintView practice(Exercise exercise, int shown) {
+        List<Hint> all = exercise.hints();
+        return new HintView(
+                all.size(),
+                all.subList(0, shown).stream().map(one -> Said.of(one::text)).toList(),
+                shown < all.size() ? OptionalInt.of(all.get(shown).cost()) : OptionalInt.empty(),
+                Origin.PRACTICE);
+    }
+
+    /** Before a server was asked. */
+    static HintView unasked(Exercise exercise) {
+        return new HintView(
+                exercise.hints().size(), List.of(), OptionalInt.empty(), Origin.UNASKED);
+    }
+
+    /** Whether something is left to ask for. */
+    boolean more() {
+        return origin == Origin.UNASKED ? steps > 0 : shown.size() < steps;
+    }
+}
