@@ -33,6 +33,7 @@ import rasterlab.engine.visibility.depth.DepthBufferTopic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
+import rasterlab.engine.visibility.triangle.DepthTriangleTopic;
 
 /** The list of every topic there is: the only one that is kept by hand. */
 public final class Topics {
@@ -65,6 +66,7 @@ public final class Topics {
         if (is("visible-faces", asked, passed)) return new VisibleFacesTopic();
         if (is("depth-order", asked, passed)) return new DepthOrderTopic();
         if (is("depth-buffer", asked, passed)) return new DepthBufferTopic();
+        if (is("depth-triangle", asked, passed)) return new DepthTriangleTopic();
         if (is("hidden-surfaces", asked, passed)) return new HiddenSurfacesTopic();
         if (is("spline-function", asked, passed)) return new SplineFunctionTopic();
         if (is("curve", asked, passed)) return new CurveTopic();

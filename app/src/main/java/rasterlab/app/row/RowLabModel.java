@@ -56,13 +56,14 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     }
 
     /**
-     * The model of the depths that buffers store.
+     * The model of the depths that buffers store, in rows and in triangles.
      *
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what an answer threw, on any thread
      */
     public static RowLabModel ofDepths(Executor events, Consumer<Throwable> onFailure) {
-        return new RowLabModel(List.of(new DepthKind()), events, onFailure);
+        return new RowLabModel(
+                List.of(new DepthKind(), new DepthTriangleKind()), events, onFailure);
     }
 
     /**

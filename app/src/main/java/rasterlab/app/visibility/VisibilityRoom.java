@@ -79,14 +79,18 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                         (in, method) ->
                                 TopicView.of(
                                         in.name(), (Sight) in.input(), method, drawnBy(method))),
-                new TopicCard<>(
-                        "depth-buffer",
-                        this,
-                        new Place("row", ""),
-                        RowColours.OWN,
-                        TopicWay.hazards(
-                                (lab, input, method) ->
-                                        lab.rows().show("depth-buffer", input.hazard(), method))));
+                row("depth-buffer"),
+                row("depth-triangle"));
+    }
+
+    private TopicCard<VisibilityLabModel> row(String topic) {
+        return new TopicCard<>(
+                topic,
+                this,
+                new Place("row", ""),
+                RowColours.OWN,
+                TopicWay.hazards(
+                        (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
     }
 
     private static String drawnBy(String method) {

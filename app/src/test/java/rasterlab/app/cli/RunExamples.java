@@ -47,6 +47,9 @@ final class RunExamples {
                             "{\"near\":1,\"far\":1000,\"depths\":[900,2],\"to\":[901,800],"
                                     + "\"pixels\":5}"),
                     Map.entry(
+                            "depth-triangle",
+                            "{\"triangles\":[[[1,1,0.25],[7,2,0.75],[2,6,0.5]]],\"size\":[9,8]}"),
+                    Map.entry(
                             "hidden-surfaces",
                             "{\"vertices\":[[0,0,0],[8,0,0],[0,8,0],[0,0,8]],\"faces\":"
                                     + "[[0,2,1],[0,1,3],[0,3,2],[1,2,3]],\"theta\":40,"

@@ -49,6 +49,10 @@ class RunStepsTest {
                     "depth-buffer zfloat",
                     "depth-buffer reversed-z",
                     "depth-buffer linear-16",
+                    "depth-triangle left-edge-textbook",
+                    "depth-triangle slopes",
+                    "depth-triangle rows-float",
+                    "depth-triangle weights",
                     "hidden-surfaces raycast",
                     "texture-filter summed-area");
 

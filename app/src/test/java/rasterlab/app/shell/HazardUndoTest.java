@@ -66,6 +66,7 @@ class HazardUndoTest {
                 Map.entry("visible-faces", seen),
                 Map.entry("depth-order", seen),
                 Map.entry("depth-buffer", of(MODELS.visibility().rows())),
+                Map.entry("depth-triangle", of(MODELS.visibility().rows())),
                 Map.entry("texture-mapping", of(MODELS.light().rows())),
                 Map.entry("texture-filter", of(MODELS.light().rows())),
                 Map.entry("shade", light),

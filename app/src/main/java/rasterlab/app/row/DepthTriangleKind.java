@@ -1,0 +1,77 @@
+package rasterlab.app.row;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import rasterlab.contract.DepthTriangleFiller;
+import rasterlab.engine.visibility.triangle.DepthTriangleTopic;
+import rasterlab.engine.visibility.triangle.DepthTriangles;
+import rasterlab.engine.visibility.triangle.ShownTriangles;
+
+/** Triangles in a depth buffer as what each pixel of the picture shows, row behind row. */
+final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangles, ShownTriangles> {
+    private static final int BACKGROUND = 0xFF7F7F7F;
+    private static final int[] COLOURS = {0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7};
+
+    /** Of the depth range, beyond which the topic calls a depth wrong. */
+    private static final double USABLE = 1.0 / (1 << 16);
+
+    DepthTriangleKind() {
+        super(new DepthTriangleTopic());
+    }
+
+    @Override
+    int pixels(DepthTriangles input) {
+        return input.width() * input.height();
+    }
+
+    @Override
+    List<RowScene.Band> right(DepthTriangles input, ShownTriangles exact) {
+        return List.of(band("right", exact));
+    }
+
+    @Override
+    List<RowScene.Band> made(DepthTriangles input, ShownTriangles actual) {
+        return List.of(band("method", actual));
+    }
+
+    private static RowScene.Band band(String key, ShownTriangles picture) {
+        return new RowScene.Band(
+                key,
+                IntStream.of(picture.shown()).map(DepthTriangleKind::colour).toArray(),
+                pixel -> picture.shown()[pixel] == 0 ? "" : "" + picture.shown()[pixel]);
+    }
+
+    private static int colour(int triangle) {
+        return triangle == 0 ? BACKGROUND : COLOURS[(triangle - 1) % COLOURS.length];
+    }
+
+    @Override
+    double error(DepthTriangles input, ShownTriangles exact, ShownTriangles actual, int pixel) {
+        return Math.abs(exact.depths()[pixel] - actual.depths()[pixel]);
+    }
+
+    @Override
+    boolean wrong(DepthTriangles input, ShownTriangles exact, ShownTriangles actual, int pixel) {
+        return exact.shown()[pixel] != actual.shown()[pixel]
+                || error(input, exact, actual, pixel) > USABLE;
+    }
+
+    @Override
+    RowScene.Numbers numbers(
+            DepthTriangles input,
+            ShownTriangles exact,
+            Optional<ShownTriangles> actual,
+            int pixel) {
+        ShownTriangles made = actual.orElseThrow();
+        int x = pixel % input.width();
+        int y = pixel / input.width();
+        return new RowScene.Numbers(
+                List.of("coordinate", "right", "method"),
+                List.of(
+                        new RowScene.Line("x", x, x),
+                        new RowScene.Line("y", y, y),
+                        new RowScene.Line("№", exact.shown()[pixel], made.shown()[pixel]),
+                        new RowScene.Line("z", exact.depths()[pixel], made.depths()[pixel])));
+    }
+}

@@ -1,0 +1,156 @@
+package rasterlab.engine.visibility.triangle;
+
+import java.math.BigDecimal;
+import java.util.List;
+import rasterlab.contract.DepthTriangleFiller;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Filling triangles into a depth buffer.
+ *
+ * <p>Each pixel shows one triangle or the background; the error is that of the stored depths, as a
+ * share of the range from the near to the far plane. Up to 10⁻¹¹ counts as exact, and depths that
+ * are within 10⁻¹² of each other may show either triangle, but for one that was drawn before with
+ * the same corners. An output is usable where the triangles are right, and the depths to a step of
+ * a buffer of 16 bits.
+ */
+public final class DepthTriangleTopic
+        implements Topic<DepthTriangleFiller, DepthTriangles, ShownTriangles> {
+    private static final double CORRECT = 1e-11;
+    private static final double SAME = 1e-12;
+    private static final double BEHIND = 2;
+    private static final double USABLE = 1.0 / (1 << 16);
+
+    @Override
+    public String name() {
+        return "depth-triangle";
+    }
+
+    @Override
+    public Class<DepthTriangleFiller> contract() {
+        return DepthTriangleFiller.class;
+    }
+
+    @Override
+    public List<Method<DepthTriangleFiller>> methods() {
+        return DepthTriangleMethods.all();
+    }
+
+    @Override
+    public List<Hazard<DepthTriangles>> hazards() {
+        return DepthTriangleHazards.all();
+    }
+
+    @Override
+    public List<Workload<DepthTriangles>> workloads() {
+        return DepthTriangleWorkloads.all();
+    }
+
+    @Override
+    public List<Mutant<DepthTriangleFiller>> mutants() {
+        return DepthTriangleMutants.all();
+    }
+
+    @Override
+    public ShownTriangles run(DepthTriangleFiller method, DepthTriangles input, int limit) {
+        return ShownTriangles.by(method, input);
+    }
+
+    @Override
+    public long spend(DepthTriangleFiller method, DepthTriangles input) {
+        return ShownTriangles.by(method, input).shown().length;
+    }
+
+    @Override
+    public ShownTriangles exact(DepthTriangles input, int limit) {
+        return new ExactTriangles(input).picture();
+    }
+
+    @Override
+    public Deviation compare(DepthTriangles input, ShownTriangles exact, ShownTriangles actual) {
+        double worst = 0;
+        long wrong = 0;
+        String first = "";
+        for (int at = 0; at < exact.shown().length; at++) {
+            int shown = actual.shown()[at];
+            boolean right = shown == exact.shown()[at] || mayShow(input, at, shown, exact);
+            double error = Math.abs(exact.depths()[at] - actual.depths()[at]);
+            if (Double.isNaN(error)) error = Double.POSITIVE_INFINITY;
+            if (!right) wrong++;
+            worst = Math.max(worst, error);
+            if (first.isEmpty() && (!right || error > CORRECT))
+                first = right ? depth(at, exact, actual) : shown(at, exact, actual);
+        }
+        return new Deviation(worst, wrong, 0, exact.shown().length, first);
+    }
+
+    /** Whether rounding alone decides between what a pixel shows and what is right. */
+    private static boolean mayShow(DepthTriangles input, int at, int shown, ShownTriangles right) {
+        if (shown < 0 || shown > input.triangles().size()) return false;
+        var exact = new ExactTriangles(input);
+        if (shown > 0 && exact.again(shown - 1)) return false;
+        double apart = depth(exact, shown, at) - depth(exact, right.shown()[at], at);
+        return Math.abs(apart) <= SAME;
+    }
+
+    /** Of a triangle or the background; far behind where a triangle has no such pixel. */
+    private static double depth(ExactTriangles exact, int shown, int at) {
+        if (shown == 0) return exact.background();
+        return exact.depth(shown - 1, at).map(BigDecimal::doubleValue).orElse(BEHIND);
+    }
+
+    private static String shown(int at, ShownTriangles exact, ShownTriangles actual) {
+        return "pixel (%d, %d) shows triangle %d, right is %d, 0 is the background"
+                .formatted(
+                        at % exact.width(),
+                        at / exact.width(),
+                        actual.shown()[at],
+                        exact.shown()[at]);
+    }
+
+    private static String depth(int at, ShownTriangles exact, ShownTriangles actual) {
+        return "depth at pixel (%d, %d) is %s, right is %s"
+                .formatted(
+                        at % exact.width(),
+                        at / exact.width(),
+                        actual.depths()[at],
+                        exact.depths()[at]);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.missing() == 0 && deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.missing() == 0 && deviation.worst() <= USABLE;
+    }
+
+    /** {@inheritDoc} A picture is answered whole: the most that one may have. */
+    @Override
+    public int mostItems() {
+        return DepthTriangleFiller.LARGEST_SIDE * DepthTriangleFiller.LARGEST_SIDE;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "of the depth range";
+    }
+
+    @Override
+    public Format<DepthTriangleFiller, DepthTriangles, ShownTriangles> format() {
+        return new DepthTriangleFormat(this);
+    }
+}
