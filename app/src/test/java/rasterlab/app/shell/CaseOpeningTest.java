@@ -34,6 +34,7 @@ class CaseOpeningTest {
                     "shade",
                     "shade-face",
                     "vertex-normals",
+                    "depth-triangle",
                     "texture-mapping",
                     "texture-filter");
 

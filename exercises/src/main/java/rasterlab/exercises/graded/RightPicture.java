@@ -97,7 +97,7 @@ public final class RightPicture {
         return PixelSet.of(blocked);
     }
 
-    /** The exact line, circle, ellipse or polygon; none where the input has none of these. */
+    /** The exact line, circle, ellipse or polygons; none where the input has none of these. */
     private List<Shape> curves() {
         JsonNode from = fields.one(FieldKind.START);
         JsonNode to = fields.one(FieldKind.END);
@@ -105,14 +105,21 @@ public final class RightPicture {
             return List.of(new Line2D.Double(at(from, 0), at(from, 1), at(to, 0), at(to, 1)));
         JsonNode center = fields.one(FieldKind.CENTER);
         if (center.isArray()) return List.of(ellipse(center));
-        JsonNode polygon = fields.one(FieldKind.POLYGON);
-        if (polygon.isEmpty()) return List.of();
+        List<Shape> outlines = new ArrayList<>();
+        for (JsonNode one : fields.given(FieldKind.POLYGON)) outline(one, outlines);
+        for (JsonNode all : fields.given(FieldKind.POLYGONS))
+            for (JsonNode one : all) outline(one, outlines);
+        return outlines;
+    }
+
+    private static void outline(JsonNode corners, List<Shape> into) {
+        if (corners.isEmpty()) return;
         var path = new Path2D.Double();
-        path.moveTo(at(polygon.get(0), 0), at(polygon.get(0), 1));
-        for (int i = 1; i < polygon.size(); i++)
-            path.lineTo(at(polygon.get(i), 0), at(polygon.get(i), 1));
+        path.moveTo(at(corners.get(0), 0), at(corners.get(0), 1));
+        for (int i = 1; i < corners.size(); i++)
+            path.lineTo(at(corners.get(i), 0), at(corners.get(i), 1));
         path.closePath();
-        return List.of(path);
+        into.add(path);
     }
 
     private Shape ellipse(JsonNode center) {
