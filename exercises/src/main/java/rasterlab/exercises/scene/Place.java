@@ -1,7 +1,6 @@
 package rasterlab.exercises.scene;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.function.Function;
 import rasterlab.exercises.json.JsonPlace;
@@ -11,9 +10,6 @@ import rasterlab.exercises.score.Phrase;
 
 /** A place of a JSON text that knows its path; whatever is wrong there is refused with it. */
 final class Place extends JsonPlace<Place> {
-    /** Makes what is written. */
-    static final JsonMapper MAPPER = new JsonMapper();
-
     /** The whole text. */
     private final String json;
 

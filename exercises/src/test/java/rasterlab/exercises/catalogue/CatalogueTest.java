@@ -27,6 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.Topics;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Caps;
@@ -78,11 +79,28 @@ class CatalogueTest {
 
     @Test
     void exercisesComeByTopicAsTheCourseDoesAndWhatIsWrittenFirst() {
-        List<String> ids = Catalogue.builtIn().all().stream().map(Exercise::id).toList();
-        assertEquals("line-bresenham", ids.get(0));
-        assertTrue(ids.indexOf("break-line") < ids.indexOf("circle"), ids.toString());
-        assertTrue(ids.indexOf("circle") < ids.indexOf("break-circle"), ids.toString());
-        assertTrue(ids.indexOf("view") < ids.indexOf("color"), ids.toString());
+        List<Exercise> all = Catalogue.builtIn().withFolder(folder).all();
+        assertEquals("line-bresenham", all.get(0).id());
+        List<String> course = Topics.names();
+        assertTrue(course.indexOf("view") < course.indexOf("color"), course.toString());
+        for (int i = 1; i < all.size(); i++) {
+            Exercise before = all.get(i - 1);
+            Exercise one = all.get(i);
+            int topics = course.indexOf(one.topic()) - course.indexOf(before.topic());
+            boolean late = one.form() == Exercise.Form.WRITE && before.form() != one.form();
+            assertTrue(
+                    topics > 0 || topics == 0 && !late, () -> one.id() + " after " + before.id());
+        }
+    }
+
+    /** A folder of an exercise is whole by itself, so each has the picture; it is one picture. */
+    @Test
+    void bothExercisesOnLightShowTheSameDirections() {
+        assertArrayEquals(directions("shade"), directions("shade-face"));
+    }
+
+    private static byte[] directions(String id) {
+        return ExerciseFolder.onClassPath(id).content("directions.svg");
     }
 
     @ParameterizedTest

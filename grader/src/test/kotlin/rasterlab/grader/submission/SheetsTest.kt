@@ -112,6 +112,8 @@ class SheetsTest {
     @Test
     fun theInstructorSeesASheetToTry() =
         classroom().open(grades = false) {
-            assertTrue("\"questions\"" in sheet(instructor))
+            val first = HandedAnswers.of(exercise, sheet(instructor)).sheet()
+            assertEquals(16, first.questions().size)
+            assertNotEquals(first.seed(), HandedAnswers.of(exercise, sheet(instructor)).sheet().seed())
         }
 }
