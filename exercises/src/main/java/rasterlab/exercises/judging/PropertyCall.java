@@ -144,10 +144,14 @@ final class PropertyCall<C, I, O> implements Call {
         return grading.isRight(one, wanted, output, tolerance);
     }
 
-    /** The first answer that is wrong; where the property holds, only that to its own input. */
+    /**
+     * The first answer that is wrong; where the property holds, only that to its own input. What
+     * was made of a wrong answer may be no input that has a right one.
+     */
     private Optional<Answered<I, O>> wrong(Answers<I, O> got, boolean broken) {
         return got.all()
                 .limit(broken ? Long.MAX_VALUE : 1)
+                .filter(one -> alone(one.input()).isAnswered())
                 .filter(one -> !alone(one.input()).check(answer(one)).right())
                 .findFirst();
     }
@@ -168,19 +172,21 @@ final class PropertyCall<C, I, O> implements Call {
                     wrong.pictures(),
                     wrong.explanations());
         I other = broken.get().answered().input();
-        O wanted = broken.get().wanted();
+        Optional<O> wanted = broken.get().wanted();
         O output = broken.get().answered().output();
         Message said =
                 property.broken()
                         .and(property.rule())
                         .and(counterexample(other))
-                        .and(Leaves.unfit(topic(), other, wanted, output))
+                        .and(
+                                wanted.map(one -> Leaves.unfit(topic(), other, one, output))
+                                        .orElse(broken.get().said()))
                         .and(shown("property.wrong", mine))
                         .and(wrong.said());
         return new Finding(
                 GradingVerdict.WRONG,
                 said,
-                grading.pictures(other, wanted, output),
+                wanted.map(one -> grading.pictures(other, one, output)).orElse(wrong.pictures()),
                 wrong.explanations());
     }
 
@@ -225,7 +231,9 @@ final class PropertyCall<C, I, O> implements Call {
         return SmallerInputs.of(input())
                 .flatMap(one -> TopicInputs.read(topic().format(), one).stream())
                 .filter(property.assumed())
-                .map(one -> new PropertyCall<>(grading, property, one, tolerance, tries, true));
+                .map(one -> new PropertyCall<>(grading, property, one, tolerance, tries, true))
+                .filter(one -> one.own.isAnswered())
+                .map(Call.class::cast);
     }
 
     @Override

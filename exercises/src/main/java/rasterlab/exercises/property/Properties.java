@@ -6,7 +6,18 @@ import java.util.stream.Stream;
 /** The properties that an exercise may name. */
 public final class Properties {
     private static final List<Property<?, ?>> ALL =
-            Stream.of(LineProperties.ALL).<Property<?, ?>>flatMap(List::stream).toList();
+            Stream.<List<? extends Property<?, ?>>>of(
+                            LineProperties.ALL,
+                            PixelProperties.ALL,
+                            ClipProperties.ALL,
+                            AreaProperties.ALL,
+                            MotionProperties.ALL,
+                            CurveProperties.ALL,
+                            SplineProperties.ALL,
+                            LightProperties.ALL,
+                            ColorProperties.ALL)
+                    .<Property<?, ?>>flatMap(List::stream)
+                    .toList();
 
     private Properties() {}
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.UnaryOperator;
+import rasterlab.exercises.score.Message;
 
 /**
  * What holds between a method's answer to an input and its answers to inputs made of that one.
@@ -36,9 +37,14 @@ public interface Relation<I, O> {
     /**
      * An answer that does not fit the others.
      *
-     * @param wanted what it would be if it fitted them
+     * @param wanted what it would be if it fitted them; empty where that cannot be told
+     * @param said what is told then
      */
-    record Broken<I, O>(Answered<I, O> answered, O wanted) {}
+    record Broken<I, O>(Answered<I, O> answered, Optional<O> wanted, Message said) {
+        public Broken(Answered<I, O> answered, O wanted) {
+            this(answered, Optional.of(wanted), Message.NONE);
+        }
+    }
 
     /** Tells whether two answers to an input are the same. */
     @FunctionalInterface

@@ -44,7 +44,7 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|answer\\.(?:at.*|worst.*)|drawing\\..*");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|property\\.areas|answer\\.(?:at.*|worst.*)|drawing\\..*");
 
     /** The texts whose places may hold keys of others, on a mistake or a property. */
     private static final Set<String> WITHIN =

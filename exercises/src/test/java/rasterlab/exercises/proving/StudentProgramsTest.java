@@ -118,9 +118,11 @@ class StudentProgramsTest {
         Exercise exercise = exercise(file);
         List<String> names = names(exercise, kept(file));
         for (long seed = SEED; seed < SEED + SEEDS; seed++) {
-            List<String> failed = tried(file, seed).failed();
+            TriedMethod tried = tried(file, seed);
+            List<String> failed = tried.failed();
             List<String> lost = names.stream().filter(failed::contains).toList();
             assertEquals(List.of(), lost, "seed " + seed);
+            assertEquals(List.of(), tried.breaking(), "properties, seed " + seed);
         }
     }
 
