@@ -5,7 +5,6 @@ import static rasterlab.app.exercise.Work.Phase.JOINING;
 import static rasterlab.app.exercise.Work.Phase.SENDING;
 
 import java.io.IOException;
-import java.net.URI;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -20,9 +19,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.course.Standings;
-import rasterlab.app.exercise.JoinAnswer.Field;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;
@@ -44,16 +41,16 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private final Background background;
     private final Checking checking = new Checking();
     private final Listeners<ExerciseState> listeners = new Listeners<>();
-    private final Map<String, String> sources = new HashMap<>();
     private final Outcomes outcomes;
     private final HintDesk hints;
+    private final Enrolment enrolment;
 
     /** Holds the key of each submission until it is graded, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
 
     private ExerciseChoice chosen = ExerciseChoice.FIRST;
     private Optional<Path> folder = Optional.empty();
-    private Optional<Drafts> drafts = Optional.empty();
+    private Sources sources = new Sources(Optional.empty());
     private ExerciseState state;
 
     /** The tab of a window without labs. */
@@ -93,11 +90,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         this.own = own;
         exercises = new ExerciseList(catalogue);
         this.patience = patience;
+        enrolment = new Enrolment(this, patience);
         standings = new Standings(patience, events, onFailure);
         this.events = events;
         background = new Background("exercise", events, onFailure);
         hints = new HintDesk(patience, events, onFailure, () -> publish(changed()));
-        outcomes = new Outcomes(id -> drafts.flatMap(held -> held.outcomePath(id)), events);
+        outcomes = new Outcomes(id -> sources.outcomePath(id), events);
     }
 
     /**
@@ -117,19 +115,20 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     private void open() {
-        drafts =
-                folder.map(
-                        kept ->
-                                new Drafts(
-                                        kept.resolve("drafts"),
-                                        exercises::ending,
-                                        saving -> events.execute(() -> accept(saving))));
+        sources = new Sources(folder.map(this::drafts));
         Exercise first = exercises.namedOrFirst(chosen.exercise());
         chosen = chosen.with(first.id());
-        state = ExerciseState.of(first, source(first));
-        state = changed().otherDrafts(others(first)).made();
+        state = ExerciseState.of(first, sources.of(first));
+        state = changed().otherDrafts(sources.others(first)).made();
         folder.ifPresent(this::loadAccount);
         outcomes.read(first, outcome -> show(first, outcome));
+    }
+
+    private Drafts drafts(Path kept) {
+        return new Drafts(
+                kept.resolve("drafts"),
+                exercises::ending,
+                saving -> events.execute(() -> accept(saving)));
     }
 
     private void loadAccount(Path kept) {
@@ -168,20 +167,18 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         chosen = chosen.with(id);
         publish(
                 changed()
-                        .exercise(next, source(next))
-                        .otherDrafts(others(next))
+                        .exercise(next, sources.of(next))
+                        .otherDrafts(sources.others(next))
                         .outcome(outcomes.of(next))
                         .notice(Notice.NONE)
-                        .unsaved(unsaved(id)));
+                        .unsaved(sources.problem(id)));
         outcomes.read(next, outcome -> show(next, outcome));
     }
 
     /** Takes the text as the user has just left it, and keeps it. */
     public void type(String source) {
         if (source.equals(state().source())) return;
-        String id = state.exercise().id();
-        sources.put(id, source);
-        drafts.ifPresent(kept -> kept.save(id, source));
+        sources.put(state.exercise().id(), source);
         publish(changed().source(source));
     }
 
@@ -211,8 +208,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     Optional<String> command() {
         String id = state().exercise().id();
         if (!state.unsaved().isEmpty()) return Optional.empty();
-        return drafts.flatMap(kept -> kept.path(id))
-                .map(path -> "./lab check " + id + " " + ShellPath.quoted(path));
+        return sources.path(id).map(path -> "./lab check " + id + " " + ShellPath.quoted(path));
     }
 
     /** Lets the labs run a source as a program for the chosen exercise. */
@@ -246,13 +242,13 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** The sources that are not on the disk; tries once more to write them, and waits for that. */
     public List<UnsavedDraft> unsavedDrafts() throws InterruptedException {
-        return drafts.isPresent() ? drafts.get().unsaved() : List.of();
+        return sources.unsaved();
     }
 
     /** Goes on with what another window wrote. */
     void takeDraft(DraftFile.Other draft) {
         type(draft.text());
-        publish(changed().otherDrafts(others(state.exercise())));
+        publish(changed().otherDrafts(sources.others(state.exercise())));
     }
 
     /** Tries the source on the open cases on this machine. */
@@ -273,57 +269,14 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 failure -> tell(Notice.of("failed", failure.toString())));
     }
 
-    /** A form asks for a course, to which there is no answer yet. */
-    void askForCourse() {
-        publish(changed().joining(JoinAnswer.NONE));
+    /** Joins courses and signs in, for a form. */
+    Enrolment enrolment() {
+        return enrolment;
     }
 
-    /**
-     * Joins a course, to submit to it from now on.
-     *
-     * @param address of the server
-     * @param code of the course
-     * @param name of the student
-     */
-    void join(String address, String code, String name) {
-        String key = key(address + "\n" + code + "\n" + name);
-        server(address).ifPresent(at -> join(at, course -> course.join(code, name, key)));
-    }
-
-    /** Submits with a token that the student has already, if the server knows it. */
-    void signIn(String address, String token) {
-        server(address).ifPresent(server -> join(server, course -> course.known(token.strip())));
-    }
-
-    private Optional<URI> server(String address) {
-        try {
-            return Optional.of(Account.server(address));
-        } catch (IllegalArgumentException e) {
-            accept(JoinAnswer.refused(Field.ADDRESS, Notice.of("server.address", address)));
-            return Optional.empty();
-        }
-    }
-
-    private void join(URI server, Joining joining) {
-        begin(
-                Work.of(JOINING),
-                tell -> {
-                    var account = joining.with(new CourseServer(server, patience));
-                    return () -> use(account);
-                },
-                failure -> accept(ServerNotices.joining(server, failure)));
-    }
-
-    private void accept(JoinAnswer refused) {
-        publish(changed().joining(refused).notice(refused.problem()));
-    }
-
-    private void use(Account account) {
-        Notice notice =
-                folder.flatMap(kept -> new AccountFile(kept).unsaved(account))
-                        .orElse(Notice.of("joined", account.toString()));
-        var joined = changed().account(Optional.of(account)).joining(JoinAnswer.JOINED);
-        publish(joined.notice(notice));
+    /** The folder that the account is kept in; empty where it ends with the window. */
+    Optional<Path> folder() {
+        return folder;
     }
 
     /** Hands the source in and follows its grading; needs an account. */
@@ -359,7 +312,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 failure -> tell(ServerNotices.of(account.server(), failure)));
     }
 
-    private String key(String about) {
+    /** The key of a request: the same each time it is tried, until it is answered. */
+    String key(String about) {
         return keys.computeIfAbsent(about, is -> UUID.randomUUID().toString());
     }
 
@@ -367,7 +321,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         publish(changed().work(new Work(CHECKING, cases.size(), of, cases)));
     }
 
-    private void begin(Work first, Background.Task task, Consumer<IOException> failed) {
+    void begin(Work first, Background.Task task, Consumer<IOException> failed) {
         if (state().work().running()) return;
         publish(changed().work(first).notice(Notice.NONE).joining(JoinAnswer.NONE));
         background.begin(task, () -> publish(changed().work(Work.NONE)), failed);
@@ -391,29 +345,13 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     private void accept(Drafts.Saving saving) {
         boolean shown = state != null && saving.exercise().equals(state.exercise().id());
-        Notice unsaved = unsaved(saving.exercise());
+        Notice unsaved = sources.problem(saving.exercise());
         if (shown && !unsaved.equals(state.unsaved())) publish(changed().unsaved(unsaved));
-    }
-
-    private Notice unsaved(String exercise) {
-        String problem = drafts.map(kept -> kept.problem(exercise)).orElse("");
-        return problem.isEmpty() ? Notice.NONE : Notice.of("draft.unsaved", problem);
-    }
-
-    private String source(Exercise exercise) {
-        return sources.computeIfAbsent(
-                exercise.id(),
-                id -> drafts.flatMap(kept -> kept.open(id)).orElse(Beginning.here(exercise)));
-    }
-
-    private List<DraftFile.Other> others(Exercise exercise) {
-        String own = source(exercise);
-        return drafts.map(kept -> kept.others(exercise.id(), own)).orElse(List.of());
     }
 
     /** Waits until every change so far is on the disk or told not to be. Any other thread. */
     void settle() throws InterruptedException {
-        if (drafts.isPresent()) drafts.get().settle();
+        sources.settle();
         outcomes.settle();
     }
 
@@ -424,18 +362,18 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         outcomes.close();
         standings.close();
         hints.close();
-        drafts.ifPresent(Drafts::close);
+        sources.close();
     }
 
     void tell(Notice notice) {
         publish(changed().notice(notice));
     }
 
-    private ExerciseStateChange changed() {
+    ExerciseStateChange changed() {
         return new ExerciseStateChange(state());
     }
 
-    private void publish(ExerciseStateChange change) {
+    void publish(ExerciseStateChange change) {
         state = change.made();
         listeners.tell(state);
     }

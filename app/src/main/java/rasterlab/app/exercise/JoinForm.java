@@ -181,7 +181,7 @@ final class JoinForm extends JPanel {
         var question = new Question();
         join.addActionListener(e -> join(model));
         cancel.addActionListener(e -> question.setValue(cancel));
-        model.askForCourse();
+        model.enrolment().askForCourse();
         joining = () -> model.state().joins();
         Runnable end = model.listen(state -> follow(state, question));
         JDialog dialog =
@@ -195,8 +195,10 @@ final class JoinForm extends JPanel {
     private void join(ExerciseLabModel model) {
         forget();
         if (known.isSelected())
-            model.signIn(address.getText(), String.valueOf(token.getPassword()));
-        else model.join(address.getText(), code.getText().strip(), student.getText().strip());
+            model.enrolment().signIn(address.getText(), String.valueOf(token.getPassword()));
+        else
+            model.enrolment()
+                    .join(address.getText(), code.getText().strip(), student.getText().strip());
     }
 
     private void follow(ExerciseState state, Question question) {

@@ -99,7 +99,7 @@ class FoldedRoomsTest {
     @Test
     @DisplayName("joining a course turns to the result, or cannot be given up, or is not told")
     void joiningStaysBesideWhatGivesItUp() throws Exception {
-        EventQueue.invokeAndWait(() -> model.join(mute.address(), "CODE", "Ann"));
+        EventQueue.invokeAndWait(() -> model.enrolment().join(mute.address(), "CODE", "Ann"));
         paint();
         EventQueue.invokeAndWait(
                 () -> {
@@ -119,7 +119,7 @@ class FoldedRoomsTest {
         EventQueue.invokeAndWait(
                 () -> {
                     model.listen(state -> state.account().ifPresent(account -> known.countDown()));
-                    model.signIn(mute.address(), "token");
+                    model.enrolment().signIn(mute.address(), "token");
                 });
         known.await();
         EventQueue.invokeAndWait(model::submit);
@@ -140,7 +140,7 @@ class FoldedRoomsTest {
     @Test
     @DisplayName("two buttons give up the same work in a window that shows all")
     void oneButtonGivesUpWhereAllIsInSight() throws Exception {
-        EventQueue.invokeAndWait(() -> model.join(mute.address(), "CODE", "Ann"));
+        EventQueue.invokeAndWait(() -> model.enrolment().join(mute.address(), "CODE", "Ann"));
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(panel, 2400, 1300);
         EventQueue.invokeAndWait(() -> assertFalse(named(panel, "result.cancel").isVisible()));
     }

@@ -52,7 +52,7 @@ class HintsTest {
 
     private Trial joined(FakeServer server) throws InterruptedException {
         var trial = new Trial(folder);
-        trial.model.join(server.address(), "CODE", "Ann");
+        trial.model.enrolment().join(server.address(), "CODE", "Ann");
         trial.awaitEnd();
         return trial;
     }

@@ -74,7 +74,7 @@ class SubmittingTest {
 
     private Trial joined(FakeServer server) throws InterruptedException {
         var trial = new Trial(folder);
-        trial.model.join(server.address(), "CODE", "Ann");
+        trial.model.enrolment().join(server.address(), "CODE", "Ann");
         trial.awaitEnd();
         return trial;
     }
@@ -178,7 +178,7 @@ class SubmittingTest {
                 nobody = server.address();
             }
             trial.model.type("typed");
-            trial.model.join(nobody, "CODE", "Ann");
+            trial.model.enrolment().join(nobody, "CODE", "Ann");
             var state = trial.awaitEnd();
             assertEquals(Notice.of("join.down", nobody), state.notice());
             assertEquals("typed", state.source());
@@ -204,7 +204,7 @@ class SubmittingTest {
         try (var server = server();
                 var trial = new Trial(folder, SHORT)) {
             server.on("POST /api/v1/join", exchange -> hold(end));
-            trial.model.join(server.address(), "CODE", "Ann");
+            trial.model.enrolment().join(server.address(), "CODE", "Ann");
             Notice notice = trial.awaitEnd().notice();
             end.countDown();
             assertEquals(Notice.of("join.slow", server.address()), notice);
@@ -224,13 +224,13 @@ class SubmittingTest {
                 var trial = joined(server)) {
             Account before = trial.model.state().account().orElseThrow();
             server.on("GET /api/v1/exercises", 401, "{\"detail\":\"no\"}");
-            trial.model.signIn(server.address(), "made up");
+            trial.model.enrolment().signIn(server.address(), "made up");
             assertEquals("join.token", trial.awaitEnd().notice().key());
             assertEquals(Optional.of(before), trial.model.state().account());
             server.on("GET /api/v1/exercises", 200, "[]");
-            trial.model.signIn(server.address(), "ключ");
+            trial.model.enrolment().signIn(server.address(), "ключ");
             assertEquals("join.token", trial.awaitEnd().notice().key());
-            trial.model.signIn(server.address(), " known ");
+            trial.model.enrolment().signIn(server.address(), " known ");
             assertEquals("joined", trial.awaitEnd().notice().key());
             assertEquals("known", trial.model.state().account().orElseThrow().token());
         }
@@ -249,14 +249,14 @@ class SubmittingTest {
                 var trial = new Trial(folder)) {
             String problem = "{\"type\":\"urn:rasterlab:problem:" + code + "\",\"detail\":\"no\"}";
             server.on("POST /api/v1/join", status, problem);
-            trial.model.join(server.address(), "CODE", "Ann");
+            trial.model.enrolment().join(server.address(), "CODE", "Ann");
             JoinAnswer answer = trial.awaitEnd().joining();
             assertEquals(field, answer.field());
             assertEquals(key, answer.problem().key());
             server.on("POST /api/v1/join", 201, "{\"student\":\"x\",\"token\":\"secret\"}");
-            trial.model.join(server.address(), "CODE", "Ann");
+            trial.model.enrolment().join(server.address(), "CODE", "Ann");
             assertEquals(JoinAnswer.JOINED, trial.awaitEnd().joining());
-            trial.model.askForCourse();
+            trial.model.enrolment().askForCourse();
             assertEquals(JoinAnswer.NONE, trial.state().joining(), "another form closes at once");
         }
     }
@@ -295,7 +295,7 @@ class SubmittingTest {
             server.on(
                     "POST /api/v1/join",
                     exchange -> FakeServer.send(exchange, 200, "text/html", "<html>hello"));
-            trial.model.join(server.address(), "CODE", "Ann");
+            trial.model.enrolment().join(server.address(), "CODE", "Ann");
             assertEquals("join.failed", trial.awaitEnd().notice().key());
         }
     }
@@ -364,7 +364,7 @@ class SubmittingTest {
     void wrongAddressIsToldWithoutCalling() {
         try (var trial = new Trial(folder)) {
             trial.state();
-            trial.model.join("ftp://x", "CODE", "Ann");
+            trial.model.enrolment().join("ftp://x", "CODE", "Ann");
             assertEquals(Notice.of("server.address", "ftp://x"), trial.state().notice());
         }
     }

@@ -51,7 +51,7 @@ class UnreadableSheetTest {
     void nothingIsSentOfIt(@TempDir Path folder) throws Exception {
         try (var server = SubmittingTest.server();
                 var trial = new Trial(folder)) {
-            trial.model.join(server.address(), "CODE", "Ann");
+            trial.model.enrolment().join(server.address(), "CODE", "Ann");
             trial.awaitEnd();
             trial.model.choose("predict-line");
             trial.model.type("{");

@@ -1,0 +1,74 @@
+package rasterlab.app.exercise;
+
+import static rasterlab.app.exercise.Work.Phase.JOINING;
+
+import java.net.URI;
+import java.util.Optional;
+import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.server.Account;
+import rasterlab.app.server.CourseServer;
+
+/** Makes the account that sources are handed in with: by a course's code, or by a token. */
+final class Enrolment {
+    private final ExerciseLabModel model;
+    private final CourseServer.Patience patience;
+
+    Enrolment(ExerciseLabModel model, CourseServer.Patience patience) {
+        this.model = model;
+        this.patience = patience;
+    }
+
+    /** Forgets the answer to an earlier form. */
+    void askForCourse() {
+        model.publish(model.changed().joining(JoinAnswer.NONE));
+    }
+
+    /**
+     * Joins a course, to submit to it from now on.
+     *
+     * @param address of the server
+     * @param code of the course
+     * @param name of the student
+     */
+    void join(String address, String code, String name) {
+        String key = model.key(address + "\n" + code + "\n" + name);
+        server(address).ifPresent(at -> join(at, course -> course.join(code, name, key)));
+    }
+
+    /** Submits with a token that the student has already, if the server knows it. */
+    void signIn(String address, String token) {
+        server(address).ifPresent(server -> join(server, course -> course.known(token.strip())));
+    }
+
+    private Optional<URI> server(String address) {
+        try {
+            return Optional.of(Account.server(address));
+        } catch (IllegalArgumentException e) {
+            accept(JoinAnswer.refused(Field.ADDRESS, Notice.of("server.address", address)));
+            return Optional.empty();
+        }
+    }
+
+    private void join(URI server, Joining joining) {
+        model.begin(
+                Work.of(JOINING),
+                tell -> {
+                    var account = joining.with(new CourseServer(server, patience));
+                    return () -> use(account);
+                },
+                failure -> accept(ServerNotices.joining(server, failure)));
+    }
+
+    private void accept(JoinAnswer refused) {
+        model.publish(model.changed().joining(refused).notice(refused.problem()));
+    }
+
+    private void use(Account account) {
+        Notice notice =
+                model.folder()
+                        .flatMap(kept -> new AccountFile(kept).unsaved(account))
+                        .orElse(Notice.of("joined", account.toString()));
+        var joined = model.changed().account(Optional.of(account)).joining(JoinAnswer.JOINED);
+        model.publish(joined.notice(notice));
+    }
+}
