@@ -85,6 +85,13 @@ public interface TopicGrading {
     Timings timings(Exercise exercise, Random random, Collection<Set<String>> wrongOn);
 
     /**
+     * A batch of given inputs, whose answers nobody judges.
+     *
+     * @param inputs of the topic, at least one
+     */
+    Timing timing(List<?> inputs);
+
+    /**
      * Limits beyond which a call is stopped.
      *
      * @param items that a sink takes

@@ -9,6 +9,7 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.mine.OwnMethods;
 
 /**
  * How a method looks in a chart; no two of {@value #MOST} methods of one chart have both mark and
@@ -48,7 +49,10 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
         var looks = new LinkedHashMap<String, MethodLook>();
         for (String method : methods) {
             int number = looks.size();
-            Marker marker = MARKERS.get(number % MARKERS.size());
+            Marker marker =
+                    method.equals(OwnMethods.NAME)
+                            ? new StarMarker()
+                            : MARKERS.get(number % MARKERS.size());
             float[] dashes = DASHES.get(number / MARKERS.size() % DASHES.size());
             looks.put(method, new MethodLook(colours.get(method), marker, stroke(dashes)));
         }

@@ -1,9 +1,13 @@
 package rasterlab.app.mine;
 
 import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.NoAnswer;
 import rasterlab.engine.study.Topic;
@@ -22,6 +26,7 @@ public final class OwnMethods implements AutoCloseable {
 
     private final Map<String, OwnProgram> programs = new ConcurrentHashMap<>();
     private final Map<String, OwnProgram> shown = new ConcurrentHashMap<>();
+    private final List<Consumer<String>> listeners = new CopyOnWriteArrayList<>();
     private final JudgeSettings settings;
     private Judge judge;
     private boolean closed;
@@ -40,6 +45,7 @@ public final class OwnMethods implements AutoCloseable {
         if (before != null && before.isOf(exercise, source)) return;
         programs.put(exercise.topic(), new OwnProgram(exercise, source, this::judge));
         if (before != null) before.close();
+        listeners.forEach(each -> each.accept(exercise.topic()));
     }
 
     /** The program of a topic; empty before there is one. */
@@ -75,7 +81,34 @@ public final class OwnMethods implements AutoCloseable {
 
     /** The topic with the user's own method beside those of its list. */
     public <C, I, O> Topic<C, I, O> in(Topic<C, I, O> topic) {
-        return new OwnTopic<>(topic, this);
+        return new OwnTopic<>(topic, this, topic.methods());
+    }
+
+    /** The topic with the user's own method last in its list, where there is one. */
+    public <C, I, O> Topic<C, I, O> listing(Topic<C, I, O> topic) {
+        if (of(topic.name()).isEmpty()) return topic;
+        return with(topic, List.of(mine(topic)));
+    }
+
+    /** The topic with other methods behind those of its list. */
+    public <C, I, O> Topic<C, I, O> with(Topic<C, I, O> topic, List<Method<C>> others) {
+        var methods = new ArrayList<>(topic.methods());
+        methods.addAll(others);
+        return only(topic, methods);
+    }
+
+    /** The topic with these methods alone in its list. */
+    public <C, I, O> Topic<C, I, O> only(Topic<C, I, O> topic, List<Method<C>> methods) {
+        return new OwnTopic<>(topic, this, List.copyOf(methods));
+    }
+
+    /**
+     * Tells the listener the topic of each program that is brought from now on, on the thread that
+     * brings it; the answer ends that.
+     */
+    public Runnable whenBrought(Consumer<String> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
     }
 
     @SuppressWarnings("unchecked") // the topic's grading makes methods of the topic's contract

@@ -2,7 +2,9 @@ package rasterlab.app.mine;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
+import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import rasterlab.engine.study.NoAnswer;
 import rasterlab.engine.study.Verdict;
@@ -51,6 +53,30 @@ public final class OwnProgram implements AutoCloseable {
     /** A method of the topic's contract. */
     Object method() {
         return method;
+    }
+
+    /**
+     * A right method of the topic's contract that the program's time is held against, in this
+     * process; empty where there is none, or the program does not run.
+     */
+    public Optional<Object> reference() throws InterruptedException {
+        try {
+            return called().reference().map(TopicGradings.of(exercise)::asMethod);
+        } catch (NoAnswer unusable) {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * How many times as long as the reference the program takes for those inputs of its topic;
+     * empty where that cannot be told.
+     */
+    public OptionalDouble slowness(List<?> inputs) throws InterruptedException {
+        try {
+            return called().slowness(inputs);
+        } catch (NoAnswer unusable) {
+            return OptionalDouble.empty();
+        }
     }
 
     private Object answer(Object proxy, java.lang.reflect.Method one, Object[] arguments)

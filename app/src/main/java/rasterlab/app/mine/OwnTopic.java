@@ -10,8 +10,13 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 
-/** A topic in which the user's own method is found by its name; all else is the topic's. */
-record OwnTopic<C, I, O>(Topic<C, I, O> topic, OwnMethods own) implements Topic<C, I, O> {
+/**
+ * A topic in which the user's own method is found by its name; all else is the topic's.
+ *
+ * @param methods that it lists
+ */
+record OwnTopic<C, I, O>(Topic<C, I, O> topic, OwnMethods own, List<Method<C>> methods)
+        implements Topic<C, I, O> {
     @Override
     public Method<C> method(String name) {
         return own.method(topic, name);
@@ -25,11 +30,6 @@ record OwnTopic<C, I, O>(Topic<C, I, O> topic, OwnMethods own) implements Topic<
     @Override
     public Class<C> contract() {
         return topic.contract();
-    }
-
-    @Override
-    public List<Method<C>> methods() {
-        return topic.methods();
     }
 
     @Override

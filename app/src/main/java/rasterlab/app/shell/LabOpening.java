@@ -17,6 +17,7 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.exercise.ExerciseRoom;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
@@ -92,7 +93,9 @@ final class LabOpening implements OpenInLab {
     @Override
     public void showHazard(String topic, String hazard, String method) {
         TopicInput input = input(topic, hazard);
-        showHazard(shown(topic, method), input, method);
+        TopicCard<?> card = shown(topic, method);
+        boolean unable = method.equals(OwnMethods.NAME) && card.way().own().isEmpty();
+        showHazard(card, input, unable ? "" : method);
     }
 
     private <M> void showHazard(TopicCard<M> card, TopicInput input, String method) {
@@ -127,7 +130,7 @@ final class LabOpening implements OpenInLab {
     private <M> Optional<HazardNote> note(
             TopicWay.Notes<M> notes, M lab, TopicInput input, String method) {
         if (method.isEmpty()) return Optional.empty();
-        Verdict verdict = verdict(named(input.topic()), input.hazard(), method);
+        Verdict verdict = verdict(models.own().in(named(input.topic())), input.hazard(), method);
         var unlike = new ArrayList<>(notes.unlike().unlike(lab, input, method));
         if (verdict.kind() != Verdict.Kind.EXACT && !notes.drawsBy().test(method))
             unlike.add(Unlike.of(Unlike.Kind.OTHER_METHOD));
@@ -256,7 +259,7 @@ final class LabOpening implements OpenInLab {
      * @throws IllegalArgumentException if none does, or the topic has no such method
      */
     private TopicCard<?> shown(String topic, String method) {
-        if (!method.isEmpty()) named(topic).method(method);
+        if (!method.isEmpty()) models.own().method(named(topic), method);
         return card(topic)
                 .orElseThrow(
                         () ->

@@ -22,10 +22,12 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PaleWords;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Method;
@@ -213,6 +215,11 @@ final class HazardTable extends JTable {
         return hazard.recorded().getOrDefault(methods.get(column).name(), Verdict.Kind.EXACT);
     }
 
+    /** Whether the column is that of the user's program, of which nothing is written down. */
+    private boolean isOwn(int column) {
+        return methods.get(column).name().equals(OwnMethods.NAME);
+    }
+
     private Optional<Cell> fresh(int row, int column) {
         return model.state().cell(hazards.get(row).name(), methods.get(column).name());
     }
@@ -246,8 +253,10 @@ final class HazardTable extends JTable {
                                     larger * getFont().getSize2D()));
             setToolTipText(
                     texts.text(
-                            fresh.isPresent() ? "cell.fresh" : "cell.recorded",
-                            methods.get(column).name(),
+                            fresh.isPresent()
+                                    ? "cell.fresh"
+                                    : isOwn(column) ? "cell.untried" : "cell.recorded",
+                            OwnWords.called(methods.get(column).name(), texts.language()),
                             called.hazard(shown, hazards.get(row)),
                             texts.text("verdict." + kind.code())));
             return this;
@@ -269,15 +278,16 @@ final class HazardTable extends JTable {
 
         @Override
         public String getColumnName(int column) {
-            return methods.get(column).name();
+            return OwnWords.called(methods.get(column).name(), texts.language());
         }
 
         @Override
         public Object getValueAt(int row, int column) {
             Optional<Cell> fresh = fresh(row, column);
-            if (fresh.isEmpty()) return VerdictSign.of(recorded(row, column)).sign();
+            if (fresh.isEmpty())
+                return isOwn(column) ? "" : VerdictSign.of(recorded(row, column)).sign();
             String sign = VerdictSign.of(fresh.get().verdict().kind()).sign();
-            return fresh.get().asRecorded() ? sign : sign + " !";
+            return isOwn(column) || fresh.get().asRecorded() ? sign : sign + " !";
         }
     }
 }

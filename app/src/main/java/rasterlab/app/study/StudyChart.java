@@ -75,7 +75,9 @@ public final class StudyChart {
         chart.setXAxisTitle(words.briefCostAxis(study));
         chart.getStyler().setLegendVisible(false);
         fitTitle(chart, size.width, graphics);
-        var legend = new ChartLegend(looks(study, paper), paper.ink(), size.width, graphics);
+        var looks = new LinkedHashMap<String, MethodLook>();
+        looks(study, paper).forEach((method, look) -> looks.put(words.called(method), look));
+        var legend = new ChartLegend(looks, paper.ink(), size.width, graphics);
         int height = size.height - legend.height();
         chart.paint(graphics, size.width, height);
         legend.paint(graphics, height);
@@ -107,7 +109,7 @@ public final class StudyChart {
                 .forEach(
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
-                                add(chart, method, look, line, errors);
+                                add(chart, words.called(method), look, line, errors);
                                 label(sizes, look, line, errors, point -> words.size(study, point));
                             }
                         });

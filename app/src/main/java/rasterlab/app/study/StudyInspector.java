@@ -192,7 +192,9 @@ final class StudyInspector {
     private String detail(Measurement point) {
         return point.detail().isEmpty()
                 ? point.method()
-                : point.method() + ": " + VerdictDetail.said(texts.language(), point.detail());
+                : words.called(point.method())
+                        + ": "
+                        + VerdictDetail.said(texts.language(), point.detail());
     }
 
     private String error(Study study, Measurement point) {
@@ -226,7 +228,7 @@ final class StudyInspector {
         String said = fresh.map(cell -> cell.verdict().detail()).orElse("");
         say(
                 detail,
-                method.name()
+                words.called(method.name())
                         + ", "
                         + called.hazard(state.topic(), hazard)
                         + ". "
@@ -249,7 +251,10 @@ final class StudyInspector {
     private void explain(StudyLabState state) {
         Method<?> method = state.topic().method(state.method());
         TopicTexts said = said(state);
-        about.show(List.of(new AboutText.Called(method.name(), said.texts(), said.key(method))));
+        about.show(
+                List.of(
+                        new AboutText.Called(
+                                words.called(method.name()), said.texts(), said.key(method))));
     }
 
     private String number(double value) {

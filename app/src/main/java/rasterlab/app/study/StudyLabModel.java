@@ -11,6 +11,8 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.mine.OwnProgram;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -34,20 +36,34 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     private static final Duration BETWEEN_NEWS = Duration.ofMillis(50);
 
     private final List<Topic<?, ?, ?>> topics;
+    private final OwnMethods own;
+    private final Runnable deaf;
     private final Background background;
     private final Map<String, Study> studies = new HashMap<>();
     private final Map<String, List<Cell>> verdicts = new HashMap<>();
     private final Listeners<StudyLabState> listeners = new Listeners<>();
     private StudyLabState state;
 
+    /** The tab of somebody without programs of his own. */
+    public StudyLabModel(
+            List<Topic<?, ?, ?>> topics, Executor events, Consumer<Throwable> onFailure) {
+        this(topics, new OwnMethods(), events, onFailure);
+    }
+
     /**
      * @param topics at least one
+     * @param own has the user's program in its topic's list while there is one
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what measuring threw, on any thread
      */
     public StudyLabModel(
-            List<Topic<?, ?, ?>> topics, Executor events, Consumer<Throwable> onFailure) {
+            List<Topic<?, ?, ?>> topics,
+            OwnMethods own,
+            Executor events,
+            Consumer<Throwable> onFailure) {
         this.topics = List.copyOf(topics);
+        this.own = own;
+        deaf = own.whenBrought(topic -> events.execute(() -> renew(topic)));
         background = new Background("study", events, onFailure);
         state = first(topics.get(0), false, StudyView.HAZARDS);
     }
@@ -74,7 +90,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
 
     private StudyLabState first(Topic<?, ?, ?> topic, boolean thorough, StudyView view) {
         return new StudyLabState(
-                topic,
+                own.listing(topic),
                 thorough,
                 view,
                 Optional.ofNullable(studies.get(topic.name())),
@@ -105,9 +121,33 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
      */
     public void choose(String topic) {
         Topic<?, ?, ?> chosen = Named.find("topic", topic, topics, Topic::name);
-        if (chosen == state.topic()) return;
+        if (chosen.name().equals(state.topic().name())) return;
         cancel();
         publish(first(chosen, state.thorough(), state.view()));
+    }
+
+    /** Forgets what another program did on that topic before. */
+    private void renew(String topic) {
+        studies.computeIfPresent(topic, (name, before) -> without(before));
+        verdicts.computeIfPresent(topic, (name, before) -> without(before));
+        if (!topic.equals(state.topic().name())) return;
+        cancel();
+        Topic<?, ?, ?> shown = Named.find("topic", topic, topics, Topic::name);
+        publish(first(shown, state.thorough(), state.view()));
+    }
+
+    private static Study without(Study study) {
+        return new Study(
+                study.topic(),
+                study.item(),
+                study.errorUnit(),
+                study.measurements().stream()
+                        .filter(one -> !one.method().equals(OwnMethods.NAME))
+                        .toList());
+    }
+
+    private static List<Cell> without(List<Cell> cells) {
+        return cells.stream().filter(one -> !one.method().equals(OwnMethods.NAME)).toList();
     }
 
     /** Whether the next measurement takes its time. */
@@ -154,6 +194,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
 
     /** What is written down that the method does there. */
     String recorded(Hazard<?> hazard, Method<?> method) {
+        if (method.name().equals(OwnMethods.NAME)) return "none";
         var kind = hazard.recorded().get(method.name());
         return kind == null ? "exact" : kind.code();
     }
@@ -167,17 +208,24 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 StudyWork.Kind.STUDY,
                 tell -> {
                     var news = new Rare<Progress>(tell, this::tell);
-                    Study study =
-                            StudyRunner.measure(
-                                    topic,
-                                    settings,
-                                    news::accept,
-                                    Thread.currentThread()::isInterrupted);
+                    Study study = measured(topic, settings, news::accept);
                     return () -> {
                         studies.put(topic.name(), study);
                         publish(state.with(study));
                     };
                 });
+    }
+
+    private Study measured(
+            Topic<?, ?, ?> topic, StudySettings settings, Consumer<Progress> progress)
+            throws InterruptedException {
+        Topic<?, ?, ?> plain = Named.find("topic", topic.name(), topics, Topic::name);
+        Optional<OwnProgram> program = own.of(topic.name());
+        return program.isPresent()
+                ? new OwnStudy<>(plain, program.get(), own)
+                        .measure(settings, progress, Thread.currentThread()::isInterrupted)
+                : StudyRunner.measure(
+                        plain, settings, progress, Thread.currentThread()::isInterrupted);
     }
 
     private void tell(Progress progress) {
@@ -249,6 +297,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     /** Ends the thread. */
     @Override
     public void close() {
+        deaf.run();
         background.close();
     }
 

@@ -20,7 +20,7 @@ public final class StudyRoom implements LabRoom<StudyLabModel> {
 
     @Override
     public StudyLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new StudyLabModel(Topics.all(), events, onFailure);
+        return new StudyLabModel(Topics.all(), own, events, onFailure);
     }
 
     @Override

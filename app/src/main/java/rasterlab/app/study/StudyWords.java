@@ -3,6 +3,7 @@ package rasterlab.app.study;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Measurement;
@@ -24,6 +25,11 @@ public final class StudyWords {
     /** The locale of numbers with fractions. */
     Locale locale() {
         return texts.locale();
+    }
+
+    /** A method by its name, the user's own program in words. */
+    String called(String method) {
+        return OwnWords.called(method, texts.language());
     }
 
     /** What is counted, as it stands behind "per"; in English where it has no translation. */

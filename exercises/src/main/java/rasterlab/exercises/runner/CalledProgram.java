@@ -5,7 +5,9 @@ import com.fasterxml.jackson.databind.node.MissingNode;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.NoAnswer;
@@ -36,10 +38,19 @@ public final class CalledProgram implements AutoCloseable {
     private final TopicGrading topic;
     private final String source;
     private final Children children;
+    private final Models models;
+    private final Exercise exercise;
     private Student student;
 
-    CalledProgram(JudgeSettings settings, Exercise exercise, String source, Children children) {
+    CalledProgram(
+            JudgeSettings settings,
+            Exercise exercise,
+            String source,
+            Children children,
+            Models models) {
         this.settings = settings;
+        this.exercise = exercise;
+        this.models = models;
         this.topic = TopicGradings.of(exercise);
         this.source = source;
         this.children = children;
@@ -69,15 +80,52 @@ public final class CalledProgram implements AutoCloseable {
                 new ByteCodeCheck(AllowList.of(topic.contract()))
                         .check(compiled.classes(), contract, source);
         if (!checked.refusals().isEmpty()) throw unusable(checked.refusals());
-        student =
-                new Student(
-                        children,
-                        settings,
-                        ContractCalls.of(topic.contract()),
-                        Exercise.Caps.NONE,
-                        checked.entry(),
-                        compiled.classes(),
-                        false);
+        student = student(checked.entry(), compiled.classes());
+    }
+
+    private Student student(String entry, Map<String, byte[]> classes) {
+        return new Student(
+                children,
+                settings,
+                ContractCalls.of(topic.contract()),
+                Exercise.Caps.NONE,
+                entry,
+                classes,
+                false);
+    }
+
+    /**
+     * A right method of the contract in this process, the one that {@link #slowness} is held
+     * against; empty where the exercise has none.
+     */
+    public Optional<Object> reference() throws InterruptedException {
+        return model().map(one -> OwnLoader.instance(one.entry(), one.classes(), topic.contract()));
+    }
+
+    private Optional<Models.Model> model() throws InterruptedException {
+        try {
+            return models.of(exercise, topic, children, settings);
+        } catch (ChildLost lost) {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * How many times as long as the reference the program takes for those inputs, each timed in a
+     * process of its own, in turns; empty where it does not answer them all, or the machine does
+     * not let it be measured.
+     *
+     * @param inputs of the topic
+     */
+    public synchronized OptionalDouble slowness(List<?> inputs) throws InterruptedException {
+        Optional<Models.Model> model = model();
+        if (model.isEmpty() || inputs.isEmpty()) return OptionalDouble.empty();
+        try (Student reference = student(model.get().entry(), model.get().classes())) {
+            return new Slowness(topic, student, reference).measure(inputs);
+        } catch (ChildLost lost) {
+            student.close();
+            return OptionalDouble.empty();
+        }
     }
 
     /** Why it cannot run; the exercise says it in the words of the user's language. */

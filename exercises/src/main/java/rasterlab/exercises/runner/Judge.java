@@ -144,7 +144,9 @@ public final class Judge implements Grading, AutoCloseable {
      * @throws NoAnswer when the source does not compile, or has what is not allowed
      */
     public CalledProgram program(Exercise exercise, String sent) throws InterruptedException {
-        var made = new CalledProgram(settings, exercise, SourceText.withoutMark(sent), children);
+        var made =
+                new CalledProgram(
+                        settings, exercise, SourceText.withoutMark(sent), children, models);
         made.compile(compiling);
         return made;
     }

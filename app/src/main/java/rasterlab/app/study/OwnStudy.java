@@ -1,0 +1,110 @@
+package rasterlab.app.study;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.mine.OwnProgram;
+import rasterlab.engine.study.Cost;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Progress;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * A study with the user's own program. Its error is judged as every method's. Its cost is that of a
+ * right method, measured with all others, times what the program takes longer than that method,
+ * both timed in processes of their own: the way there and back is no cost of the program's.
+ */
+final class OwnStudy<C, I, O> {
+    private static final String REFERENCE = "reference";
+
+    private final Topic<C, I, O> topic;
+    private final OwnProgram program;
+    private final OwnMethods own;
+
+    OwnStudy(Topic<C, I, O> topic, OwnProgram program, OwnMethods own) {
+        this.topic = topic;
+        this.program = program;
+        this.own = own;
+    }
+
+    /** As {@link StudyRunner#measure}. */
+    Study measure(StudySettings settings, Consumer<Progress> progress, BooleanSupplier cancelled)
+            throws InterruptedException {
+        Optional<Object> reference = program.reference();
+        Study all =
+                StudyRunner.measure(
+                        own.with(topic, reference.map(this::reference).stream().toList()),
+                        settings,
+                        progress,
+                        cancelled);
+        Study mine =
+                StudyRunner.measure(
+                        own.only(topic, List.of(own.method(topic, OwnMethods.NAME))),
+                        StudySettings.shortest(),
+                        done -> {},
+                        cancelled);
+        var measurements = new ArrayList<Measurement>();
+        for (Workload<I> workload : topic.workloads()) {
+            measurements.addAll(
+                    all.measurements().stream()
+                            .filter(one -> one.workload().equals(workload.name()))
+                            .filter(one -> !one.method().equals(REFERENCE))
+                            .toList());
+            measurements.add(
+                    withCost(
+                            of(mine, workload, OwnMethods.NAME),
+                            workload,
+                            reference.map(one -> of(all, workload, REFERENCE).cost())));
+        }
+        return new Study(all.topic(), all.item(), all.errorUnit(), measurements);
+    }
+
+    @SuppressWarnings("unchecked") // the exercise's model implements the topic's contract
+    private Method<C> reference(Object method) {
+        return Method.right(REFERENCE, (C) method);
+    }
+
+    private static Measurement of(Study study, Workload<?> workload, String method) {
+        return study.measurements().stream()
+                .filter(one -> one.workload().equals(workload.name()))
+                .filter(one -> one.method().equals(method))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private Measurement withCost(Measurement mine, Workload<I> workload, Optional<Cost> reference)
+            throws InterruptedException {
+        boolean answered = mine.cost().timed();
+        OptionalDouble slowness =
+                answered && reference.isPresent()
+                        ? program.slowness(workload.inputs())
+                        : OptionalDouble.empty();
+        return new Measurement(
+                mine.method(),
+                mine.workload(),
+                mine.size(),
+                slowness.isPresent()
+                        ? times(reference.get(), slowness.getAsDouble(), mine.cost())
+                        : Cost.NONE,
+                mine.error(),
+                mine.kind(),
+                mine.detail());
+    }
+
+    private static Cost times(Cost reference, double factor, Cost mine) {
+        return new Cost(
+                factor * reference.medianNanos(),
+                factor * reference.lowNanos(),
+                factor * reference.highNanos(),
+                mine.counts());
+    }
+}
