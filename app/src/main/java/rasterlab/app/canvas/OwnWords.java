@@ -17,6 +17,16 @@ public final class OwnWords {
     }
 
     /**
+     * The method that a command names which runs outside of the window: the user's program is not
+     * known there, but the method beside it is.
+     *
+     * @param beside a second method; "" for none
+     */
+    public static String known(String method, String beside) {
+        return method.equals(OwnMethods.NAME) && !beside.isEmpty() ? beside : method;
+    }
+
+    /**
      * What the user's program refused by, or why it was stopped, as a sentence; empty for any other
      * method.
      *

@@ -3,6 +3,7 @@ package rasterlab.app.clip;
 import java.io.IOException;
 import java.util.List;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.format.ValueSink;
 
 /**
@@ -17,7 +18,7 @@ final class ClipCommand {
                 .formatted(
                         CommandInput.signed(out -> write(scene, out)),
                         scene.mode().topic(),
-                        scene.method());
+                        OwnWords.known(scene.method(), scene.comparison()));
     }
 
     private static void write(ClipScene scene, ValueSink out) throws IOException {

@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.util.Optional;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.Ellipse;
@@ -26,7 +27,10 @@ final class FigureCommand {
         if (!(scene.figure() instanceof ArcFigure arc)) return Optional.empty();
         return Optional.of(
                 "echo '%s' | ./lab run %s %s"
-                        .formatted(input(arc), scene.mode().code(), scene.method()));
+                        .formatted(
+                                input(arc),
+                                scene.mode().code(),
+                                OwnWords.known(scene.method(), scene.comparison())));
     }
 
     private static String input(ArcFigure arc) {

@@ -1,6 +1,7 @@
 package rasterlab.app.line;
 
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.line.LineTopic;
 
 /** The shell command that draws what the lab shows. */
@@ -11,6 +12,6 @@ final class LineCommand {
         return "echo '%s' | ./lab run line %s"
                 .formatted(
                         CommandInput.of(new LineTopic().format(), choice.segment()),
-                        choice.method());
+                        OwnWords.known(choice.method(), choice.comparison()));
     }
 }

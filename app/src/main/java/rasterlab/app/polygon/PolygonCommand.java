@@ -2,6 +2,7 @@ package rasterlab.app.polygon;
 
 import java.util.Optional;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
 import rasterlab.engine.polygon.scan.PolygonFillTopic;
@@ -23,7 +24,10 @@ final class PolygonCommand {
             return Optional.empty();
         return Optional.of(
                 "echo '%s' | ./lab run %s %s"
-                        .formatted(input(scene.figure()), scene.mode().topic(), scene.method()));
+                        .formatted(
+                                input(scene.figure()),
+                                scene.mode().topic(),
+                                OwnWords.known(scene.method(), scene.comparison())));
     }
 
     private static String input(Figure figure) {

@@ -2,6 +2,7 @@ package rasterlab.app.spline;
 
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.spline.CurveTopic;
 
 /** The shell commands that compute the points which the lab shows: one for each curve. */
@@ -17,7 +18,8 @@ final class CurveCommand {
                                                 CommandInput.signed(
                                                         new CurveTopic().format(),
                                                         choice.sampling().task(curve)),
-                                                choice.method()))
+                                                OwnWords.known(
+                                                        choice.method(), choice.comparison())))
                 .collect(Collectors.joining("\n"));
     }
 }

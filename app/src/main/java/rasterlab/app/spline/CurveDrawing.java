@@ -5,12 +5,12 @@ import java.util.List;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.CurveTask;
-import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.CurveWalk;
 import rasterlab.engine.spline.Polyline;
 import rasterlab.engine.spline.SteppedCurve;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Topic;
 
 /**
  * What one method made of the curves, point by point, beside the exact ones.
@@ -64,7 +64,7 @@ public record CurveDrawing(
      * @throws IllegalArgumentException if the topic has no method of that name
      */
     static CurveDrawing of(
-            CurveTopic topic,
+            Topic<CurveTracer, CurveTask, Polyline> topic,
             String method,
             List<Curve> curves,
             Sampling sampling,
@@ -84,7 +84,7 @@ public record CurveDrawing(
     }
 
     private static final class Making {
-        private final CurveTopic topic;
+        private final Topic<CurveTracer, CurveTask, Polyline> topic;
         private final String method;
         private final CurveTracer tracer;
         private final int curves;
@@ -95,7 +95,11 @@ public record CurveDrawing(
         private double allowed;
         private boolean right = true;
 
-        Making(CurveTopic topic, String method, int curves, Sampling sampling) {
+        Making(
+                Topic<CurveTracer, CurveTask, Polyline> topic,
+                String method,
+                int curves,
+                Sampling sampling) {
             this.topic = topic;
             this.method = method;
             this.curves = curves;
@@ -107,6 +111,7 @@ public record CurveDrawing(
             var polyline = new Polyline(LIMIT);
             if (task.flatness() > 0 && tracer instanceof SteppedCurve stepped)
                 walk(index, stepped.walk(task.curve(), task.flatness()), polyline);
+            else if (task.flatness() > 0) flattened(index, task, polyline);
             else given(index, task, polyline);
             Deviation deviation = topic.compare(task, exact, polyline);
             error = Math.max(error, deviation.worst() * task.allowed());
@@ -120,6 +125,14 @@ public record CurveDrawing(
                 corner(index, walk.t(), walk.x(), walk.y(), walk.decision());
             }
             splits += walk.splits();
+        }
+
+        /** A method without steps tells no t: its points lie as if t grew evenly. */
+        private void flattened(int index, CurveTask task, Polyline polyline) {
+            tracer.flatten(task.curve(), task.flatness(), polyline::point);
+            int last = Math.max(1, polyline.size() - 1);
+            for (int i = 0; i < polyline.size(); i++)
+                corner(index, (double) i / last, polyline.x(i), polyline.y(i), Double.NaN);
         }
 
         private void given(int index, CurveTask task, Polyline polyline) {

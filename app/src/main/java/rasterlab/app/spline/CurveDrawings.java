@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurveTopic;
+import rasterlab.contract.CurveTracer;
+import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.Polyline;
+import rasterlab.engine.study.Topic;
 
 /**
  * What was drawn for one choice, both methods beside the exact curves.
@@ -26,7 +28,10 @@ public record CurveDrawings(
     /** A picture's flatness as a share of the points' extent. */
     private static final double FINE = 1.0 / 4000;
 
-    static CurveDrawings of(CurveTopic topic, CurveChoice choice, BooleanSupplier cancelled) {
+    static CurveDrawings of(
+            Topic<CurveTracer, CurveTask, Polyline> topic,
+            CurveChoice choice,
+            BooleanSupplier cancelled) {
         List<Curve> curves = choice.curves();
         Extent extent = choice.extent();
         var shown = new ArrayList<Polyline>();

@@ -74,15 +74,19 @@ final class CurveInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
         form = form();
         joining = joining();
-        method = new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod);
+        Texts shared = Texts.of("canvas", texts.language());
+        method =
+                new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod)
+                        .withOwn(shared);
         column.row("method", method);
         comparison =
                 new MethodChooser(
-                        "comparison",
-                        texts.text("none"),
-                        names,
-                        SplineColours.OWN,
-                        model::compareWith);
+                                "comparison",
+                                texts.text("none"),
+                                names,
+                                SplineColours.OWN,
+                                model::compareWith)
+                        .withOwn(shared);
         column.row("comparison", comparison);
     }
 
@@ -234,11 +238,7 @@ final class CurveInspector {
     }
 
     private void explain(CurveLabState state) {
-        Method<CurveTracer> chosen =
-                model.methods().stream()
-                        .filter(each -> each.name().equals(state.choice().method()))
-                        .findFirst()
-                        .orElseThrow();
+        Method<CurveTracer> chosen = model.method(state.choice().method());
         CurveDrawing drawing = state.drawing();
         boolean refused =
                 drawing.method().equals(chosen.name())

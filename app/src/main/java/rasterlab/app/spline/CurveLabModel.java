@@ -9,11 +9,14 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.Polyline;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 
 /**
  * The lab of curves without its window: which points, which method, which t.
@@ -29,16 +32,8 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     /** Pixels. */
     static final double FIRST_FLATNESS = 5;
 
-    private final CurveTopic topic = new CurveTopic();
-    private final CurveChoice first =
-            new CurveChoice(
-                    CurveForm.BEZIER,
-                    FirstCurves.points(CurveForm.BEZIER),
-                    CurveJoining.C1,
-                    Sampling.flat(FIRST_FLATNESS),
-                    topic.method("adaptive").name(),
-                    "",
-                    new CurveOverlays(true, true, false));
+    private final Topic<CurveTracer, CurveTask, Polyline> topic;
+    private final CurveChoice first;
     private final LatestOnly<CurveChoice, CurveDrawings> drawings;
     private final History<Arranged<CurveChoice>> history =
             new History<>(
@@ -50,11 +45,26 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     /** Arrangements so far; one that undo brings back is no new one. */
     private int arrangements;
 
+    /** The lab of somebody without programs of his own. */
+    public CurveLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this(new OwnMethods(), events, onFailure);
+    }
+
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what drawing threw, on any thread
      */
-    public CurveLabModel(Executor events, Consumer<Throwable> onFailure) {
+    CurveLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        topic = own.in(new CurveTopic());
+        first =
+                new CurveChoice(
+                        CurveForm.BEZIER,
+                        FirstCurves.points(CurveForm.BEZIER),
+                        CurveJoining.C1,
+                        Sampling.flat(FIRST_FLATNESS),
+                        "adaptive",
+                        "",
+                        new CurveOverlays(true, true, false));
         state = state(first, CurveDrawings.of(topic, first, () -> false), FIRST_T, 0);
         drawings =
                 new LatestOnly<>(
@@ -70,6 +80,15 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
 
     public List<Method<CurveTracer>> methods() {
         return topic.methods();
+    }
+
+    /**
+     * A method of the list, or the user's own.
+     *
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    Method<CurveTracer> method(String name) {
+        return topic.method(name);
     }
 
     public List<Hazard<CurveTask>> hazards() {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.VerdictDetail;
@@ -123,10 +124,14 @@ final class CurveReadings {
             case ENDED -> "";
             case CUT -> texts.text("note.cut", drawing.method(), CurveDrawing.LIMIT);
             case REFUSED ->
-                    texts.text(
-                            "note.refused",
-                            drawing.method(),
-                            VerdictDetail.said(texts.language(), drawing.message()));
+                    OwnWords.refusal(drawing.method(), drawing.message(), texts.language())
+                            .orElseGet(
+                                    () ->
+                                            texts.text(
+                                                    "note.refused",
+                                                    drawing.method(),
+                                                    VerdictDetail.said(
+                                                            texts.language(), drawing.message())));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }

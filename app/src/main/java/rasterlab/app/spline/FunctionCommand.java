@@ -2,6 +2,7 @@ package rasterlab.app.spline;
 
 import java.util.Locale;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineProblem;
@@ -22,7 +23,7 @@ final class FunctionCommand {
         return "echo '%s' | ./lab run spline-function %s"
                 .formatted(
                         CommandInput.signed(new SplineFunctionTopic().format(), problem),
-                        choice.method());
+                        OwnWords.known(choice.method(), choice.comparison()));
     }
 
     /** As the command line names it. */

@@ -6,11 +6,12 @@ import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 import rasterlab.engine.spline.Overshoot;
 import rasterlab.engine.spline.PiecewiseCubic;
-import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.SplineValues;
 import rasterlab.engine.spline.SplineWalk;
 import rasterlab.engine.spline.SteppedSpline;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Topic;
 
 /**
  * The function that one method put through the knots.
@@ -52,7 +53,10 @@ public record FunctionDrawing(
     /**
      * @throws IllegalArgumentException if the topic has no method of that name
      */
-    static FunctionDrawing of(SplineFunctionTopic topic, String method, FunctionChoice choice) {
+    static FunctionDrawing of(
+            Topic<SplineFunction, SplineProblem, SplineValues> topic,
+            String method,
+            FunctionChoice choice) {
         SplineFunction function = topic.method(method).implementation();
         try {
             return found(topic, method, function, choice);
@@ -87,7 +91,7 @@ public record FunctionDrawing(
     }
 
     private static FunctionDrawing found(
-            SplineFunctionTopic topic,
+            Topic<SplineFunction, SplineProblem, SplineValues> topic,
             String method,
             SplineFunction function,
             FunctionChoice choice) {
@@ -111,7 +115,9 @@ public record FunctionDrawing(
     }
 
     private static Deviation deviation(
-            SplineFunctionTopic topic, SplineFunction function, SplineProblem problem) {
+            Topic<SplineFunction, SplineProblem, SplineValues> topic,
+            SplineFunction function,
+            SplineProblem problem) {
         int limit = problem.at().length;
         return topic.compare(
                 problem, topic.exact(problem, limit), topic.record(function, problem, limit));

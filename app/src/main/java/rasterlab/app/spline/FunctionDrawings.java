@@ -3,7 +3,10 @@ package rasterlab.app.spline;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.contract.SplineFunction;
+import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.SplineValues;
+import rasterlab.engine.study.Topic;
 
 /**
  * What was found for one choice, by both methods.
@@ -13,7 +16,9 @@ import rasterlab.engine.spline.SplineFunctionTopic;
 public record FunctionDrawings(
         FunctionChoice choice, FunctionDrawing drawing, Optional<FunctionDrawing> other) {
     static FunctionDrawings of(
-            SplineFunctionTopic topic, FunctionChoice choice, BooleanSupplier cancelled) {
+            Topic<SplineFunction, SplineProblem, SplineValues> topic,
+            FunctionChoice choice,
+            BooleanSupplier cancelled) {
         FunctionDrawing drawing = FunctionDrawing.of(topic, choice.method(), choice);
         if (cancelled.getAsBoolean()) throw new CancellationException("a newer choice was made");
         Optional<FunctionDrawing> other =

@@ -50,15 +50,19 @@ final class FunctionInspector {
         var parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.FUNCTION, onMode);
         List<String> names = model.methods().stream().map(Method::name).toList();
-        method = new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod);
+        Texts shared = Texts.of("canvas", texts.language());
+        method =
+                new MethodChooser("method", "", names, SplineColours.OWN, model::chooseMethod)
+                        .withOwn(shared);
         column.row("method", method);
         comparison =
                 new MethodChooser(
-                        "comparison",
-                        texts.text("none"),
-                        names,
-                        SplineColours.OWN,
-                        model::compareWith);
+                                "comparison",
+                                texts.text("none"),
+                                names,
+                                SplineColours.OWN,
+                                model::compareWith)
+                        .withOwn(shared);
         column.row("comparison", comparison);
         ends =
                 parts.names(
@@ -129,11 +133,7 @@ final class FunctionInspector {
     }
 
     private void explain(FunctionLabState state) {
-        Method<SplineFunction> chosen =
-                model.methods().stream()
-                        .filter(each -> each.name().equals(state.choice().method()))
-                        .findFirst()
-                        .orElseThrow();
+        Method<SplineFunction> chosen = model.method(state.choice().method());
         FunctionDrawing drawing = state.drawing();
         boolean refused =
                 drawing.method().equals(chosen.name())

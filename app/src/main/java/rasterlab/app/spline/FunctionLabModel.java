@@ -10,12 +10,15 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.SplineValues;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 
 /**
  * The lab of functions through knots without its window.
@@ -29,21 +32,8 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     /** A slope's handle lies outside the knots, by this share of their width. */
     private static final double REACH = 0.08;
 
-    private final SplineFunctionTopic topic = new SplineFunctionTopic();
-    private final FunctionChoice first =
-            new FunctionChoice(
-                    List.of(
-                            new Place(0, 0),
-                            new Place(1, 0.1),
-                            new Place(2, 0.1),
-                            new Place(3, 0.2),
-                            new Place(4, 1.8),
-                            new Place(5, 2),
-                            new Place(6, 2),
-                            new Place(7, 1.2)),
-                    SplineEnds.natural(),
-                    topic.method("cubic").name(),
-                    topic.method("monotone").name());
+    private final Topic<SplineFunction, SplineProblem, SplineValues> topic;
+    private final FunctionChoice first;
     private final LatestOnly<FunctionChoice, FunctionDrawings> drawings;
     private final History<Arranged<FunctionChoice>> history =
             new History<>(
@@ -57,11 +47,31 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     private boolean arranging;
 
+    /** The lab of somebody without programs of his own. */
+    public FunctionLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this(new OwnMethods(), events, onFailure);
+    }
+
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what drawing threw, on any thread
      */
-    public FunctionLabModel(Executor events, Consumer<Throwable> onFailure) {
+    FunctionLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        topic = own.in(new SplineFunctionTopic());
+        first =
+                new FunctionChoice(
+                        List.of(
+                                new Place(0, 0),
+                                new Place(1, 0.1),
+                                new Place(2, 0.1),
+                                new Place(3, 0.2),
+                                new Place(4, 1.8),
+                                new Place(5, 2),
+                                new Place(6, 2),
+                                new Place(7, 1.2)),
+                        SplineEnds.natural(),
+                        "cubic",
+                        "monotone");
         FunctionDrawings found = FunctionDrawings.of(topic, first, () -> false);
         state = new FunctionLabState(first, found, found.drawing().steps().size(), FIRST_SHARE, 0);
         drawings =
@@ -78,6 +88,15 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     public List<Method<SplineFunction>> methods() {
         return topic.methods();
+    }
+
+    /**
+     * A method of the list, or the user's own.
+     *
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    Method<SplineFunction> method(String name) {
+        return topic.method(name);
     }
 
     public List<Hazard<SplineProblem>> hazards() {

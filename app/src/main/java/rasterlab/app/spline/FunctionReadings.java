@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
 import rasterlab.app.canvas.Formula;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.VerdictDetail;
@@ -108,10 +109,14 @@ final class FunctionReadings {
         return switch (drawing.ending()) {
             case ENDED -> "";
             case REFUSED ->
-                    texts.text(
-                            "note.refusedKnots",
-                            drawing.method(),
-                            VerdictDetail.said(texts.language(), drawing.message()));
+                    OwnWords.refusal(drawing.method(), drawing.message(), texts.language())
+                            .orElseGet(
+                                    () ->
+                                            texts.text(
+                                                    "note.refusedKnots",
+                                                    drawing.method(),
+                                                    VerdictDetail.said(
+                                                            texts.language(), drawing.message())));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }

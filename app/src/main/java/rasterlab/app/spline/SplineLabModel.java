@@ -4,6 +4,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
+import rasterlab.app.mine.OwnMethods;
 
 /** Both labs of splines, and which of them is shown. */
 public final class SplineLabModel implements Kept<SplineMode>, AutoCloseable {
@@ -16,9 +17,9 @@ public final class SplineLabModel implements Kept<SplineMode>, AutoCloseable {
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what background work threw, on any thread
      */
-    public SplineLabModel(Executor events, Consumer<Throwable> onFailure) {
-        curve = new CurveLabModel(events, onFailure);
-        function = new FunctionLabModel(events, onFailure);
+    SplineLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        curve = new CurveLabModel(own, events, onFailure);
+        function = new FunctionLabModel(own, events, onFailure);
     }
 
     public CurveLabModel curve() {

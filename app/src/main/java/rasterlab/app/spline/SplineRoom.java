@@ -23,7 +23,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
 
     @Override
     public SplineLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new SplineLabModel(events, onFailure);
+        return new SplineLabModel(own, events, onFailure);
     }
 
     @Override
@@ -48,22 +48,32 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
         return List.of(
                 card(
                         "curve",
-                        TopicWay.inTurn(
-                                lab -> lab.curve().history(),
-                                (lab, input) -> {
-                                    lab.show(SplineMode.CURVE);
-                                    lab.curve().show((CurveTask) input);
-                                },
-                                (lab, method) -> lab.curve().chooseMethod(method))),
+                        TopicWay.<SplineLabModel>inTurn(
+                                        lab -> lab.curve().history(),
+                                        (lab, input) -> {
+                                            lab.show(SplineMode.CURVE);
+                                            lab.curve().show((CurveTask) input);
+                                        },
+                                        (lab, method) -> lab.curve().chooseMethod(method))
+                                .withOwn(
+                                        lab -> lab.curve().history(),
+                                        lab -> lab.show(SplineMode.CURVE),
+                                        (lab, method) -> lab.curve().chooseMethod(method),
+                                        (lab, method) -> lab.curve().compareWith(method))),
                 card(
                         "spline-function",
-                        TopicWay.inTurn(
-                                lab -> lab.function().history(),
-                                (lab, input) -> {
-                                    lab.show(SplineMode.FUNCTION);
-                                    lab.function().show((SplineProblem) input);
-                                },
-                                (lab, method) -> lab.function().chooseMethod(method))));
+                        TopicWay.<SplineLabModel>inTurn(
+                                        lab -> lab.function().history(),
+                                        (lab, input) -> {
+                                            lab.show(SplineMode.FUNCTION);
+                                            lab.function().show((SplineProblem) input);
+                                        },
+                                        (lab, method) -> lab.function().chooseMethod(method))
+                                .withOwn(
+                                        lab -> lab.function().history(),
+                                        lab -> lab.show(SplineMode.FUNCTION),
+                                        (lab, method) -> lab.function().chooseMethod(method),
+                                        (lab, method) -> lab.function().compareWith(method))));
     }
 
     private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {

@@ -177,6 +177,30 @@ class OwnInLabTest {
         assertTrue(clipping.deviation().worst() < 1e-6, clipping.deviation().toString());
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"bezier-point", "hermite", "flatten-curve"})
+    void theModelSolutionIsRightInTheLabOfCurves(String id) throws InterruptedException {
+        showModel(Catalogue.builtIn().named(id));
+        models.spline().curve().settle();
+        drain();
+        var drawing = models.spline().curve().state().drawing();
+        assertEquals(OwnMethods.NAME, drawing.method());
+        assertEquals("", drawing.message());
+        assertTrue(drawing.right());
+        assertTrue(drawing.segments() > 0);
+    }
+
+    @Test
+    void theModelSolutionIsRightInTheLabOfFunctions() throws InterruptedException {
+        showModel(Catalogue.builtIn().named("spline-function"));
+        models.spline().function().settle();
+        drain();
+        var drawing = models.spline().function().state().drawing();
+        assertEquals(OwnMethods.NAME, drawing.method());
+        assertEquals("", drawing.message());
+        assertTrue(drawing.right());
+    }
+
     @Test
     void anEndlessClipperIsStoppedAtTheFirstSegment() throws InterruptedException {
         Exercise exercise = Catalogue.builtIn().named("clip-segment");
