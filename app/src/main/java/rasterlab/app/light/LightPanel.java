@@ -77,7 +77,8 @@ public final class LightPanel extends LabPanel {
         lightActions.add("saveScene", saving::ask);
         stage.setTransferHandler(new FileDrop(this, language, model::open));
         lightActions.addCopy("copyCommand", saving::tellCommands);
-        lightActions.addQuestions(() -> "vertex-normals");
+        lightActions.addQuestions(
+                () -> model.state().choice().arrows() ? "vertex-normals" : "shade-face");
         colourActions.addCopy(
                 "copyCommand", told -> told.accept(ColourCommand.of(model.state().colour())));
         rows = new RowCard(shown, cards, this::rows);

@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.node.LongNode;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.StreamSupport;
 import rasterlab.app.practice.Board.Dot;
 import rasterlab.app.practice.Board.Figure;
 import rasterlab.app.practice.Board.Look;
@@ -41,14 +40,14 @@ final class PlaneSketches {
         }
         var targets = new ArrayList<Target>();
         for (int i = 0; i < corners.size(); i++) {
-            figures.add(new Dot(corners.get(i), String.valueOf(i), corner(walked, "cut", i)));
+            figures.add(new Dot(corners.get(i), String.valueOf(i), look(walked, "cut", i)));
             targets.add(new Target(LongNode.valueOf(i), List.of(corners.get(i))));
         }
         return new Board(Space.PLANE, figures, new Named("cut", targets));
     }
 
     /** How a thing of that number looks, by the steps whose field has it. */
-    private static Look corner(Walked walked, String field, int number) {
+    static Look look(Walked walked, String field, int number) {
         for (int i = 0; i < walked.steps().size(); i++)
             if (walked.steps().get(i).path(field).asInt(-1) == number) return walked.look(i);
         boolean wrong =
@@ -128,28 +127,5 @@ final class PlaneSketches {
             figures.add(new Path(next, false, Look.DONE));
             row = next;
         }
-    }
-
-    /** The polygons seen from above: x to the right, depth upward from the eye. */
-    static Board order(Walked walked) {
-        JsonNode polygons = walked.input().path("polygons");
-        var figures = new ArrayList<Figure>();
-        var targets = new ArrayList<Target>();
-        figures.add(new Dot(fromAbove(walked.input().path("eye")), "eye", Look.DONE));
-        for (int i = 0; i < polygons.size(); i++) {
-            List<Point2D> above =
-                    StreamSupport.stream(polygons.get(i).spliterator(), false)
-                            .map(PlaneSketches::fromAbove)
-                            .toList();
-            Look look = corner(walked, "paint", i);
-            figures.add(new Path(above, true, look));
-            figures.add(new Dot(above.get(i % 2), String.valueOf(i), look));
-            targets.add(new Target(LongNode.valueOf(i), Points.along(above, true)));
-        }
-        return new Board(Space.DEPTH, figures, new Named("paint", targets));
-    }
-
-    private static Point2D fromAbove(JsonNode point) {
-        return new Point2D.Double(point.path(0).doubleValue(), point.path(2).doubleValue());
     }
 }

@@ -18,7 +18,8 @@ final class Sketches {
                     Map.entry("curve", PlaneSketches::curve),
                     Map.entry("clip-segment", ClipSketches::segment),
                     Map.entry("clip-polygon", ClipSketches::polygon),
-                    Map.entry("depth-order", PlaneSketches::order));
+                    Map.entry("depth-order", DepthSketches::order),
+                    Map.entry("hidden-surfaces", DepthSketches::spans));
 
     private Sketches() {}
 

@@ -106,10 +106,13 @@ public final class VisibilityPanel extends LabPanel {
         showMode();
     }
 
-    /** The topic whose steps are asked for: what the convex method decides, else the order. */
+    /** The topic whose steps are asked for, by what the shown method decides on. */
     private String topic() {
-        boolean convex = model.state().choice().visibility().startsWith("convex");
-        return convex ? "visible-faces" : "depth-order";
+        return switch (model.state().choice().visibility()) {
+            case "convex", "back-face" -> "visible-faces";
+            case "painter", "painter-textbook", "newell" -> "depth-order";
+            default -> "hidden-surfaces";
+        };
     }
 
     /** The view that every method is given. */

@@ -46,7 +46,8 @@ class SketchesTest {
                 "curve",
                 "clip-segment",
                 "clip-polygon",
-                "depth-order");
+                "depth-order",
+                "hidden-surfaces");
     }
 
     private interface Check {

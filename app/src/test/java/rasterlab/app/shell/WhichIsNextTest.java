@@ -74,7 +74,8 @@ class WhichIsNextTest {
     }
 
     /** A method that tells the lab's topic apart from another one of the same pictures. */
-    private static final Map<String, String> METHODS = Map.of("visible-faces", "convex-segment");
+    private static final Map<String, String> METHODS =
+            Map.of("visible-faces", "convex-segment", "hidden-surfaces", "scanline");
 
     /** Shows one of the topic's hazards, so that the lab is about the topic. */
     private static <M> void show(TopicCard<M> card, LabModels models) {
