@@ -5,8 +5,10 @@ import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.practice.Board.Cell;
+import rasterlab.app.practice.Board.Dot;
 import rasterlab.app.practice.Board.Figure;
 import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.None;
 import rasterlab.app.practice.Board.Path;
 import rasterlab.app.practice.Board.Pixel;
 import rasterlab.app.practice.Board.Space;
@@ -38,6 +40,24 @@ final class PixelSketches {
         double rx = walked.input().path("rx").doubleValue();
         double ry = walked.input().path("ry").doubleValue();
         return board(walked, "u", "v", arc(rx, ry, Math.PI / 2));
+    }
+
+    /** Triangles in a depth buffer, and the pixel whose depth is asked for. */
+    static Board depths(Walked walked) {
+        var figures = new ArrayList<Figure>();
+        JsonNode size = walked.input().path("size");
+        figures.add(RowSketches.border(size.path(0).intValue(), size.path(1).intValue()));
+        for (int i = 0; i < walked.steps().size(); i++)
+            figures.add(cell(walked.steps().get(i), "x", "y", walked.look(i)));
+        if (walked.told().path("x").isNumber())
+            figures.add(cell(walked.told(), "x", "y", Look.ASKED));
+        int number = 0;
+        for (JsonNode triangle : walked.input().path("triangles")) {
+            List<Point2D> corners = Points.all(triangle);
+            figures.add(new Path(corners, true, Look.GIVEN));
+            figures.add(new Dot(corners.get(2), String.valueOf(number++), Look.GIVEN));
+        }
+        return new Board(Space.PIXELS, figures, new None());
     }
 
     /** From the axis of v on, by the angle. */

@@ -21,7 +21,6 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.practice.Sketch.Walked;
 import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.Sheet;
-import rasterlab.exercises.predicting.Values;
 
 /** The mode "which is next?" as its lab shows it, in one language. */
 final class PracticePanel extends JPanel implements Settling {
@@ -65,7 +64,6 @@ final class PracticePanel extends JPanel implements Settling {
         score.setFont(score.getFont().deriveFont(Font.BOLD));
         walk.setName("practice.walk");
         walk.setEditable(false);
-        walk.setFont(new Font(Font.MONOSPACED, Font.PLAIN, walk.getFont().getSize()));
         walk.getAccessibleContext().setAccessibleName(texts.text("walk"));
         seed = new SeedField(texts, model::dataOf, this::refuseSeed);
         column = column();
@@ -189,7 +187,7 @@ final class PracticePanel extends JPanel implements Settling {
         title.setText(sheet.exercise().title().get(language));
         position.setText(texts.text("position", state.at() + 1, sheet.size()));
         question.show(now.rules().question(language));
-        told.show(texts.text("told", WalkText.signed(Values.told(now.told()))));
+        told.show(texts.text("told", WalkText.told(now.told())));
         told.setVisible(state.isAsking() && !now.told().isEmpty());
         Optional<Sketch> sketch = Sketches.of(topic);
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));
@@ -236,6 +234,9 @@ final class PracticePanel extends JPanel implements Settling {
         if (place.getComponentCount() > 0 && place.getComponent(0) == wanted) return;
         place.removeAll();
         place.add(wanted);
+        float size = title.getFont().getSize2D();
+        if (drawn) size = question.getFont().getSize2D();
+        walk.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 1).deriveFont(size));
         if (drawn) column.add(walkScroll, "wmin 0, hmin 60, growy, pushy");
         revalidate();
     }

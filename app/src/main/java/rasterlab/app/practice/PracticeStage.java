@@ -184,6 +184,7 @@ final class PracticeStage extends SelfDrawn {
             Point from = begun.orElse(cursor);
             g.draw(painter.square(from.x, from.y).createUnion(painter.square(cursor.x, cursor.y)));
         }
+        g.setStroke(new BasicStroke());
         frame.paintMargins(g, type, texts.locale());
     }
 

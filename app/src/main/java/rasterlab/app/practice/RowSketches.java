@@ -36,19 +36,23 @@ final class RowSketches {
                 if (picture.get(y).asText().charAt(x) != filled)
                     figures.add(new Cell(x, y, Look.WALL));
         addRuns(walked, figures);
-        double right = picture.path(0).asText().length() - 0.5;
-        double bottom = picture.size() - 0.5;
-        figures.add(
-                new Path(
-                        List.of(
-                                new Point2D.Double(-0.5, -0.5),
-                                new Point2D.Double(right, -0.5),
-                                new Point2D.Double(right, bottom),
-                                new Point2D.Double(-0.5, bottom)),
-                        true,
-                        Look.GIVEN));
+        figures.add(border(picture.path(0).asText().length(), picture.size()));
         figures.add(new Dot(Points.of(seed), "", Look.GIVEN));
         return new Board(Space.PIXELS, figures, new Run(ROW, FROM, TO));
+    }
+
+    /** Around all pixels of a picture. */
+    static Path border(int width, int height) {
+        double right = width - 0.5;
+        double bottom = height - 0.5;
+        return new Path(
+                List.of(
+                        new Point2D.Double(-0.5, -0.5),
+                        new Point2D.Double(right, -0.5),
+                        new Point2D.Double(right, bottom),
+                        new Point2D.Double(-0.5, bottom)),
+                true,
+                Look.GIVEN);
     }
 
     static Board polygon(Walked walked) {

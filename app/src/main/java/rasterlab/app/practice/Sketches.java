@@ -18,6 +18,7 @@ final class Sketches {
                     Map.entry("curve", PlaneSketches::curve),
                     Map.entry("clip-segment", ClipSketches::segment),
                     Map.entry("clip-polygon", ClipSketches::polygon),
+                    Map.entry("depth-triangle", PixelSketches::depths),
                     Map.entry("depth-order", DepthSketches::order),
                     Map.entry("hidden-surfaces", DepthSketches::spans));
 

@@ -1,5 +1,7 @@
 package rasterlab.app.practice;
 
+import static java.util.stream.Collectors.joining;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
@@ -42,9 +44,21 @@ final class WalkText {
             text.append("\n  ")
                     .append(i + 1)
                     .append(".  ")
-                    .append(Values.told(fields(state.steps().get(i), rules)));
+                    .append(told(fields(state.steps().get(i), rules)));
         if (state.steps().isEmpty()) text.append("\n  ").append(texts.text("walk.none"));
         return signed(text.toString());
+    }
+
+    /** The fields of a question; one that is a line of a program stands behind a colon. */
+    static String told(JsonNode fields) {
+        return signed(
+                fields.properties().stream()
+                        .map(
+                                one ->
+                                        one.getKey()
+                                                + (one.getValue().isTextual() ? ": " : " = ")
+                                                + Values.told(one.getValue()))
+                        .collect(joining(", ")));
     }
 
     /** The same with a minus as long as the rulers have it. */

@@ -46,6 +46,7 @@ class SketchesTest {
                 "curve",
                 "clip-segment",
                 "clip-polygon",
+                "depth-triangle",
                 "depth-order",
                 "hidden-surfaces");
     }
