@@ -37,7 +37,7 @@ public final class TopicGradings {
 
     /** The names of the topics that can be graded, in the course's order. */
     public static List<String> names() {
-        return gradable().map(Topic::name).toList();
+        return Gradable.NAMES;
     }
 
     /** What a student may be asked to implement. */
@@ -107,5 +107,10 @@ public final class TopicGradings {
         throw new IllegalArgumentException(
                 "no topic '%s' can be graded; there are %s"
                         .formatted(topic.name(), String.join(", ", names())));
+    }
+
+    /** Worked out once, when somebody asks: each topic has to be made for it. */
+    private static final class Gradable {
+        static final List<String> NAMES = gradable().map(Topic::name).toList();
     }
 }
