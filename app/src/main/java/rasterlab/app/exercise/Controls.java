@@ -16,7 +16,10 @@ final class Controls {
 
     private Controls() {}
 
-    /** A button with its mnemonic and, where there is one, its hint {@code KEY.hint}. */
+    /**
+     * A button with its mnemonic and, where there are such, its hint {@code KEY.hint} and its name
+     * {@code KEY.name} for those who hear it.
+     */
     static JButton button(String key, Texts texts, Runnable action) {
         var button = new JButton(texts.label(key));
         button.setName(key);
@@ -25,6 +28,8 @@ final class Controls {
             button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
         }
         if (texts.has(key + ".hint")) button.setToolTipText(texts.text(key + ".hint"));
+        if (texts.has(key + ".name"))
+            button.getAccessibleContext().setAccessibleName(texts.text(key + ".name"));
         button.setMargin(MARGIN);
         button.putClientProperty("FlatLaf.style", "minimumWidth: 0");
         button.addActionListener(e -> action.run());

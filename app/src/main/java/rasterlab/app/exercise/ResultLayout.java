@@ -35,6 +35,9 @@ final class ResultLayout implements LayoutManager {
 
     private static final int WORDS_MOST = 6;
 
+    /** The picture below the words has at least so much height, in sizes of the type. */
+    private static final int PICTURE = 10;
+
     /** Rows of the cases that are seen at least, with their head. */
     private static final int ROWS = 4;
 
@@ -87,7 +90,7 @@ final class ResultLayout implements LayoutManager {
         int right = width - left - gap;
         cases.setBounds(0, 0, left, wholeRows(height));
         guide.setBounds(left + gap, 0, right, height);
-        int lines = Math.min(height, heightOfWords(right));
+        int lines = Math.min(heightOfWords(right), Math.max(height / 2, height - PICTURE * size));
         words.setBounds(left + gap, 0, right, lines);
         picture.setBounds(left + gap, lines + gap / 2, right, height - lines - gap / 2);
     }
@@ -114,9 +117,15 @@ final class ResultLayout implements LayoutManager {
         for (int round = 0; round < 2; round++) {
             words.setSize(width, Short.MAX_VALUE);
             words.invalidate();
-            words.doLayout();
+            layOut(words);
         }
         return words.getPreferredSize().height;
+    }
+
+    private static void layOut(Container parent) {
+        parent.doLayout();
+        for (Component each : parent.getComponents())
+            if (each instanceof Container inner) layOut(inner);
     }
 
     @Override

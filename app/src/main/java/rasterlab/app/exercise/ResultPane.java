@@ -94,13 +94,17 @@ final class ResultPane extends JPanel {
     private JPanel cases() {
         JScrollPane scroll = table.scrolled();
         scroll.setName("cases.scroll");
-        words.setLayout(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
+        words.setLayout(
+                new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[shrink 200][]"));
+        var reasons = new JScrollPane(reason);
+        reasons.setBorder(null);
+        reasons.setName("reason.scroll");
         var controls = new JPanel(new FlowRows(6));
         controls.add(viewLabel);
         controls.add(view);
         controls.add(open);
         FlowRows.keepWrapped(controls);
-        words.add(reason, "wmin 0");
+        words.add(reasons, "wmin 0, hmin 0");
         words.add(controls, "wmin 0");
         var all = new JPanel(new ResultLayout(table, scroll, words, picture, guideScroll));
         all.add(scroll);
@@ -227,6 +231,7 @@ final class ResultPane extends JPanel {
                         .isPresent();
         String words = smallest ? texts.text("smallest", said) : said;
         reason.setText(words.isEmpty() ? hint(chosen) : words);
+        reason.setCaretPosition(0);
         picture.show(chosen.map(TriedCase::pictures).orElse(List.of()));
         view.offer(picture.views(), picture.view());
         view.setEnabled(chosen.filter(one -> !one.pictures().isEmpty()).isPresent());
