@@ -2,6 +2,9 @@ package rasterlab.app.canvas;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Format;
@@ -11,6 +14,9 @@ import rasterlab.engine.study.Format;
  * colon, numbers with all their digits, but whole ones without ".0".
  */
 public final class CommandInput implements ValueSink {
+    private static final Pattern RUN =
+            Pattern.compile("echo '([^'\\n]*)' \\| \\./lab run ([a-z-]+) [a-z0-9-]+");
+
     private final StringBuilder json = new StringBuilder();
 
     /** Whether the next value is the first of its array or object, or stands behind its name. */
@@ -30,6 +36,14 @@ public final class CommandInput implements ValueSink {
      */
     public static <I> String of(Format<?, I, ?> format, I input) {
         return of(out -> format.writeInput(input, out));
+    }
+
+    /** The input in a lab's command that runs a method of that topic; empty in any other. */
+    public static Optional<String> in(String topic, String command) {
+        Matcher parts = RUN.matcher(command);
+        return parts.matches() && parts.group(2).equals(topic)
+                ? Optional.of(parts.group(1))
+                : Optional.empty();
     }
 
     /** Writes those fields as one JSON object, whose zeros have no sign. */

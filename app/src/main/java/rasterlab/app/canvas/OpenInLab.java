@@ -35,6 +35,19 @@ public interface OpenInLab {
      */
     void showInput(String topic, String json, String method, Optional<Plotted> drawn);
 
+    /** Whether a tab can hand in the input of that topic which it shows. */
+    boolean handsIn(String topic);
+
+    /**
+     * Brings the topic's tab to the front, from which the input that is shown there can be handed
+     * in for the exercise.
+     *
+     * @param exercise its id
+     * @param json an input that it begins with; "" for the one that is shown there
+     * @throws IllegalArgumentException naming the place where the input cannot be read
+     */
+    void showToHandIn(String exercise, String topic, String json);
+
     /** Why no tab can run the user's own program on that topic; empty where one can. */
     Optional<Unshown> obstacleToOwn(String topic);
 

@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import rasterlab.app.canvas.CommandInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Unlike;
@@ -21,6 +22,7 @@ import rasterlab.engine.raster.Plotted;
  * @param cases shows inputs together with what the user's program did; empty for a lab that cannot
  * @param anyInput whether the lab shows any input, not only hazards by their names
  * @param own shows the user's own program; empty for a lab that cannot run it
+ * @param written tells the input that is shown; empty for a lab that cannot
  * @param <M> the lab's model
  */
 public record TopicWay<M>(
@@ -28,7 +30,8 @@ public record TopicWay<M>(
         Optional<Notes<M>> notes,
         Optional<Cases<M>> cases,
         boolean anyInput,
-        Optional<ShowOwn<M>> own) {
+        Optional<ShowOwn<M>> own,
+        Optional<Writing<M>> written) {
     /** Shows an input by a method of the topic, "" for the lab's own. */
     public interface Show<M> {
         void show(M lab, TopicInput input, String method);
@@ -70,19 +73,40 @@ public record TopicWay<M>(
         void show(M lab, Optional<TopicInput> input, String beside);
     }
 
+    /** Tells the input that a lab shows. */
+    public interface Writing<M> {
+        /**
+         * A JSON object, as {@code ./lab run} takes it; empty where the lab shows no such input.
+         */
+        Optional<String> input(M lab);
+    }
+
     /** The way of a lab that shows every input of the topic as it is. */
     public static <M> TopicWay<M> whole(Show<M> show) {
-        return new TopicWay<>(show, Optional.empty(), Optional.empty(), true, Optional.empty());
+        return new TopicWay<>(
+                show, Optional.empty(), Optional.empty(), true, Optional.empty(), Optional.empty());
     }
 
     /** The way of a lab that finds a hazard by its name and shows no other input. */
     public static <M> TopicWay<M> hazards(Show<M> show) {
-        return new TopicWay<>(show, Optional.empty(), Optional.empty(), false, Optional.empty());
+        return new TopicWay<>(
+                show,
+                Optional.empty(),
+                Optional.empty(),
+                false,
+                Optional.empty(),
+                Optional.empty());
     }
 
     /** The way of a lab that says beside its picture in what that is unlike an input. */
     public static <M> TopicWay<M> noted(Show<M> show, Notes<M> notes) {
-        return new TopicWay<>(show, Optional.of(notes), Optional.empty(), true, Optional.empty());
+        return new TopicWay<>(
+                show,
+                Optional.of(notes),
+                Optional.empty(),
+                true,
+                Optional.empty(),
+                Optional.empty());
     }
 
     /**
@@ -106,12 +130,22 @@ public record TopicWay<M>(
 
     /** The same way for a lab that shows hazards by their names and no other input. */
     public TopicWay<M> hazardsAlone() {
-        return new TopicWay<>(show, notes, cases, false, own);
+        return new TopicWay<>(show, notes, cases, false, own, written);
     }
 
     /** The same way, which also shows cases of exercises. */
     public TopicWay<M> reading(Cases<M> cases) {
-        return new TopicWay<>(show, notes, Optional.of(cases), anyInput, own);
+        return new TopicWay<>(show, notes, Optional.of(cases), anyInput, own, written);
+    }
+
+    /**
+     * The same way of a lab whose command for the terminal begins with the input.
+     *
+     * @param command for what is shown; empty where no command does that
+     */
+    public TopicWay<M> writing(String topic, Function<M, Optional<String>> command) {
+        Writing<M> input = lab -> command.apply(lab).flatMap(told -> CommandInput.in(topic, told));
+        return new TopicWay<>(show, notes, cases, anyInput, own, Optional.of(input));
     }
 
     /**
@@ -139,6 +173,6 @@ public record TopicWay<M>(
                                             chooseMethod.accept(lab, OwnMethods.NAME);
                                             compareWith.accept(lab, beside);
                                         });
-        return new TopicWay<>(show, notes, cases, anyInput, Optional.of(showing));
+        return new TopicWay<>(show, notes, cases, anyInput, Optional.of(showing), written);
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.app.clip;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -55,6 +56,9 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
                                 ClipLabModel::history,
                                 (lab, input) -> lab.showInput(mode, input),
                                 ClipLabModel::chooseMethod)
+                        .writing(
+                                mode.topic(),
+                                lab -> Optional.of(ClipCommand.of(lab.state().choice().scene())))
                         .withOwn(
                                 ClipLabModel::history,
                                 lab -> lab.chooseMode(mode),

@@ -91,10 +91,18 @@ final class EditorBar extends JPanel {
         return button;
     }
 
-    /** Runs the text as it is in the tab of its topic, on the input that is shown there. */
+    /**
+     * Runs the text as it is in the tab of its topic, on the input that is shown there; an input is
+     * shown there itself.
+     */
     private void showInLab(Consumer<Throwable> onFailure) {
         ExerciseState state = model.state();
         try {
+            if (state.exercise().form() == Exercise.Form.BREAK) {
+                String input = HandedInput.last(state.source());
+                lab.showToHandIn(state.exercise().id(), state.exercise().topic(), input);
+                return;
+            }
             model.bringToLabs(state.source());
             lab.showOwn(state.exercise().topic(), "", "");
         } catch (IllegalArgumentException e) {
@@ -103,7 +111,14 @@ final class EditorBar extends JPanel {
     }
 
     private void offerLab(Exercise exercise) {
-        inLab.setVisible(exercise.form() == Exercise.Form.WRITE);
+        boolean breaks = exercise.form() == Exercise.Form.BREAK;
+        inLab.setVisible(
+                breaks ? lab.handsIn(exercise.topic()) : exercise.form() == Exercise.Form.WRITE);
+        if (breaks) {
+            inLab.setEnabled(true);
+            inLab.setToolTipText(texts.text("inLab.break"));
+            return;
+        }
         Optional<String> obstacle =
                 lab.obstacleToOwn(exercise.topic())
                         .map(why -> why.in(Texts.of("canvas", texts.language()), exercise.topic()));

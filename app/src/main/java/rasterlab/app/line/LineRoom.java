@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
@@ -75,11 +76,18 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                                 LineInput::read,
                                 (lab, input, method, drawn) ->
                                         lab.showTried((Segment) input, method, drawn)))
+                .writing("line", LineRoom::segmentCommand)
                 .withOwn(
                         LineLabModel::history,
                         lab -> lab.chooseMode(LineMode.SEGMENT),
                         LineLabModel::chooseMethod,
                         LineLabModel::compareWith);
+    }
+
+    private static Optional<String> segmentCommand(LineLabModel lab) {
+        return lab.mode() == LineMode.SEGMENT
+                ? Optional.of(LineCommand.of(lab.state().choice()))
+                : Optional.empty();
     }
 
     private TopicCard<LineLabModel> figure(
@@ -96,6 +104,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
                                     show.accept(lab, input);
                                 },
                                 (lab, method) -> lab.figures().chooseMethod(method))
+                        .writing(topic, lab -> FigureCommand.of(lab.figures().state().scene()))
                         .withOwn(
                                 lab -> lab.figures().history(),
                                 lab -> lab.chooseMode(mode),

@@ -55,6 +55,9 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
                                 PolygonLabModel::history,
                                 (lab, input) -> lab.showInput(mode, input),
                                 PolygonLabModel::chooseMethod)
+                        .writing(
+                                mode.topic(),
+                                lab -> PolygonCommand.of(lab.state().choice().scene()))
                         .withOwn(
                                 PolygonLabModel::history,
                                 lab -> lab.chooseMode(mode),

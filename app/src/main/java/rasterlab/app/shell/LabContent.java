@@ -18,6 +18,7 @@ import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnProgram;
+import rasterlab.exercises.Exercise;
 
 /**
  * What the frame holds: the tabs, and the choice of language and theme at the end of their strip.
@@ -48,6 +49,9 @@ public final class LabContent extends JPanel {
         pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
         labs.opening().showTabsBy(this::show);
         labs.opening().tellHazardsTo(hazard -> opened = Optional.of(hazard));
+        labs.opening()
+                .tellHandingInTo(
+                        (tab, exercise) -> tellHandingIn(labs.opening(), tab, exercise, texts));
         labs.opening().tellOwnTo((tab, mine) -> tellOwn(labs.opening(), tab, mine, texts));
         show(shown);
         pane.fill();
@@ -117,6 +121,18 @@ public final class LabContent extends JPanel {
         if (opened.isEmpty() || pane.seen() != pane.chosen()) return;
         Chips.tell(opened.get(), pane.seen().panel());
         opened = Optional.empty();
+    }
+
+    /** Says over a lab for which exercise its input can be handed in. */
+    private void tellHandingIn(LabOpening opening, String tab, Exercise exercise, Texts texts) {
+        pane.tell(
+                tab,
+                new HandInStrip(
+                        exercise,
+                        texts,
+                        () -> opening.handIn(exercise),
+                        () -> opening.showExercise(exercise),
+                        () -> pane.tellNothing(tab)));
     }
 
     /** Says over a lab from which exercise the program is that it shows. */

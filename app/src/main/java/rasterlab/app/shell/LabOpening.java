@@ -44,6 +44,7 @@ final class LabOpening implements OpenInLab {
     private Consumer<String> showTab = tab -> {};
     private Consumer<String> tellHazard = hazard -> {};
     private BiConsumer<String, OwnProgram> tellOwn = (tab, program) -> {};
+    private BiConsumer<String, Exercise> tellHandingIn = (tab, exercise) -> {};
 
     /** Counts what was asked for, so that only the newest is shown. */
     private int asked;
@@ -187,6 +188,13 @@ final class LabOpening implements OpenInLab {
         }
     }
 
+    /**
+     * @param told for which exercise the input of the tab of that name can be handed in
+     */
+    void tellHandingInTo(BiConsumer<String, Exercise> told) {
+        tellHandingIn = told;
+    }
+
     @Override
     public Optional<Unshown> obstacleToOwn(String topic) {
         return card(topic).map(TopicCard::way).filter(way -> way.own().isPresent()).isPresent()
@@ -228,6 +236,42 @@ final class LabOpening implements OpenInLab {
                 .findFirst()
                 .orElseGet(() -> right.get(0))
                 .name();
+    }
+
+    @Override
+    public boolean handsIn(String topic) {
+        return card(topic).filter(card -> card.way().written().isPresent()).isPresent();
+    }
+
+    @Override
+    public void showToHandIn(String exercise, String topic, String json) {
+        TopicCard<?> card = shown(topic, "");
+        if (json.isEmpty()) showTab.accept(card.lab().name());
+        else showInput(card, json, "", Optional.empty());
+        Exercise found =
+                Named.find("exercise", exercise, models.exercises().exercises(), Exercise::id);
+        tellHandingIn.accept(card.lab().name(), found);
+    }
+
+    /**
+     * Hands in what the lab of the exercise's topic shows, and shows the exercise; false where the
+     * lab shows no input of that topic.
+     */
+    boolean handIn(Exercise exercise) {
+        Optional<String> input = written(exercise.topic());
+        if (input.isEmpty()) return false;
+        showTab.accept(new ExerciseRoom().name());
+        models.exercises().handIn(exercise.id(), input.get());
+        return true;
+    }
+
+    /** The input of that topic that its lab shows; empty where it shows none. */
+    Optional<String> written(String topic) {
+        return written(shown(topic, ""));
+    }
+
+    private <M> Optional<String> written(TopicCard<M> card) {
+        return card.way().written().flatMap(way -> way.input(models.of(card.lab())));
     }
 
     /** Notes that a tab tells nothing of the user's program any more. */

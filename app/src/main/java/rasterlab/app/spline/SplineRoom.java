@@ -2,6 +2,7 @@ package rasterlab.app.spline;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
@@ -59,7 +60,15 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
                                         lab -> lab.curve().history(),
                                         lab -> lab.show(SplineMode.CURVE),
                                         (lab, method) -> lab.curve().chooseMethod(method),
-                                        (lab, method) -> lab.curve().compareWith(method))),
+                                        (lab, method) -> lab.curve().compareWith(method))
+                                .writing(
+                                        "curve",
+                                        lab ->
+                                                shown(
+                                                        lab,
+                                                        SplineMode.CURVE,
+                                                        CurveCommand.of(
+                                                                lab.curve().state().choice())))),
                 card(
                         "spline-function",
                         TopicWay.<SplineLabModel>inTurn(
@@ -73,7 +82,19 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
                                         lab -> lab.function().history(),
                                         lab -> lab.show(SplineMode.FUNCTION),
                                         (lab, method) -> lab.function().chooseMethod(method),
-                                        (lab, method) -> lab.function().compareWith(method))));
+                                        (lab, method) -> lab.function().compareWith(method))
+                                .writing(
+                                        "spline-function",
+                                        lab ->
+                                                shown(
+                                                        lab,
+                                                        SplineMode.FUNCTION,
+                                                        FunctionCommand.of(
+                                                                lab.function().state())))));
+    }
+
+    private static Optional<String> shown(SplineLabModel lab, SplineMode mode, String command) {
+        return lab.mode() == mode ? Optional.of(command) : Optional.empty();
     }
 
     private TopicCard<SplineLabModel> card(String topic, TopicWay<SplineLabModel> way) {

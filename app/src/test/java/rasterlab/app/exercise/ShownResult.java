@@ -28,6 +28,14 @@ final class ShownResult {
                 }
 
                 @Override
+                public boolean handsIn(String topic) {
+                    return false;
+                }
+
+                @Override
+                public void showToHandIn(String exercise, String topic, String json) {}
+
+                @Override
                 public Optional<Unshown> obstacleToOwn(String topic) {
                     return Optional.of(Unshown.NO_OWN);
                 }

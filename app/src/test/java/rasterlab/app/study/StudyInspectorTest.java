@@ -42,6 +42,14 @@ class StudyInspectorTest {
                 public void showHazard(String topic, String hazard, String method) {}
 
                 @Override
+                public boolean handsIn(String topic) {
+                    return false;
+                }
+
+                @Override
+                public void showToHandIn(String exercise, String topic, String json) {}
+
+                @Override
                 public Optional<Unshown> obstacleToOwn(String topic) {
                     return Optional.of(Unshown.NO_OWN);
                 }
