@@ -67,7 +67,7 @@ class HandInTest {
                 "line | {\"from\":[1,2],\"to\":[-3,4]}",
                 "circle | {\"center\":[2,-3],\"radius\":4}",
                 "ellipse | {\"center\":[2,-3],\"rx\":5,\"ry\":4}",
-                "polygon-fill | {\"polygon\":[[0,0],[4,0],[2,5]],\"rule\":\"even-odd\"}",
+                "polygon-fill | {\"polygon\":[[2,2],[8,2],[8,8],[2,8]],\"rule\":\"evenodd\",\"size\":[12,12]}",
                 "point-in-triangle | {\"triangle\":[[0,0],[4,0],[2,5]],\"points\":[[1,1]]}",
                 "point-in-polygon | {\"polygon\":[[0,0],[4,0],[2,5]],\"points\":[[1,1]]}",
                 "triangulate | {\"polygon\":[[0,0],[4,0],[4,4],[0,5]]}",
