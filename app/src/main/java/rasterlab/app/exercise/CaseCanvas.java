@@ -40,12 +40,16 @@ final class CaseCanvas extends SelfDrawn {
 
     private final transient Texts texts;
     private final transient Consumer<Throwable> onFailure;
+    private final transient CaseZoom zoom = new CaseZoom(this);
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
     private transient List<TriedPicture> pictures = List.of();
     private transient CaseDrawing drawing = CaseDrawing.NONE;
 
     /** The user's choice, which a case may not have. */
     private String wish = TOGETHER;
+
+    /** The choice before blinking. */
+    private String steady = TOGETHER;
 
     private boolean second;
 
@@ -63,6 +67,7 @@ final class CaseCanvas extends SelfDrawn {
     void show(List<TriedPicture> next) {
         if (!next.equals(pictures)) {
             pictures = next;
+            zoom.reset();
             drawing = next.isEmpty() ? CaseDrawing.NONE : decoded(next);
             if (!next.isEmpty()) getAccessibleContext().setAccessibleDescription(inWords());
             blinkWhereChosen();
@@ -134,6 +139,18 @@ final class CaseCanvas extends SelfDrawn {
         repaint();
     }
 
+    /** Begins to blink; goes back to what was seen before where it blinks already. */
+    void toggleBlink() {
+        if (!views().contains(BLINK)) return;
+        if (!view().equals(BLINK)) steady = view();
+        choose(view().equals(BLINK) ? steady : BLINK);
+    }
+
+    /** How far the pictures are drawn larger. */
+    CaseZoom zoom() {
+        return zoom;
+    }
+
     private void blinkWhereChosen() {
         if (!view().equals(BLINK)) blink.stop();
         else if (!blink.isRunning()) blink.start();
@@ -165,6 +182,7 @@ final class CaseCanvas extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.transform(zoom.transform());
         if (!drawing.pictures().isEmpty()) paint(g);
         g.dispose();
     }

@@ -13,8 +13,10 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
@@ -76,6 +78,7 @@ final class ResultPane extends JPanel {
         picture = new CaseCanvas(texts, onFailure);
         view = new NameChooser("view", picture.views(), picture::nameOf, picture::choose);
         viewLabel = Controls.label("view", texts, view);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("B"), this::blink);
         open = Controls.button("open", texts, () -> openChosen(onFailure));
         reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
         guide.getAccessibleContext().setAccessibleName(texts.text("guide.name"));
@@ -220,6 +223,12 @@ final class ResultPane extends JPanel {
     private void chosen() {
         table.chosen().ifPresent(one -> kept.chooseCase(exercise, shown, one.name()));
         showChosen();
+    }
+
+    /** Lets expected and actual picture blink, or stops that. */
+    private void blink() {
+        picture.toggleBlink();
+        view.offer(picture.views(), picture.view());
     }
 
     private void showChosen() {

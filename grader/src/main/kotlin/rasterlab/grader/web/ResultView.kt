@@ -165,6 +165,16 @@ private fun FlowContent.pictures(
             }
         }
     }
+    val turns =
+        listOf(CasePicture.EXPECTED, CasePicture.ACTUAL).mapNotNull { kind ->
+            pictures.find { it.kind == kind }
+        }
+    if (turns.size == 2) {
+        details {
+            summary { +texts.say("result.blink") }
+            div("blink") { turns.forEach { img(src = it.url, alt = "$case: ${texts.picture(it.kind)}") } }
+        }
+    }
     pictures.find { it.kind == CasePicture.DIFFERENCE }?.let { difference ->
         details {
             summary { +texts.say("result.astext") }
