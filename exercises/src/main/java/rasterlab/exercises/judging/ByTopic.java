@@ -262,7 +262,12 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
                 .<Call>map(
                         input ->
                                 new PropertyCall<>(
-                                        this, property, input, tolerance, inputs.size(), false))
+                                        this,
+                                        property,
+                                        input,
+                                        tolerance,
+                                        inputs.size(),
+                                        Optional.empty()))
                 .toList();
     }
 

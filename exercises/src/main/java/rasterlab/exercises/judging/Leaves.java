@@ -146,8 +146,10 @@ final class Leaves {
                 .map(
                         place -> {
                             String[] two = told(mine.at(place), fitting.at(place));
-                            return Message.of(
-                                    "answer.at.unfit", place, two[0], two[1], topic.name());
+                            String key = "answer.at.unfit";
+                            if (two[0].equals(NONE)) key = "answer.at.unfit-missing";
+                            if (two[1].equals(NONE)) key = "answer.at.unfit-extra";
+                            return Message.of(key, place, two[0], two[1], topic.name());
                         })
                 .orElse(Message.NONE);
     }

@@ -16,6 +16,7 @@ import rasterlab.exercises.property.Property;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.SmallerInputs;
+import rasterlab.exercises.property.SmallerInputs.Smaller;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -33,12 +34,12 @@ final class PropertyCall<C, I, O> implements Call {
     private final I input;
     private final Tolerance tolerance;
     private final int tries;
-    private final boolean shrunk;
+    private final Optional<Smaller> from;
     private final InputCall<C, I, O> own;
 
     /**
      * @param tries number of inputs that the case asks for
-     * @param shrunk whether this one was made of one of them
+     * @param from what it was made of one of them as; empty for one of them
      */
     PropertyCall(
             ByTopic<C, I, O> grading,
@@ -46,13 +47,13 @@ final class PropertyCall<C, I, O> implements Call {
             I input,
             Tolerance tolerance,
             int tries,
-            boolean shrunk) {
+            Optional<Smaller> from) {
         this.grading = grading;
         this.property = property;
         this.input = input;
         this.tolerance = tolerance;
         this.tries = tries;
-        this.shrunk = shrunk;
+        this.from = from;
         this.own = new InputCall<>(grading, input, grading.demand(input, tolerance));
     }
 
@@ -194,7 +195,8 @@ final class PropertyCall<C, I, O> implements Call {
     private Message counterexample(I other) {
         String json = json(input);
         if (json.length() > ByTopic.LONGEST_EXAMPLE) return Message.of("property.long", tries);
-        Message found = Message.of(shrunk ? "property.smallest" : "property.found", tries, json);
+        Message found =
+                Message.of(from.isPresent() ? "property.smallest" : "property.found", tries, json);
         return other.equals(input) ? found : found.and(shown("property.beside", other));
     }
 
@@ -228,10 +230,23 @@ final class PropertyCall<C, I, O> implements Call {
 
     @Override
     public Stream<Call> smaller() {
-        return SmallerInputs.of(input())
-                .flatMap(one -> TopicInputs.read(topic().format(), one).stream())
+        Smaller start = from.orElseGet(() -> Smaller.first(input()));
+        return SmallerInputs.of(start).flatMap(one -> shrunkTo(one).stream());
+    }
+
+    /** Empty where that is no input with a right answer, or none that the property speaks of. */
+    private Optional<Call> shrunkTo(Smaller smaller) {
+        return TopicInputs.read(topic().format(), smaller.json())
                 .filter(property.assumed())
-                .map(one -> new PropertyCall<>(grading, property, one, tolerance, tries, true))
+                .map(
+                        one ->
+                                new PropertyCall<>(
+                                        grading,
+                                        property,
+                                        one,
+                                        tolerance,
+                                        tries,
+                                        Optional.of(smaller)))
                 .filter(one -> one.own.isAnswered())
                 .map(Call.class::cast);
     }

@@ -14,9 +14,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
- * Makes of an input as JSON smaller ones, the boldest first: arrays lose half of their members or
- * one; all numbers, and then each, are rounded to whole ones, halved, or brought nearer to 0. What
- * is no input of the topic is among them.
+ * Makes of an input as JSON smaller ones, the boldest first: all numbers are rounded to whole ones;
+ * arrays lose half of their members or one; all numbers, and then each, are halved or brought
+ * nearer to 0. What is no input of the topic is among them.
  *
  * <p>However often it is done, it ends: each has fewer members, or numbers that are nearer to 0 or
  * whole where they were not.
@@ -29,18 +29,38 @@ public final class SmallerInputs {
                     value -> rounded(value / 2),
                     value -> value == Math.rint(value) ? value - Math.signum(value) : value);
 
+    /** Rounds, and halves: of {@link #STEPS}. */
+    private static final int ROUNDS = 1;
+
+    private static final int HALVES = 2;
+
+    /**
+     * An input, and where to go on from it.
+     *
+     * @param settled whether no array can lose members: none could before a number changed
+     * @param from which of its numbers is changed first
+     */
+    public record Smaller(JsonNode json, boolean settled, int from) {
+        /** One that was not made smaller yet. */
+        public static Smaller first(JsonNode json) {
+            return new Smaller(json, false, 0);
+        }
+    }
+
+    private final Smaller start;
     private final JsonNode root;
     private final List<JsonPointer> arrays = new ArrayList<>();
     private final List<JsonPointer> numbers = new ArrayList<>();
 
-    private SmallerInputs(JsonNode root) {
-        this.root = root;
+    private SmallerInputs(Smaller start) {
+        this.start = start;
+        this.root = start.json();
         visit(JsonPointer.empty(), root);
     }
 
     /** Made when they are asked for. */
-    public static Stream<JsonNode> of(JsonNode input) {
-        return new SmallerInputs(input).all();
+    public static Stream<Smaller> of(Smaller start) {
+        return new SmallerInputs(start).all();
     }
 
     private void visit(JsonPointer at, JsonNode node) {
@@ -53,40 +73,60 @@ public final class SmallerInputs {
         for (int i = 0; i < node.size(); i++) visit(at.appendIndex(i), node.get(i));
     }
 
-    private Stream<JsonNode> all() {
-        Stream<Supplier<JsonNode>> fewer =
-                arrays.stream().flatMap(array -> withoutSome(array, root.at(array).size()));
-        Stream<Supplier<JsonNode>> rounded = Stream.of(() -> each(numbers, STEPS.get(1)));
-        Stream<Supplier<JsonNode>> halved = Stream.of(() -> each(numbers, STEPS.get(2)));
-        Stream<Supplier<JsonNode>> nearer =
-                numbers.stream()
-                        .flatMap(
-                                number ->
-                                        STEPS.stream()
-                                                .map(step -> () -> each(List.of(number), step)));
-        return Stream.of(fewer, rounded, halved, nearer)
+    private Stream<Smaller> all() {
+        Stream<Supplier<Smaller>> rounded =
+                Stream.of(() -> new Smaller(each(numbers, STEPS.get(ROUNDS)), start.settled(), 0));
+        Stream<Supplier<Smaller>> fewer =
+                start.settled()
+                        ? Stream.of()
+                        : arrays.stream()
+                                .flatMap(array -> withoutSome(array, root.at(array).size()));
+        Stream<Supplier<Smaller>> halved =
+                Stream.of(() -> new Smaller(each(numbers, STEPS.get(HALVES)), true, 0));
+        return Stream.of(rounded, fewer, halved, nearer())
                 .flatMap(some -> some)
                 .map(Supplier::get)
-                .filter(one -> !one.equals(root));
+                .filter(one -> !one.json().equals(root));
     }
 
-    private Stream<Supplier<JsonNode>> withoutSome(JsonPointer array, int size) {
+    /** One number changed, from where it went on last and round. */
+    private Stream<Supplier<Smaller>> nearer() {
+        return IntStream.range(0, numbers.size())
+                .map(i -> (i + start.from()) % numbers.size())
+                .boxed()
+                .flatMap(
+                        i ->
+                                STEPS.stream()
+                                        .map(
+                                                step ->
+                                                        () ->
+                                                                new Smaller(
+                                                                        each(
+                                                                                List.of(
+                                                                                        numbers.get(
+                                                                                                i)),
+                                                                                step),
+                                                                        true,
+                                                                        i)));
+    }
+
+    private Stream<Supplier<Smaller>> withoutSome(JsonPointer array, int size) {
         int half = size / 2;
-        Stream<Supplier<JsonNode>> halves =
+        Stream<Supplier<Smaller>> halves =
                 half < 2
                         ? Stream.of()
                         : Stream.of(
                                 () -> without(array, half, size), () -> without(array, 0, half));
-        Stream<Supplier<JsonNode>> single =
+        Stream<Supplier<Smaller>> single =
                 IntStream.range(0, size).mapToObj(i -> () -> without(array, i, i + 1));
         return Stream.concat(halves, single);
     }
 
-    private JsonNode without(JsonPointer array, int from, int to) {
+    private Smaller without(JsonPointer array, int from, int to) {
         JsonNode copy = root.deepCopy();
         ArrayNode left = (ArrayNode) copy.at(array);
         for (int i = to - 1; i >= from; i--) left.remove(i);
-        return copy;
+        return Smaller.first(copy);
     }
 
     private JsonNode each(List<JsonPointer> chosen, DoubleUnaryOperator step) {

@@ -9,13 +9,16 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import rasterlab.exercises.property.SmallerInputs.Smaller;
 
 class SmallerInputsTest {
     private static final JsonMapper MAPPER = new JsonMapper();
     private static final long SEED = 20261127;
 
     private static List<String> of(String json) throws JsonProcessingException {
-        return SmallerInputs.of(MAPPER.readTree(json)).map(JsonNode::toString).toList();
+        return SmallerInputs.of(Smaller.first(MAPPER.readTree(json)))
+                .map(one -> one.json().toString())
+                .toList();
     }
 
     @Test
@@ -47,11 +50,12 @@ class SmallerInputsTest {
                                             random.nextInt(9) - 4,
                                             random.nextDouble()));
             int steps = 0;
-            for (List<JsonNode> next = SmallerInputs.of(one).toList();
+            Smaller at = Smaller.first(one);
+            for (List<Smaller> next = SmallerInputs.of(at).toList();
                     !next.isEmpty();
-                    next = SmallerInputs.of(one).toList()) {
-                one = next.get(random.nextInt(next.size()));
-                assertTrue(steps++ < 1000, "seed " + SEED + ", at " + one);
+                    next = SmallerInputs.of(at).toList()) {
+                at = next.get(random.nextInt(next.size()));
+                assertTrue(steps++ < 1000, "seed " + SEED + ", at " + at);
             }
         }
     }
