@@ -12,6 +12,7 @@ public final class Properties {
                             ClipProperties.ALL,
                             AreaProperties.ALL,
                             MotionProperties.ALL,
+                            DepthProperties.ALL,
                             CurveProperties.ALL,
                             SplineProperties.ALL,
                             LightProperties.ALL,
