@@ -56,7 +56,7 @@ public record Exercise(
         Evidence evidence,
         OptionalInt minutes,
         List<Hint> hints) {
-    /** In all, and so for each kind and each case. */
+    /** The most points in all, and so for each kind and each case. */
     public static final int MOST_POINTS = 100;
 
     /** The longest that an exercise can be said to take: a working day. */

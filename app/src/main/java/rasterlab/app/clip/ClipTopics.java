@@ -21,7 +21,7 @@ public record ClipTopics(
         PolygonClipTopic polygon,
         VolumeClipTopic volume,
         OwnMethods own) {
-    /** For somebody without programs of his own. */
+    /** The lab of somebody who has written no program. */
     public ClipTopics() {
         this(new OwnMethods());
     }

@@ -146,7 +146,7 @@ final class DraftFile implements Closeable {
         return path(number);
     }
 
-    /** For what was said to the text. */
+    /** The file of what was said to the text. */
     Path outcomePath() {
         return folder.resolve(stem(exercise, number) + ".result.json");
     }

@@ -31,7 +31,7 @@ public record PolygonTopics(
         PolygonFillTopic fill,
         FillTopic seed,
         OwnMethods own) {
-    /** For somebody without programs of his own. */
+    /** The lab of somebody who has written no program. */
     public PolygonTopics() {
         this(new OwnMethods());
     }

@@ -60,7 +60,7 @@ final class PixelSketches {
         return new Board(Space.PIXELS, figures, new None());
     }
 
-    /** From the axis of v on, by the angle. */
+    /** An arc that begins on the axis of v and turns by the angle. */
     private static Path arc(double rx, double ry, double angle) {
         var points = new ArrayList<Point2D>();
         for (int i = 0; i <= CHORDS; i++) {

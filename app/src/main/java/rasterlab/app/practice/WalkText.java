@@ -3,7 +3,6 @@ package rasterlab.app.practice;
 import static java.util.stream.Collectors.joining;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
@@ -13,12 +12,11 @@ import java.util.stream.StreamSupport;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.predicting.Values;
 
 /** Tells in words what the picture shows: the input, and the steps that are made. */
 final class WalkText {
-    private static final JsonMapper MAPPER = new JsonMapper();
-
     private static final Pattern MINUS = Pattern.compile("(?<![\\p{L}\\d])-(?=\\d)");
 
     private WalkText() {}
@@ -26,7 +24,7 @@ final class WalkText {
     /** The input of a walk as JSON. */
     static JsonNode input(String json) {
         try {
-            return MAPPER.readTree(json);
+            return OwnJson.MAPPER.readTree(json);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -44,11 +44,23 @@ public record Chapter(String topic, List<Exercise> exercises) {
             case "fill", "polygon-fill", "point-in-triangle", "point-in-polygon", "triangulate" ->
                     "polygon";
             case "clip-segment", "clip-polygon", "clip-volume" -> "clip";
-            case "visible-faces", "depth-order", "depth-buffer", "hidden-surfaces" -> "visibility";
+            case "visible-faces",
+                    "depth-order",
+                    "depth-buffer",
+                    "depth-triangle",
+                    "hidden-surfaces" ->
+                    "visibility";
             case "spline-function", "curve" -> "spline";
             case "line-plane", "matrix", "transform", "view", "rotate", "rotate-axis" ->
                     "coordinates";
-            default -> "light";
+            case "shade",
+                    "vertex-normals",
+                    "shade-face",
+                    "color",
+                    "texture-mapping",
+                    "texture-filter" ->
+                    "light";
+            default -> throw new IllegalStateException("no lab is said to show " + topic);
         };
     }
 

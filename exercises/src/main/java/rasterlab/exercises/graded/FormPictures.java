@@ -17,7 +17,7 @@ import rasterlab.exercises.score.CasePicture;
  * in the plane to scale, all others as a table of their numbers.
  */
 final class FormPictures {
-    /** Of the largest difference; a smaller one is not marked, as rounding is. */
+    /** The share of the largest difference below which one is not marked, as rounding is. */
     private static final double SEEN = 0.01;
 
     private final FormFields fields;

@@ -39,7 +39,7 @@ final class TopicInputs<C, I> {
     private final Format<C, I, ?> format;
     private final boolean inOrder;
 
-    /** Of the fields of an input. */
+    /** The names of an input's fields. */
     private final String[] names;
 
     /**

@@ -16,7 +16,7 @@ import java.time.format.DateTimeParseException
 class Deadlines(
     private val database: Database,
 ) {
-    /** By exercise, those of the course of whoever asks; an instructor has none. */
+    /** Deadlines by exercise in the course of whoever asks; an instructor has none. */
     fun of(who: Identity): Map<String, Instant> = if (who is Identity.Student) ofCourseOf(who) else emptyMap()
 
     private fun ofCourseOf(student: Identity.Student): Map<String, Instant> =

@@ -142,10 +142,10 @@ private fun FlowContent.chapter(
     }
 }
 
-/** In UTC, since a server does not know where its students are. */
+/** Writes times in UTC, since a server does not know where its students are. */
 private val UTC_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'").withZone(ZoneOffset.UTC)
 
-/** Its kind, its points, and how long it takes where that is known. */
+/** Tells its kind, its points, and how long it takes where that is known. */
 private fun about(
     texts: Texts,
     exercise: Exercise,

@@ -34,10 +34,6 @@ public record Body(double[] xyz, int[][] faces, double[] eye, double[] inside) {
         return new Body(xyz, faces, eye, point);
     }
 
-    Body withEye(double... point) {
-        return new Body(xyz, faces, point, inside);
-    }
-
     /** This body, its eye and its inner point, each coordinate times {@code factor}. */
     Body scaled(double factor) {
         return new Body(times(xyz, factor), faces, times(eye, factor), times(inside, factor));
