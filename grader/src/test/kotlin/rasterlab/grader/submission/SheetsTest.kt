@@ -1,5 +1,6 @@
 package rasterlab.grader.submission
 
+import io.ktor.client.request.get
 import io.ktor.client.request.header
 import io.ktor.client.request.post
 import io.ktor.client.request.setBody
@@ -72,6 +73,46 @@ class SheetsTest {
             val first = seen.list("cases").first()
             assertTrue("which is right; F(M) = " in first.field("message"), first.toString())
         }
+
+    @Test
+    fun aWrongStepIsToldWithTheDecisionValueInBothLanguages() =
+        classroom().open {
+            val student = newStudent()
+            val sheet = HandedAnswers.of(exercise, sheet(student)).sheet()
+            val asked = sheet.questions().first()
+            val value = asked.reason().orElseThrow()
+            val right = asked.right()
+            val wrong = right.deepCopy().put("x", right["x"].intValue() + 5)
+            val written = SheetText.written("predict-line", sheet) { if (it == asked) wrong else it.right() }
+            val id = handIn(student, written).json().text("id")
+            eventsToTheEnd(student, id)
+            for ((language, reason) in mapOf("en" to "here it is $value", "ru" to "здесь $value")) {
+                val told =
+                    look(student, "/api/v1/submissions/$id?lang=$language")
+                        .json()
+                        .list("cases")
+                        .first()
+                        .field("message")
+                assertTrue(reason in told && "F(M)" in told, told)
+                val page = page(student, "/submissions/$id?lang=$language")
+                assertTrue(reason in page, "$language: not on the page")
+            }
+        }
+
+    private suspend fun Visit.page(
+        student: String,
+        path: String,
+    ): String {
+        val entered =
+            client.post("/sign-in") {
+                header(HttpHeaders.Host, "localhost")
+                header(HttpHeaders.Origin, "http://localhost")
+                header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
+                setBody("token=$student")
+            }
+        val cookie = checkNotNull(entered.headers[HttpHeaders.SetCookie]) { "${entered.status}" }.substringBefore(';')
+        return client.get(path) { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
+    }
 
     @Test
     fun eachAttemptAndEachStudentHasAnotherSheet() =
