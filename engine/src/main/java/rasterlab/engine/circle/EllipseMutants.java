@@ -62,9 +62,15 @@ final class EllipseMutants {
                 });
     }
 
+    /** In each column the pixels that are nearest to the curve above and below, and no others. */
     private static void columnsOnly(int x0, int y0, int a, int b, Pixels out) {
-        var rows = new int[a + 1];
-        RIGHT.draw(0, 0, a, b, (u, v) -> rows[Math.abs(u)] = Math.max(rows[Math.abs(u)], v));
-        keep(x0, y0, a, b, (u, v) -> v == rows[u], out);
+        for (int u = 0; u <= a; u++) {
+            double share = a == 0 ? 0 : (double) u / a;
+            int v = (int) Math.round(b * Math.sqrt(1 - share * share));
+            for (int x : u == 0 ? new int[] {0} : new int[] {-u, u}) {
+                out.plot(x0 + x, y0 - v);
+                if (v > 0) out.plot(x0 + x, y0 + v);
+            }
+        }
     }
 }

@@ -106,17 +106,16 @@ final class LineMutants {
         RIGHT.draw(-x0, -y0, -x1, -y1, (x, y) -> out.plot(-x, -y));
     }
 
-    /** Above 45° only the first pixel that a column has. */
+    /** Above 45° only the nearest pixel of each column; of an upright segment the first. */
     private static void byColumns(int x0, int y0, int x1, int y1, Pixels out) {
-        var last = new long[] {Long.MIN_VALUE};
-        RIGHT.draw(
-                x0,
-                y0,
-                x1,
-                y1,
-                (x, y) -> {
-                    if (x != last[0]) out.plot(x, y);
-                    last[0] = x;
-                });
+        long wide = Math.abs((long) x1 - x0);
+        long high = (long) y1 - y0;
+        if (wide >= Math.abs(high)) RIGHT.draw(x0, y0, x1, y1, out);
+        else if (wide == 0) out.plot(x0, y0);
+        else
+            for (long i = 0; i <= wide; i++) {
+                long up = Math.floorDiv(wide - 2 * i * high, 2 * wide);
+                out.plot((int) (x0 + (x0 < x1 ? i : -i)), (int) (y0 - up));
+            }
     }
 }

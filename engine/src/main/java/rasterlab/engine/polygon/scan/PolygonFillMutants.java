@@ -3,6 +3,7 @@ package rasterlab.engine.polygon.scan;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
@@ -93,24 +94,41 @@ final class PolygonFillMutants {
         int before(double left, double right);
     }
 
-    /** A plain filler by the even-odd rule: crossings of each row, sorted, in pairs. */
+    private record Crossing(double at, int direction) {}
+
+    /** A plain filler: the crossings of each row, sorted, and where their sum is inside. */
     private static PolygonFiller plain(Crosses crosses, Ends ends) {
         return (x, y, rule, width, height, out) -> {
             for (int row = 0; row < height; row++) {
-                var crossings = new ArrayList<Double>();
+                var crossings = new ArrayList<Crossing>();
                 for (int i = 0; i < x.length; i++) {
                     int j = (i + 1) % x.length;
                     if (y[i] == y[j]) continue;
                     if (!crosses.row(row, Math.min(y[i], y[j]), Math.max(y[i], y[j]))) continue;
-                    crossings.add(x[i] + (row - y[i]) * (x[j] - x[i]) / (y[j] - y[i]));
+                    double at = x[i] + (row - y[i]) * (x[j] - x[i]) / (y[j] - y[i]);
+                    crossings.add(new Crossing(at, y[i] < y[j] ? 1 : -1));
                 }
-                Collections.sort(crossings);
-                for (int i = 0; i + 1 < crossings.size(); i += 2) {
-                    int from = Math.max(0, (int) Math.ceil(crossings.get(i)));
-                    int to = ends.before(crossings.get(i), crossings.get(i + 1));
-                    if (from < Math.min(to, width)) out.span(row, from, Math.min(to, width));
-                }
+                crossings.sort(Comparator.comparingDouble(Crossing::at));
+                spans(crossings, rule, ends, row, width, out);
             }
         };
+    }
+
+    private static void spans(
+            List<Crossing> crossings, FillRule rule, Ends ends, int row, int width, Spans out) {
+        int sum = 0;
+        double left = 0;
+        for (Crossing one : crossings) {
+            boolean before = rule.inside(sum);
+            sum += one.direction();
+            if (before == rule.inside(sum)) continue;
+            if (!before) {
+                left = one.at();
+                continue;
+            }
+            int from = Math.max(0, (int) Math.ceil(left));
+            int to = Math.min(width, ends.before(left, one.at()));
+            if (from < to) out.span(row, from, to);
+        }
     }
 }

@@ -20,25 +20,29 @@ final class PointInTriangleMutants {
                 new Mutant<>(
                         "counter-clockwise-only",
                         "boundary-one-way-round",
-                        bySides((a, b, c) -> a >= 0 && b >= 0 && c >= 0)),
+                        unlessFlat(bySides((a, b, c) -> a >= 0 && b >= 0 && c >= 0))),
                 new Mutant<>(
                         "clockwise-only",
                         "boundary-other-way-round",
-                        bySides((a, b, c) -> a <= 0 && b <= 0 && c <= 0)),
+                        unlessFlat(bySides((a, b, c) -> a <= 0 && b <= 0 && c <= 0))),
                 new Mutant<>(
                         "absolute-epsilon",
                         "smaller-than-any-epsilon",
-                        bySides(
-                                (a, b, c) ->
-                                        a > -EPSILON && b > -EPSILON && c > -EPSILON
-                                                || a < EPSILON && b < EPSILON && c < EPSILON)),
+                        unlessFlat(
+                                bySides(
+                                        (a, b, c) ->
+                                                a > -EPSILON && b > -EPSILON && c > -EPSILON
+                                                        || a < EPSILON
+                                                                && b < EPSILON
+                                                                && c < EPSILON))),
                 new Mutant<>(
                         "flat-is-whole-line",
                         "corners-on-one-line",
                         bySides(
                                 (a, b, c) ->
                                         a >= 0 && b >= 0 && c >= 0 || a <= 0 && b <= 0 && c <= 0)),
-                new Mutant<>("products-in-int", "past-2-15", PointInTriangleMutants::inInt),
+                new Mutant<>(
+                        "products-in-int", "past-2-15", unlessFlat(PointInTriangleMutants::inInt)),
                 new Mutant<>(
                         "coordinates-in-float",
                         "small-and-far-away",
@@ -52,6 +56,13 @@ final class PointInTriangleMutants {
                                         (float) cy,
                                         (float) x,
                                         (float) y)));
+    }
+
+    /** Right on a triangle without area: that all its line is inside is a mistake of its own. */
+    private static PointInTriangle unlessFlat(PointInTriangle mistaken) {
+        return (ax, ay, bx, by, cx, cy, x, y) ->
+                (cross(ax, ay, bx, by, cx, cy) == 0 ? RIGHT : mistaken)
+                        .contains(ax, ay, bx, by, cx, cy, x, y);
     }
 
     private interface Sides {
