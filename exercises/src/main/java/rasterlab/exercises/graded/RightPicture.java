@@ -8,6 +8,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.raster.Pixel;
@@ -101,8 +102,10 @@ public final class RightPicture {
     private List<Shape> curves() {
         JsonNode from = fields.one(FieldKind.START);
         JsonNode to = fields.one(FieldKind.END);
-        if (from.isArray() && to.isArray())
-            return List.of(new Line2D.Double(at(from, 0), at(from, 1), at(to, 0), at(to, 1)));
+        if (from.isArray() && to.isArray()) {
+            Shape line = new Line2D.Double(at(from, 0), at(from, 1), at(to, 0), at(to, 1));
+            return Stream.concat(Stream.of(line), window().stream()).toList();
+        }
         JsonNode center = fields.one(FieldKind.CENTER);
         if (center.isArray()) return List.of(ellipse(center));
         List<Shape> outlines = new ArrayList<>();
@@ -110,6 +113,16 @@ public final class RightPicture {
         for (JsonNode all : fields.given(FieldKind.POLYGONS))
             for (JsonNode one : all) outline(one, outlines);
         return outlines;
+    }
+
+    /** The outline of the pixels of a window whose columns and rows are given. */
+    private Optional<Shape> window() {
+        JsonNode sides = fields.one(FieldKind.WINDOW);
+        if (sides.size() != 4) return Optional.empty();
+        double width = at(sides, 2) - at(sides, 0) + 1;
+        double height = at(sides, 3) - at(sides, 1) + 1;
+        return Optional.of(
+                new Rectangle2D.Double(at(sides, 0) - 0.5, at(sides, 1) - 0.5, width, height));
     }
 
     private static void outline(JsonNode corners, List<Shape> into) {
