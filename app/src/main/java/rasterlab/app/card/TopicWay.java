@@ -128,11 +128,6 @@ public record TopicWay<M>(
                                         }));
     }
 
-    /** The same way for a lab that shows hazards by their names and no other input. */
-    public TopicWay<M> hazardsAlone() {
-        return new TopicWay<>(show, notes, cases, false, own, written);
-    }
-
     /** The same way, which also shows cases of exercises. */
     public TopicWay<M> reading(Cases<M> cases) {
         return new TopicWay<>(show, notes, Optional.of(cases), anyInput, own, written);

@@ -125,10 +125,12 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
 
     /** Points of space, beside what the method makes of them. */
     private static TopicWay<CoordinatesLabModel> points(String topic) {
-        return TopicWay.hazards(
+        return TopicWay.whole(
                 (lab, input, method) -> {
                     lab.show(CoordinatesMode.TRANSFORMATIONS);
-                    lab.transformations().show(topic, input.hazard(), method);
+                    if (input.hazard().isEmpty())
+                        lab.transformations().show(topic, input.input(), method);
+                    else lab.transformations().show(topic, input.hazard(), method);
                 });
     }
 

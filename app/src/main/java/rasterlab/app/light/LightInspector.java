@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.FormulaView;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
@@ -201,6 +202,7 @@ final class LightInspector {
 
     /** Names a hazard's body by what tells it from the topic's others: the list is narrow. */
     private static String shown(String body) {
+        if (GivenInput.is(body.substring(body.indexOf('/') + 1))) return "{…}";
         return TopicBodies.has(body)
                 ? body.substring(body.indexOf('/') + 1).replace("/", ", ")
                 : body;

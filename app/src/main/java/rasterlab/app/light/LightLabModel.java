@@ -226,7 +226,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         ColourChoice colour = state.colour();
         LightChoice light = state.choice();
         if (input instanceof Colors colors) colour = colour.with(colors, method);
-        else light = TopicBodies.shown(topic + "/" + hazard, input, method);
+        else light = TopicBodies.shown(TopicBodies.body(topic, hazard, input), input, method);
         var next = new Chosen(light, colours, colour);
         if (next.equals(chosen())) return;
         history.remember();

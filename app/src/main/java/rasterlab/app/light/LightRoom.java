@@ -49,9 +49,9 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     public List<TopicCard<LightLabModel>> cards() {
         return List.of(
                 lit("color", "", Set.of("formula")),
-                body("shade", "shade.", Set.of("phong", "blinn-phong")),
-                body("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
-                body(
+                lit("shade", "shade.", Set.of("phong", "blinn-phong")),
+                lit("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
+                lit(
                         "vertex-normals",
                         "normals.",
                         Set.of("plain-textbook", "plain", "area", "angle")),
@@ -79,21 +79,18 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                 LightLabModel::tell)));
     }
 
-    /** A topic whose inputs are shown as bodies, which are made of hazards by their names. */
-    private TopicCard<LightLabModel> body(String topic, String part, Set<String> drawnBy) {
-        TopicCard<LightLabModel> lit = lit(topic, part, drawnBy);
-        return new TopicCard<>(
-                topic, this, lit.texts(), LightColours.OWN, lit.way().hazardsAlone());
-    }
-
     private TopicCard<LightLabModel> row(String topic) {
         return new TopicCard<>(
                 topic,
                 this,
                 new Place("row", ""),
                 RowColours.OWN,
-                TopicWay.hazards(
-                        (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
+                TopicWay.whole(
+                        (lab, input, method) -> {
+                            if (input.hazard().isEmpty())
+                                lab.rows().show(topic, input.input(), method);
+                            else lab.rows().show(topic, input.hazard(), method);
+                        }));
     }
 
     @Override

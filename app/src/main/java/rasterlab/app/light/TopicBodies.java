@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.joml.Vector3d;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.contract.Attenuation;
 import rasterlab.contract.LightSource;
@@ -21,7 +22,6 @@ import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.SphericalView;
@@ -91,9 +91,21 @@ final class TopicBodies {
     }
 
     private static Object input(String of, String hazard) {
-        Topic<?, ?, ?> topic = Named.find("topic", of, TOPICS, Topic::name);
-        List<Hazard<?>> hazards = List.copyOf(topic.hazards());
-        return Named.find("hazard", hazard, hazards, Hazard::name).input();
+        return GivenInput.any(topic(of), hazard).input();
+    }
+
+    private static Topic<?, ?, ?> topic(String name) {
+        return Named.find("topic", name, TOPICS, Topic::name);
+    }
+
+    /** The body of an input: of a hazard by its name, of any other by what it is. */
+    static String body(String topic, String hazard, Object input) {
+        return topic + "/" + (hazard.isEmpty() ? given(topic(topic), input) : hazard);
+    }
+
+    @SuppressWarnings("unchecked") // of that topic
+    private static <I> String given(Topic<?, I, ?> topic, Object input) {
+        return GivenInput.name(topic, (I) input);
     }
 
     /** The choice that shows an input. */

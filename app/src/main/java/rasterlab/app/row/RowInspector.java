@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
@@ -93,7 +94,10 @@ final class RowInspector {
             column.showRow(methods.get(i), shown);
             if (shown) methods.get(i).show(choice.method());
         }
-        description.show(explanations.text("hazard." + choice.hazard()));
+        description.show(
+                GivenInput.is(choice.hazard())
+                        ? GivenInput.said(texts.language())
+                        : explanations.text("hazard." + choice.hazard()));
         pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
         model.shown().ifPresentOrElse(this::show, this::showNothing);
         about.show(explanations, choice.method(), "", "");

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.CommandInput;
-import rasterlab.engine.naming.Named;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 
@@ -46,6 +46,12 @@ abstract class RowKind<C, I, O> {
         return CommandInput.of(topic.format(), input);
     }
 
+    /** The name of an input in the place of a hazard's. */
+    @SuppressWarnings("unchecked") // of this topic
+    final String given(Object input) {
+        return json((I) input);
+    }
+
     final String json(String hazard) {
         return json(hazard(hazard).input());
     }
@@ -72,7 +78,7 @@ abstract class RowKind<C, I, O> {
     }
 
     private Hazard<I> hazard(String name) {
-        return Named.find("hazard", name, topic.hazards(), Hazard::name);
+        return GivenInput.hazard(topic, name);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
@@ -135,6 +136,16 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         tell();
     }
 
+    /**
+     * Shows another input of the topic as it shows hazards.
+     *
+     * @param method "" for the present one, or the first where the topic is another
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void show(String topic, Object input, String method) {
+        show(topic, kind(topic).given(input), method);
+    }
+
     private static int firstWrong(RowScene scene) {
         for (int i = 0; i < scene.wrong().length; i++) if (scene.wrong()[i]) return i;
         return 0;
@@ -209,8 +220,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     }
 
     Hazard<?> hazard() {
-        List<Hazard<?>> hazards = List.copyOf(topic().hazards());
-        return Named.find("hazard", choice().hazard(), hazards, Hazard::name);
+        return GivenInput.any(topic(), choice().hazard());
     }
 
     /** The hazards of all its topics. */

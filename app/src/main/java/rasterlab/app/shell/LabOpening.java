@@ -1,6 +1,5 @@
 package rasterlab.app.shell;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +8,7 @@ import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Unlike;
@@ -21,17 +21,14 @@ import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.raster.Plotted;
-import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.json.StrictJson;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
 final class LabOpening implements OpenInLab {
@@ -172,20 +169,10 @@ final class LabOpening implements OpenInLab {
             TopicWay.Cases<M> cases = way.cases().get();
             cases.show().show(lab, cases.read().apply(json), method, drawn);
         } else {
-            Object input = read(named(card.topic()).format(), json);
+            Object input = GivenInput.read(named(card.topic()).format(), json);
             way.show().show(lab, new TopicInput(card.topic(), "", input), method);
         }
         showTab.accept(card.lab().name());
-    }
-
-    /** Makes an input from JSON as the command line does. */
-    private static Object read(Format<?, ?, ?> format, String json) {
-        byte[] text = json.getBytes(StandardCharsets.UTF_8);
-        try {
-            return format.read(StrictJson.read(text, text.length, format.input(), format.open()));
-        } catch (Misfit misfit) {
-            throw new IllegalArgumentException(misfit.getMessage(), misfit);
-        }
     }
 
     /**
@@ -219,7 +206,7 @@ final class LabOpening implements OpenInLab {
         Optional<TopicInput> input =
                 json.isEmpty()
                         ? Optional.empty()
-                        : Optional.of(new TopicInput(topic, "", read(named(topic).format(), json)));
+                        : Optional.of(new TopicInput(topic, "", GivenInput.read(named(topic).format(), json)));
         asked++;
         showing.show(models.of(card.lab()), input, beside);
         models.own()

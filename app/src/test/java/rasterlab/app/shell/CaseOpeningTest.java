@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -26,18 +25,6 @@ import rasterlab.exercises.topic.TopicGradings;
 
 /** Cases of exercises, as their tabs show them. */
 class CaseOpeningTest {
-    /** Topics of exercises whose lab knows hazards by their names and shows no other input. */
-    private static final Set<String> HAZARDS_ALONE =
-            Set.of(
-                    "view",
-                    "rotate-axis",
-                    "shade",
-                    "shade-face",
-                    "vertex-normals",
-                    "depth-triangle",
-                    "texture-mapping",
-                    "texture-filter");
-
     /** Draws the generated cases. */
     private static final long SEED = 7;
 
@@ -117,11 +104,7 @@ class CaseOpeningTest {
         for (Exercise exercise : Catalogue.builtIn().all()) {
             if (exercise.form() != Exercise.Form.WRITE) continue;
             TopicGrading grading = TopicGradings.of(exercise);
-            boolean byName = HAZARDS_ALONE.contains(exercise.topic());
-            assertEquals(
-                    byName ? Optional.of(Unshown.NO_READER) : Optional.empty(),
-                    opening.obstacleToInputs(exercise.topic()));
-            if (byName) continue;
+            assertEquals(Optional.empty(), opening.obstacleToInputs(exercise.topic()));
             for (Exercise.Case one : exercise.cases())
                 for (var call : grading.calls(one, exercise.tolerance(), SEED)) {
                     var scene = (MethodCase) SceneFile.read(call.scene());

@@ -138,6 +138,15 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         show(new Trial(topic, hazard, method.isEmpty() ? kept : method));
     }
 
+    /**
+     * Shows another input of the topic as it shows hazards.
+     *
+     * @param method "" for the one that was tried last, or the first where the topic is another
+     */
+    public void show(String topic, Object input, String method) {
+        show(topic, trials.kind(topic).given(input), method);
+    }
+
     /** Tries another method on the same hazard, where there is one. */
     void tryMethod(String method) {
         choice().trial().ifPresent(now -> change(choice().with(now.by(method))));

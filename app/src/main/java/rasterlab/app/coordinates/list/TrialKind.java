@@ -5,10 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
-import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
@@ -64,7 +64,13 @@ abstract class TrialKind<C, I, O> {
      * @throws IllegalArgumentException naming the hazards there are
      */
     final Hazard<I> hazard(String name) {
-        return Named.find("hazard", name, topic.hazards(), Hazard::name);
+        return GivenInput.hazard(topic, name);
+    }
+
+    /** The name of an input in the place of a hazard's. */
+    @SuppressWarnings("unchecked") // of this topic
+    final String given(Object input) {
+        return GivenInput.name(topic, (I) input);
     }
 
     final PointList list(String hazard) {

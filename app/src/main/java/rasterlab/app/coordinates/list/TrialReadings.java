@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.Unlike;
@@ -47,7 +48,9 @@ final class TrialReadings {
                         trial -> {
                             TrialKind<?, ?, ?> kind = model.trials().kind(trial.topic());
                             Hazard<?> hazard = model.trials().hazard(trial);
-                            return kind.said(texts.language()).hazard(hazard);
+                            return GivenInput.is(hazard.name())
+                                    ? GivenInput.said(texts.language())
+                                    : kind.said(texts.language()).hazard(hazard);
                         })
                 .orElse("");
     }
