@@ -1,7 +1,6 @@
 package rasterlab.app.canvas;
 
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.Map;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;

@@ -55,6 +55,16 @@ public final class OwnProgram implements AutoCloseable {
         return method;
     }
 
+    /** Compiles it unless that was done; what is wrong with it is told when it is called. */
+    public void prepare() {
+        try {
+            called();
+        } catch (NoAnswer unusable) {
+            // told again by every call
+            return;
+        }
+    }
+
     /**
      * A right method of the topic's contract that the program's time is held against, in this
      * process; empty where there is none, or the program does not run.

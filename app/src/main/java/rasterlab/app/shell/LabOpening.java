@@ -206,7 +206,9 @@ final class LabOpening implements OpenInLab {
         Optional<TopicInput> input =
                 json.isEmpty()
                         ? Optional.empty()
-                        : Optional.of(new TopicInput(topic, "", GivenInput.read(named(topic).format(), json)));
+                        : Optional.of(
+                                new TopicInput(
+                                        topic, "", GivenInput.read(named(topic).format(), json)));
         asked++;
         showing.show(models.of(card.lab()), input, beside);
         models.own()

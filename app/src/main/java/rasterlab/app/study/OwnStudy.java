@@ -1,5 +1,6 @@
 package rasterlab.app.study;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -9,6 +10,8 @@ import java.util.function.Consumer;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.engine.study.Cost;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Progress;
@@ -25,6 +28,9 @@ import rasterlab.engine.study.Workload;
  */
 final class OwnStudy<C, I, O> {
     private static final String REFERENCE = "reference";
+
+    /** Longer than a program that hangs is waited for on a busy machine, before it is stopped. */
+    private static final Duration LONGEST = Duration.ofMinutes(2);
 
     private final Topic<C, I, O> topic;
     private final OwnProgram program;
@@ -49,7 +55,7 @@ final class OwnStudy<C, I, O> {
         Study mine =
                 StudyRunner.measure(
                         own.only(topic, List.of(own.method(topic, OwnMethods.NAME))),
-                        StudySettings.shortest(),
+                        new StudySettings(Duration.ZERO, Duration.ofNanos(1), 1, LONGEST),
                         done -> {},
                         cancelled);
         var measurements = new ArrayList<Measurement>();
@@ -66,6 +72,16 @@ final class OwnStudy<C, I, O> {
                             reference.map(one -> of(all, workload, REFERENCE).cost())));
         }
         return new Study(all.topic(), all.item(), all.errorUnit(), measurements);
+    }
+
+    /** The program's verdict on each hazard, as {@link HazardTrial#table}. */
+    List<Cell> hazards(Consumer<Cell> judged, BooleanSupplier cancelled) {
+        program.prepare();
+        return HazardTrial.table(
+                own.only(topic, List.of(own.method(topic, OwnMethods.NAME))),
+                LONGEST,
+                judged,
+                cancelled);
     }
 
     @SuppressWarnings("unchecked") // the exercise's model implements the topic's contract

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
@@ -251,19 +252,29 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                     var judged = new ArrayList<Cell>();
                     var news = new Rare<List<Cell>>(tell, cells -> tell(cells, of));
                     List<Cell> all =
-                            HazardTrial.table(
-                                    topic,
-                                    HazardTrial.WALL_LIMIT,
+                            tried(
+                                    topic.name(),
                                     cell -> {
                                         judged.add(cell);
                                         news.accept(List.copyOf(judged));
-                                    },
-                                    Thread.currentThread()::isInterrupted);
+                                    });
                     return () -> {
                         verdicts.put(topic.name(), all);
                         publish(state.withCells(all));
                     };
                 });
+    }
+
+    private List<Cell> tried(String topic, Consumer<Cell> judged) {
+        Topic<?, ?, ?> plain = Named.find("topic", topic, topics, Topic::name);
+        BooleanSupplier cancelled = Thread.currentThread()::isInterrupted;
+        var cells =
+                new ArrayList<>(
+                        HazardTrial.table(plain, HazardTrial.WALL_LIMIT, judged, cancelled));
+        own.of(topic)
+                .map(program -> new OwnStudy<>(plain, program, own).hazards(judged, cancelled))
+                .ifPresent(cells::addAll);
+        return cells;
     }
 
     private void tell(List<Cell> cells, int of) {

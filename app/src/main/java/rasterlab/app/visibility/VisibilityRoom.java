@@ -89,8 +89,12 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 this,
                 new Place("row", ""),
                 RowColours.OWN,
-                TopicWay.hazards(
-                        (lab, input, method) -> lab.rows().show(topic, input.hazard(), method)));
+                TopicWay.whole(
+                        (lab, input, method) -> {
+                            if (input.hazard().isEmpty())
+                                lab.rows().show(topic, input.input(), method);
+                            else lab.rows().show(topic, input.hazard(), method);
+                        }));
     }
 
     private static String drawnBy(String method) {

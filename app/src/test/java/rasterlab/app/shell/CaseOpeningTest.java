@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.Unshown;
 import rasterlab.app.line.Tried;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
@@ -120,11 +119,14 @@ class CaseOpeningTest {
     }
 
     @Test
-    void anInputOfALabThatKnowsHazardsByNameAloneIsRefused() {
-        assertEquals(Optional.of(Unshown.NO_READER), opening.obstacleToInputs("depth-buffer"));
-        assertThrows(
-                IllegalArgumentException.class,
-                () -> shown().showInput("depth-buffer", "{}", "z16", Optional.empty()));
+    void anInputInTheHazardsPlaceIsUndoneToTheHazard() {
+        var rows = models.light().rows();
+        rows.show("texture-mapping", "floor", "affine");
+        String json = "{\"from\":[0,0,1],\"to\":[1,1,2],\"pixels\":8}";
+        shown().showInput("texture-mapping", json, "affine", Optional.empty());
+        assertTrue(rows.choice().hazard().startsWith("{"), rows.choice().hazard());
+        rows.history().undo();
+        assertEquals("floor", rows.choice().hazard());
     }
 
     @Test

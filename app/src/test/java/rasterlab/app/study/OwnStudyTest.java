@@ -103,12 +103,22 @@ class OwnStudyTest {
     void hazardsAreJudgedAsThoseOfEveryMethod() {
         bring(RIGHT.replace("n - ((steep ? sx : sy) > 0 ? 1 : 0)", "n"));
         List<Cell> cells =
-                HazardTrial.table(
-                        own.only(topic, List.of(own.method(topic, OwnMethods.NAME))),
-                        HazardTrial.WALL_LIMIT);
+                new OwnStudy<>(topic, own.of("line").orElseThrow(), own)
+                        .hazards(cell -> {}, () -> false);
         assertEquals(topic.hazards().size(), cells.size());
         assertTrue(cells.stream().anyMatch(one -> one.verdict().kind() == Verdict.Kind.EXACT));
         assertTrue(cells.stream().anyMatch(one -> one.verdict().kind() != Verdict.Kind.EXACT));
+    }
+
+    /** However long that takes: it is no part of the time that the first hazard is given. */
+    @Test
+    void itIsCompiledBeforeTheFirstHazardIsTried() {
+        bring(RIGHT);
+        List<Cell> cells =
+                new OwnStudy<>(topic, own.of("line").orElseThrow(), own)
+                        .hazards(cell -> {}, () -> false);
+        for (Cell one : cells)
+            assertEquals(Verdict.Kind.EXACT, one.verdict().kind(), one.hazard() + one.verdict());
     }
 
     @Test
