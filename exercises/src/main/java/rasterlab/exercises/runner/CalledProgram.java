@@ -111,9 +111,9 @@ public final class CalledProgram implements AutoCloseable {
     }
 
     /**
-     * How many times as long as the reference the program takes for those inputs, each timed in a
-     * process of its own, in turns; empty where it does not answer them all, or the machine does
-     * not let it be measured.
+     * How many times as long as the reference the program takes for an item of those inputs'
+     * answers, each timed in a process of its own, in turns; empty where it does not answer them
+     * all or makes no item, or the machine does not let it be measured.
      *
      * @param inputs of the topic
      */
@@ -188,7 +188,10 @@ public final class CalledProgram implements AutoCloseable {
             case THREW -> throw thrown(answer);
             case CUT, TOO_LONG ->
                     throw new NoAnswer(
-                            Verdict.Kind.ENDLESS, "your program went on and on and was stopped");
+                            Verdict.Kind.REFUSED,
+                            "your program sent more than "
+                                    + Exercise.Caps.MOST_ITEMS
+                                    + " items and was stopped");
             case NULL -> throw wrong("your program returned null");
             case OVERWROTE -> throw wrong("your program wrote into what it was only given to read");
             case UNUSABLE ->
