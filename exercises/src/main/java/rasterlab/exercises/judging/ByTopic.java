@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import rasterlab.engine.polygon.triangulation.Triangles;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -130,6 +131,9 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return known -> {
             if (known instanceof PixelRecording one && actual instanceof PixelRecording other)
                 return SamePixels.are(topic, input, one, other);
+            if (known instanceof Triangles one
+                    && actual instanceof Triangles other
+                    && SameTriangles.areTurnedOver(topic, input, one, other)) return true;
             // a comparison may look at the input beside both
             if (topic.correct(topic.compare(input, known, actual))) return true;
             if (asked[0] == null) asked[0] = Leaves.of(topic.format(), input, actual);
