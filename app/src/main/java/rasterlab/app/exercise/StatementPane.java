@@ -67,13 +67,15 @@ final class StatementPane extends JEditorPane implements Settling {
         boolean goesOn = !shown.isEmpty() && markdown.startsWith(shown);
         shown = markdown;
         List<Formula> awaited = put(exercise, language);
-        setCaretPosition(goesOn ? getDocument().getLength() : 0);
+        setCaretPosition(0);
+        if (goesOn) showEnd();
         if (awaited.isEmpty()) return;
         setting =
                 CompletableFuture.runAsync(() -> awaited.forEach(formulas::set))
                         .thenRunAsync(
                                 () -> {
-                                    if (markdown.equals(shown)) putAgain(exercise, language);
+                                    if (markdown.equals(shown))
+                                        putAgain(exercise, language, goesOn);
                                 },
                                 EventQueue::invokeLater);
         setting.exceptionally(
@@ -102,11 +104,18 @@ final class StatementPane extends JEditorPane implements Settling {
         return statement.formulas().awaited();
     }
 
-    private void putAgain(Exercise exercise, String language) {
+    private void putAgain(Exercise exercise, String language, boolean goesOn) {
         Rectangle seen = getVisibleRect();
         put(exercise, language);
         setCaretPosition(0);
-        EventQueue.invokeLater(() -> scrollRectToVisible(seen));
+        if (goesOn) showEnd();
+        else EventQueue.invokeLater(() -> scrollRectToVisible(seen));
+    }
+
+    /** Scrolls to the end, which may lie below the height that the text had before. */
+    private void showEnd() {
+        EventQueue.invokeLater(
+                () -> scrollRectToVisible(new Rectangle(0, getPreferredSize().height - 1, 1, 1)));
     }
 
     @Override
