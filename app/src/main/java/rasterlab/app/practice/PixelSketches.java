@@ -51,7 +51,7 @@ final class PixelSketches {
             figures.add(cell(walked.steps().get(i), "x", "y", walked.look(i)));
         if (walked.told().path("x").isNumber())
             figures.add(cell(walked.told(), "x", "y", Look.ASKED));
-        int number = 0;
+        int number = 1;
         for (JsonNode triangle : walked.input().path("triangles")) {
             List<Point2D> corners = Points.all(triangle);
             figures.add(new Path(corners, true, Look.GIVEN));
