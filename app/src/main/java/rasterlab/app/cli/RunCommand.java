@@ -31,7 +31,7 @@ import rasterlab.exercises.scene.MethodCase;
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
             "0:answered; with --lines, all input was read",
-            "2:unknown topic or method, or the input is wrong",
+            "2:unknown topic, method or hazard, or the input is wrong",
             "3:the method refuses this input",
             "4:the method crashed, did not end, or has more to say than one answer may have"
         },
@@ -60,6 +60,15 @@ final class RunCommand implements Callable<Integer> {
     private Path scene;
 
     @Option(
+            names = "--hazard",
+            paramLabel = "NAME",
+            description = {
+                "takes that hazard's input, one that `./lab methods TOPIC` lists;",
+                "where it is several inputs, each is answered with one line"
+            })
+    private String hazard;
+
+    @Option(
             names = "--steps",
             description =
                     "adds each step; where a method decides by a value, that value and its formula")
@@ -79,10 +88,13 @@ final class RunCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        return scene == null ? runInput() : runScene();
+        if (hazard != null && (lines || scene != null))
+            throw Complaint.badInput(
+                    "--hazard NAME goes with TOPIC and METHOD, and not with --lines or --scene");
+        return scene == null ? runNamed() : runScene();
     }
 
-    private int runInput() throws IOException {
+    private int runNamed() throws IOException {
         if (names.size() < 2)
             throw Complaint.badInput(
                     "needs TOPIC and METHOD, or --scene FILE; see `./lab methods`");
@@ -90,7 +102,8 @@ final class RunCommand implements Callable<Integer> {
         String method = names.get(1);
         run.requireMethod(method);
         try (var generator = generator()) {
-            if (lines) answerLines(run, method, generator);
+            if (hazard != null) answerHazard(run, method, generator);
+            else if (lines) answerLines(run, method, generator);
             else answerWhole(run, method, read(), generator);
         }
         return ExitCode.DONE;
@@ -129,6 +142,11 @@ final class RunCommand implements Callable<Integer> {
             throws IOException {
         if (text.length > LONGEST_INPUT) throw tooLong("the input");
         writeLine(out, run.answer(method, text, text.length, steps));
+    }
+
+    private void answerHazard(TopicRunner<?> run, String method, JsonGenerator out)
+            throws IOException {
+        for (Written answer : run.answerHazard(method, hazard, steps)) writeLine(out, answer);
     }
 
     private byte[] read() {

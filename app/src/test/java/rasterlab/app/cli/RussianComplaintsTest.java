@@ -63,6 +63,8 @@ class RussianComplaintsTest {
             run line --lang ru
             run line bersenham --lang ru
             run fill stacks --lang ru
+            run line bresenham --hazard stepp --lang ru
+            run line bresenham --hazard steep --lines --lang ru
             render vase --out FOLDER/a.png --detail 3 --lang ru
             run line bresenham --lang ru
             render --lang ru

@@ -115,7 +115,15 @@ public abstract class Format<C, I, O> {
      * @throws Misfit if the fields are no input, or ask for too much
      */
     public Supplier<Written> prepared(Call<C> call, Given given) {
-        I input = read(given);
+        return prepared(call, read(given));
+    }
+
+    /**
+     * The same for an input of the topic's own, which may have what is not told outside.
+     *
+     * @param input one of {@link #singles}
+     */
+    public final Supplier<Written> prepared(Call<C> call, I input) {
         check(call, input);
         return new Run(call, input);
     }

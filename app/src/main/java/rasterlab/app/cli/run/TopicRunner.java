@@ -1,13 +1,16 @@
 package rasterlab.app.cli.run;
 
 import java.time.Duration;
+import java.util.List;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Written;
+import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.json.StrictJson;
 
@@ -81,9 +84,47 @@ public final class TopicRunner<C> {
     }
 
     private Written answered(String method, byte[] text, int length, boolean steps) {
-        var call = new Call<>(method, topic.method(method).implementation(), steps);
-        if (steps && !format.hasSteps()) throw call.noSteps();
+        Call<C> call = call(method, steps);
         Given given = StrictJson.read(text, length, format.input(), format.open());
         return watch.call(method, format.prepared(call, given));
+    }
+
+    private Call<C> call(String method, boolean steps) {
+        var call = new Call<>(method, topic.method(method).implementation(), steps);
+        if (steps && !format.hasSteps()) throw call.noSteps();
+        return call;
+    }
+
+    /**
+     * Runs a method on the input of a hazard.
+     *
+     * @param method one of the topic's methods
+     * @param steps whether the answers have the recorded walk too
+     * @return the fields of a JSON object for each input that {@link #answer} would take, mostly
+     *     one
+     * @throws Complaint listing the topic's hazards if there is none of that name, or if the method
+     *     refuses the input, crashes or does not end
+     */
+    public List<Written> answerHazard(String method, String hazard, boolean steps) {
+        try {
+            return answers(format, call(method, steps), hazard);
+        } catch (Misfit misfit) {
+            throw Complaint.badInput(misfit.getMessage());
+        }
+    }
+
+    private <I> List<Written> answers(Format<C, I, ?> format, Call<C> call, String hazard) {
+        return format.singles(input(format.topic(), hazard)).stream()
+                .map(single -> watch.call(call.name(), format.prepared(call, single)))
+                .toList();
+    }
+
+    private static <I> I input(Topic<?, I, ?> topic, String hazard) {
+        String kind = topic.name() + " hazard";
+        try {
+            return Named.find(kind, hazard, topic.hazards(), Hazard::name).input();
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 }

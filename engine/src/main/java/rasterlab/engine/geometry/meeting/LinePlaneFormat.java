@@ -138,6 +138,12 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
         return () -> answered(call, input, line, plane);
     }
 
+    @Override
+    protected Written answered(Call<LinePlane> call, PlaneAndLines input) {
+        var line = new Line(vector(input.from()[0], 0), vector(input.through()[0], 0));
+        return answered(call, input, line, new Plane(vector(input.normal(), 0), 0));
+    }
+
     /**
      * @throws IllegalArgumentException if one of the numbers is out of range
      */
