@@ -32,14 +32,19 @@ public record LitFace(
         if (numbers.length != 9)
             throw new IllegalArgumentException(
                     name + " must have 9 numbers, got " + numbers.length);
-        return within(name, numbers.clone());
+        for (int i = 0; i < 9; i++)
+            within("%s[%d].%s".formatted(name, i / 3, "xyz".charAt(i % 3)), numbers[i]);
+        return numbers.clone();
     }
 
     private static double[] within(String name, double[] numbers) {
-        for (int i = 0; i < numbers.length; i++)
-            if (!(Math.abs(numbers[i]) <= LARGEST))
-                throw new IllegalArgumentException(
-                        "%s[%d] must be from -1E75 to 1E75, got %s".formatted(name, i, numbers[i]));
+        for (int i = 0; i < numbers.length; i++) within(name + "[" + i + "]", numbers[i]);
         return numbers;
+    }
+
+    private static void within(String place, double number) {
+        if (!(Math.abs(number) <= LARGEST))
+            throw new IllegalArgumentException(
+                    "%s must be from -1E75 to 1E75, got %s".formatted(place, number));
     }
 }

@@ -150,6 +150,21 @@ class RunLightTest {
                         "/points/1: weights of point 1 must be 0 or more with the sum 1, got (2,"
                                 + " -1, 0)"),
                 argumentSet(
+                        "a corner is counted by its numbers",
+                        2,
+                        "shade-face",
+                        "phong",
+                        FACE.replace("[0,1,0]]", "[0,1,1e80]]") + "[[1,0,0]]}",
+                        "/corners/2/2: must be from -1e75 to 1e75, got 1e80"),
+                argumentSet(
+                        "a normal is counted by its numbers",
+                        2,
+                        "shade-face",
+                        "phong",
+                        FACE.replaceFirst("\\[0,0,1\\],\\[0,0,1\\]", "[0,0,1],[0,-2e80,1]")
+                                + "[[1,0,0]]}",
+                        "/normals/1/1: must be from -1e75 to 1e75, got -2e80"),
+                argumentSet(
                         "a depth behind the eye",
                         2,
                         "texture-mapping",
