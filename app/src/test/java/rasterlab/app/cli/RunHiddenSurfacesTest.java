@@ -41,6 +41,15 @@ class RunHiddenSurfacesTest {
     void sizeOfNoPictureIsRefused() {
         Ran.labReading(VIEW.replace("[12,8]", "[0,8]"), "run", "hidden-surfaces", "zfloat")
                 .assertComplains(
-                        2, "./lab run: picture size must be from 1×1 to 8192×8192 pixels, got 0×8");
+                        2, "./lab run: /size/0: expected a whole number from 1 to 8192, got 0");
+    }
+
+    @Test
+    void aCornerThatIsNoVertexIsRefusedWhereItStands() {
+        Ran.labReading(VIEW.replace("[4,5,6]", "[4,8,6]"), "run", "hidden-surfaces", "zfloat")
+                .assertComplains(
+                        2,
+                        "./lab run: /faces/1/1: expected the number of a vertex, from 0 to 7,"
+                                + " got 8");
     }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.MadeShape;
+import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 
 /** The corners of a face from outside: at least 3 numbers of vertices. */
@@ -13,6 +14,25 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
             Field.required("faces", Shape.list("faces", new VertexNumbers(), 0, Shape.MOST_POINTS));
 
     private static final int MOST = 1_000_000;
+
+    /**
+     * Passes if each corner is one of the vertices.
+     *
+     * @throws Misfit with the place of the first that is none
+     */
+    public static void require(int[][] faces, int vertices) {
+        for (int f = 0; f < faces.length; f++)
+            for (int k = 0; k < faces[f].length; k++)
+                if (faces[f][k] < 0 || faces[f][k] >= vertices)
+                    throw new Misfit(
+                            "/faces/" + f + "/" + k,
+                            "expected the number of a vertex, %s, got %d"
+                                    .formatted(range(vertices), faces[f][k]));
+    }
+
+    private static String range(int vertices) {
+        return vertices == 0 ? "of which there are none" : "from 0 to " + (vertices - 1);
+    }
 
     private VertexNumbers() {
         super(

@@ -6,7 +6,6 @@ import java.util.List;
 import rasterlab.contract.VisibleFaces;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -57,7 +56,7 @@ final class VisibleFacesFormat extends Format<VisibleFaces, Body, SeenFaces> {
     public Body read(Given given) {
         int[][] faces = given.get(FACES).toArray(int[][]::new);
         double[] xyz = given.get(VERTICES);
-        for (int f = 0; f < faces.length; f++) requireVertices(f, faces[f], xyz.length / 3);
+        VertexNumbers.require(faces, xyz.length / 3);
         return new Body(xyz, faces, given.get(EYE), given.get(INSIDE, new double[0]));
     }
 
@@ -69,19 +68,6 @@ final class VisibleFacesFormat extends Format<VisibleFaces, Body, SeenFaces> {
                         .with(FACES, List.of(body.faces()))
                         .with(EYE, body.eye());
         return body.inside().length == 0 ? given : given.with(INSIDE, body.inside());
-    }
-
-    private static void requireVertices(int face, int[] corners, int vertices) {
-        for (int k = 0; k < corners.length; k++)
-            if (corners[k] < 0 || corners[k] >= vertices)
-                throw new Misfit(
-                        "/faces/" + face + "/" + k,
-                        "expected the number of a vertex, %s, got %d"
-                                .formatted(range(vertices), corners[k]));
-    }
-
-    private static String range(int vertices) {
-        return vertices == 0 ? "of which there are none" : "from 0 to " + (vertices - 1);
     }
 
     @Override

@@ -38,7 +38,11 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
     private static final Field<Double> PHI = Field.required("phi", Shape.number()).in("degrees");
     private static final Field<Double> RHO =
             Field.required("rho", Shape.number(SphericalView.NEAREST, SphericalView.FARTHEST));
-    private static final Field<int[]> SIZE = Field.required("size", Shape.wholes(2)).in("pixels");
+    private static final Field<List<Integer>> SIZE =
+            Field.required(
+                            "size",
+                            Shape.list("whole numbers", Shape.whole(1, Raster.LARGEST_SIDE), 2, 2))
+                    .in("pixels");
     private static final Field<String> PROJECTION =
             Field.optional("projection", Shape.word(Projection.names()));
     private static final Field<Double> SCALE =
@@ -94,13 +98,12 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
 
     @Override
     public SurfaceView read(Given given) {
-        int[] size = given.get(SIZE);
+        List<Integer> size = given.get(SIZE);
+        double[] xyz = given.get(VERTICES);
+        int[][] faces = given.get(VertexNumbers.FACES).toArray(int[][]::new);
+        VertexNumbers.require(faces, xyz.length / 3);
         try {
-            Raster.checkSize(size[0], size[1]);
-            var mesh =
-                    new Mesh(
-                            given.get(VERTICES),
-                            given.get(VertexNumbers.FACES).toArray(int[][]::new));
+            var mesh = new Mesh(xyz, faces);
             var camera =
                     new SphericalView(
                             Math.toRadians(given.get(THETA)),
@@ -110,7 +113,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
                     mesh,
                     camera,
                     given.find(PROJECTION).map(Projection::named).orElse(Projection.PERSPECTIVE),
-                    new PictureFit(size[0], size[1], given.get(SCALE, 1.0)));
+                    new PictureFit(size.get(0), size.get(1), given.get(SCALE, 1.0)));
         } catch (IllegalArgumentException e) {
             throw new Misfit(e.getMessage());
         }
@@ -127,7 +130,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
                 .with(THETA, degrees(seen.camera().thetaRadians()))
                 .with(PHI, degrees(seen.camera().phiRadians()))
                 .with(RHO, seen.camera().rho())
-                .with(SIZE, new int[] {fit.width(), fit.height()})
+                .with(SIZE, List.of(fit.width(), fit.height()))
                 .with(PROJECTION, seen.view().transform().projection().code())
                 .with(SCALE, fit.pixelsPerUnit());
     }
