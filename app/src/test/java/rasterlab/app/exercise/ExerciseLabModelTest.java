@@ -104,7 +104,7 @@ class ExerciseLabModelTest {
     @Test
     void resultThatIsBrokenOrOfAnotherRevisionIsNotShown() throws Exception {
         Exercise exercise = Catalogue.builtIn().all().get(0);
-        Path file = folder.resolve("result.json");
+        Path file = folder.resolve(exercise.id() + ".result.json");
         OutcomeFile.write(file, exercise, ShownResult.outcome(GradingVerdict.WRONG));
         assertTrue(OutcomeFile.read(file, exercise).isPresent());
         String whole = Files.readString(file);
@@ -129,7 +129,7 @@ class ExerciseLabModelTest {
     @Test
     void resultThatIsTooLongToBeReadAgainIsLeftOutWithTheOlderOne() throws Exception {
         Exercise exercise = Catalogue.builtIn().all().get(0);
-        Path file = folder.resolve("result.json");
+        Path file = folder.resolve(exercise.id() + ".result.json");
         Outcome usual = ShownResult.outcome(GradingVerdict.WRONG);
         var tooLong =
                 new Outcome(
