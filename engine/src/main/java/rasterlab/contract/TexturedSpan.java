@@ -22,15 +22,22 @@ public record TexturedSpan(
     /** The most pixels. */
     public static final int MOST_PIXELS = 8192;
 
-    private static final double LARGEST = 1000;
+    /** The largest magnitude of a texture coordinate. */
+    public static final double LARGEST = 1000;
+
+    /** The least depth. */
+    public static final double NEAREST = 1e-6;
+
+    /** The greatest depth. */
+    public static final double FARTHEST = 1e6;
 
     public TexturedSpan {
         require("s of the first pixel", fromS, -LARGEST, LARGEST);
         require("t of the first pixel", fromT, -LARGEST, LARGEST);
-        require("depth of the first pixel", fromDepth, 1e-6, 1e6);
+        require("depth of the first pixel", fromDepth, NEAREST, FARTHEST);
         require("s of the last pixel", toS, -LARGEST, LARGEST);
         require("t of the last pixel", toT, -LARGEST, LARGEST);
-        require("depth of the last pixel", toDepth, 1e-6, 1e6);
+        require("depth of the last pixel", toDepth, NEAREST, FARTHEST);
         if (pixels < 1 || pixels > MOST_PIXELS)
             throw new IllegalArgumentException("pixels must be from 1 to 8192, got " + pixels);
     }

@@ -112,6 +112,20 @@ public interface Shape<T> {
         return new ToldShape<>(shape, told);
     }
 
+    /**
+     * An array of which a schema says more: which values each of its places may have.
+     *
+     * @param places the shapes of all of them in their order
+     */
+    static <T> Shape<T> toldByPlace(Shape<T> array, Shape<?>... places) {
+        return new PlacesShape<>(array, List.of(places));
+    }
+
+    /** Such as {@code numbers(count, count)}, of which a schema says the range of each. */
+    static Shape<double[]> toldNumbers(int count, double least, double most) {
+        return told(numbers(count, count), list("numbers", number(least, most), count, count));
+    }
+
     /** An object with these fields. */
     static Shape<Given> object(Field<?>... fields) {
         return new ObjectShape(List.of(fields));

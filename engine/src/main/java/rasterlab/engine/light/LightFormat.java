@@ -23,24 +23,29 @@ public final class LightFormat {
             {"direction":[x,y,z], "cutoff":degrees, "exponent":e}}, each field of M and L being \
             optional, C = [r,g,b] or one number for all three""";
 
-    private static final Field<double[]> AMBIENT = colour("ambient", LightSource.BRIGHTEST);
-    private static final Field<double[]> DIFFUSE = colour("diffuse", LightSource.BRIGHTEST);
-    private static final Field<double[]> SPECULAR = colour("specular", LightSource.BRIGHTEST);
-    private static final Field<double[]> EMISSION = colour("emission", 1);
+    private static final Field<double[]> AMBIENT = light("ambient");
+    private static final Field<double[]> DIFFUSE = light("diffuse");
+    private static final Field<double[]> SPECULAR = light("specular");
+    private static final Field<double[]> SENDS_AMBIENT = share("ambient");
+    private static final Field<double[]> SENDS_DIFFUSE = share("diffuse");
+    private static final Field<double[]> SENDS_SPECULAR = share("specular");
+    private static final Field<double[]> EMISSION = Field.optional("emission", new Shares(1, 1));
     private static final Field<Double> SHININESS =
             Field.optional("shininess", Shape.number(0, SurfaceMaterial.HIGHEST_SHININESS));
     private static final Field<Attenuation> ATTENUATION =
             Field.optional("attenuation", new Terms());
     private static final Field<double[]> DIRECTION = vector("direction");
     private static final Field<Double> CUTOFF =
-            Field.required("cutoff", Shape.number()).in("degrees");
-    private static final Field<Double> EXPONENT = Field.optional("exponent", Shape.number());
+            Field.required("cutoff", new Cutoff()).in("degrees");
+    private static final Field<Double> EXPONENT =
+            Field.optional(
+                    "exponent",
+                    Shape.told(Shape.number(), Shape.number(0, SpotCone.HIGHEST_EXPONENT)));
     private static final Field<SpotCone> SPOT = Field.optional("spot", new Spot());
 
     public static final Field<SurfaceMaterial> MATERIAL = Field.required("material", new Surface());
     public static final Field<LightSource> LIGHT = Field.optional("light", new Source());
-    public static final Field<double[]> GLOBAL_AMBIENT =
-            colour("global-ambient", LightSource.BRIGHTEST);
+    public static final Field<double[]> GLOBAL_AMBIENT = light("global-ambient");
 
     private LightFormat() {}
 
@@ -49,8 +54,13 @@ public final class LightFormat {
         return Field.required(name, Shape.numbers(3, 3));
     }
 
-    private static Field<double[]> colour(String name, double highest) {
-        return Field.optional(name, new Shares(highest));
+    private static Field<double[]> light(String name) {
+        return Field.optional(name, new Shares(LightSource.BRIGHTEST, LightSource.BRIGHTEST));
+    }
+
+    /** Of a material, which refuses a share above 1 in words of its own. */
+    private static Field<double[]> share(String name) {
+        return Field.optional(name, new Shares(LightSource.BRIGHTEST, 1));
     }
 
     /** The light of {@code given}, white where there is none. */
@@ -68,13 +78,13 @@ public final class LightFormat {
         private static final Shape<double[]> THREE = Shape.numbers(3, 3);
         private final Shape<Double> grey;
 
-        Shares(double highest) {
-            this(Shape.number(0, highest));
-        }
-
-        private Shares(Shape<Double> grey) {
-            super(THREE, grey);
-            this.grey = grey;
+        /**
+         * @param highest grey that is read
+         * @param told the highest share that is not refused
+         */
+        Shares(double highest, double told) {
+            super(Shape.toldNumbers(3, 0, told), Shape.number(0, told));
+            grey = Shape.number(0, highest);
         }
 
         @Override
@@ -93,15 +103,15 @@ public final class LightFormat {
     /** A material. */
     private static final class Surface extends MadeShape<Given, SurfaceMaterial> {
         Surface() {
-            super(Shape.object(AMBIENT, DIFFUSE, SPECULAR, EMISSION, SHININESS));
+            super(Shape.object(SENDS_AMBIENT, SENDS_DIFFUSE, SENDS_SPECULAR, EMISSION, SHININESS));
         }
 
         @Override
         protected SurfaceMaterial made(Given given) {
             return new SurfaceMaterial(
-                    given.get(AMBIENT, new double[3]),
-                    given.get(DIFFUSE, new double[3]),
-                    given.get(SPECULAR, new double[3]),
+                    given.get(SENDS_AMBIENT, new double[3]),
+                    given.get(SENDS_DIFFUSE, new double[3]),
+                    given.get(SENDS_SPECULAR, new double[3]),
                     given.get(EMISSION, new double[3]),
                     given.get(SHININESS, 0.0));
         }
@@ -109,9 +119,9 @@ public final class LightFormat {
         @Override
         protected Given value(SurfaceMaterial material) {
             return new Given()
-                    .with(AMBIENT, material.ambient())
-                    .with(DIFFUSE, material.diffuse())
-                    .with(SPECULAR, material.specular())
+                    .with(SENDS_AMBIENT, material.ambient())
+                    .with(SENDS_DIFFUSE, material.diffuse())
+                    .with(SENDS_SPECULAR, material.specular())
                     .with(EMISSION, material.emission())
                     .with(SHININESS, material.shininess());
         }
@@ -148,7 +158,7 @@ public final class LightFormat {
     /** How a light weakens with its distance. */
     private static final class Terms extends MadeShape<double[], Attenuation> {
         Terms() {
-            super(Shape.numbers(3, 3));
+            super(Shape.toldNumbers(3, 0, Double.MAX_VALUE));
         }
 
         @Override
@@ -159,6 +169,23 @@ public final class LightFormat {
         @Override
         protected double[] value(Attenuation of) {
             return new double[] {of.constant(), of.linear(), of.quadratic()};
+        }
+    }
+
+    /** Half the opening of a cone, or none; another number is refused with words of its own. */
+    private static final class Cutoff extends EitherShape<Double> {
+        Cutoff() {
+            super(Shape.number(0, 90), Shape.number(180, 180));
+        }
+
+        @Override
+        public Double read(ValueSource in) throws IOException {
+            return in.number();
+        }
+
+        @Override
+        public void write(Double degrees, ValueSink out) throws IOException {
+            out.number(degrees);
         }
     }
 

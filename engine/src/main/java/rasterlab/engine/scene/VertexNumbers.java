@@ -35,12 +35,11 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
     }
 
     private VertexNumbers() {
-        super(
-                Shape.list(
-                        "vertex numbers",
-                        Shape.whole(Integer.MIN_VALUE, Integer.MAX_VALUE),
-                        3,
-                        MOST));
+        super(Shape.told(from(Integer.MIN_VALUE), from(0)));
+    }
+
+    private static Shape<List<Integer>> from(int least) {
+        return Shape.list("vertex numbers", Shape.whole(least, Integer.MAX_VALUE), 3, MOST);
     }
 
     @Override

@@ -35,7 +35,16 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             Stream.of(Curve.Kind.values()).map(Curve.Kind::code).toList();
     private static final Field<String> KIND = Field.required("kind", Shape.word(KINDS));
     private static final Field<double[]> POINTS =
-            Field.required("points", Shape.points(2, 1, MOST)).as(FieldKind.POINTS);
+            Field.required(
+                            "points",
+                            Shape.told(
+                                    Shape.points(2, 1, MOST),
+                                    Shape.list(
+                                            "points",
+                                            Shape.toldNumbers(2, -LARGEST, LARGEST),
+                                            1,
+                                            MOST)))
+                    .as(FieldKind.POINTS);
     private static final Field<double[]> AT =
             Field.optional(
                     "at",

@@ -19,10 +19,12 @@ import rasterlab.engine.study.Topic;
 
 /** Shaded faces from outside: a lit triangle and points of it; {@code intensity} of each out. */
 final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
+    private static final Shape<double[]> WITHIN =
+            Shape.toldNumbers(3, -LitFace.LARGEST, LitFace.LARGEST);
     private static final Field<double[]> CORNERS = three("corners");
     private static final Field<double[]> NORMALS = three("normals");
-    private static final Field<double[]> LAMP = LightFormat.vector("lamp");
-    private static final Field<double[]> EYE = LightFormat.vector("eye");
+    private static final Field<double[]> LAMP = vector("lamp");
+    private static final Field<double[]> EYE = vector("eye");
     private static final Field<double[]> POINTS =
             Field.required("points", Shape.points(3, 0, Shape.MOST_POINTS));
     private static final Field<?> INTENSITY =
@@ -33,7 +35,12 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
     }
 
     private static Field<double[]> three(String name) {
-        return Field.required(name, Shape.points(3, 3, 3));
+        Shape<?> told = Shape.list("points", WITHIN, 3, 3);
+        return Field.required(name, Shape.told(Shape.points(3, 3, 3), told));
+    }
+
+    private static Field<double[]> vector(String name) {
+        return Field.required(name, WITHIN);
     }
 
     @Override

@@ -23,11 +23,23 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
     /** The most corners whose steps one answer has. */
     private static final int MOST_STEPPED = 300_000;
 
+    private static final Shape<int[]> CORNERS =
+            Shape.told(
+                    Shape.wholes(3),
+                    Shape.list("vertices", Shape.whole(0, Integer.MAX_VALUE), 3, 3));
     private static final Field<double[]> VERTICES =
-            Field.required("vertices", Shape.points(3, 0, Shape.MOST_POINTS));
-    private static final Field<List<int[]>> TRIANGLES =
             Field.required(
-                    "triangles", Shape.list("triangles", Shape.wholes(3), 0, Shape.MOST_POINTS));
+                    "vertices",
+                    Shape.told(
+                            Shape.points(3, 0, Shape.MOST_POINTS),
+                            Shape.list(
+                                    "points",
+                                    Shape.toldNumbers(
+                                            3, -VertexNormals.LARGEST, VertexNormals.LARGEST),
+                                    0,
+                                    Shape.MOST_POINTS)));
+    private static final Field<List<int[]>> TRIANGLES =
+            Field.required("triangles", Shape.list("triangles", CORNERS, 0, Shape.MOST_POINTS));
     private static final Field<?> NORMALS =
             Field.required("normals", Shape.list(Shape.numbersOrNull(3, 3)));
 

@@ -17,12 +17,19 @@ import rasterlab.engine.transform.Images;
  * Textured rows from outside: {@code from}, {@code to}, {@code pixels}; {@code coordinates} out.
  */
 final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
-    private static final Field<double[]> FROM = Field.required("from", Shape.numbers(3, 3));
-    private static final Field<double[]> TO = Field.required("to", Shape.numbers(3, 3));
+    private static final Field<double[]> FROM = end("from");
+    private static final Field<double[]> TO = end("to");
     private static final Field<Integer> PIXELS =
             Field.required("pixels", Shape.whole(1, TexturedSpan.MOST_PIXELS));
     private static final Field<?> COORDINATES =
             Field.required("coordinates", Shape.list(Shape.numbersOrNull(2, 2)));
+
+    private static Field<double[]> end(String name) {
+        Shape<Double> texture = Shape.number(-TexturedSpan.LARGEST, TexturedSpan.LARGEST);
+        Shape<Double> depth = Shape.number(TexturedSpan.NEAREST, TexturedSpan.FARTHEST);
+        return Field.required(
+                name, Shape.toldByPlace(Shape.numbers(3, 3), texture, texture, depth));
+    }
 
     MappingFormat(Topic<TextureMapper, TexturedSpan, Images> topic) {
         super(topic);

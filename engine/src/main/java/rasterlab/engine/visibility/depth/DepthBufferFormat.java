@@ -19,12 +19,32 @@ import rasterlab.engine.study.Topic;
 
 /** Stored depths from outside: a range and the depths of surfaces; their codes out. */
 final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepths> {
-    private static final Field<Double> NEAR = Field.required("near", Shape.number());
-    private static final Field<Double> FAR = Field.optional("far", Shape.number());
+    private static final double NEAREST = 1e-100;
+    private static final double FARTHEST = 1e100;
+    private static final Field<Double> NEAR =
+            Field.required("near", Shape.told(Shape.number(), Shape.number(NEAREST, FARTHEST)));
+    private static final Field<Double> FAR =
+            Field.optional("far", Shape.told(Shape.number(), Shape.number(NEAREST, FARTHEST)));
     private static final Field<double[]> DEPTHS =
-            Field.required("depths", Shape.numbers(1, DepthRows.MOST_SURFACES));
+            Field.required(
+                    "depths",
+                    Shape.told(
+                            Shape.numbers(1, DepthRows.MOST_SURFACES),
+                            Shape.list(
+                                    "numbers",
+                                    Shape.number(NEAREST, Double.MAX_VALUE),
+                                    1,
+                                    DepthRows.MOST_SURFACES)));
     private static final Field<double[]> TO =
-            Field.optional("to", Shape.numbers(1, DepthRows.MOST_SURFACES));
+            Field.optional(
+                    "to",
+                    Shape.told(
+                            Shape.numbers(1, DepthRows.MOST_SURFACES),
+                            Shape.list(
+                                    "numbers",
+                                    Shape.number(NEAREST, Double.MAX_VALUE),
+                                    1,
+                                    DepthRows.MOST_SURFACES)));
     private static final Field<Integer> PIXELS =
             Field.optional("pixels", Shape.whole(1, DepthRows.MOST_PIXELS));
 

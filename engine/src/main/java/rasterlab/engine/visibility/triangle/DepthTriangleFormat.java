@@ -23,10 +23,14 @@ import rasterlab.engine.study.Topic;
 final class DepthTriangleFormat
         extends Format<DepthTriangleFiller, DepthTriangles, ShownTriangles> {
     private static final String DECISION = "depth − stored: the pixel is written below 0";
+    private static final Shape<Double> PLACE =
+            Shape.number(-DepthTriangleFiller.LARGEST, DepthTriangleFiller.LARGEST);
+    private static final Shape<double[]> CORNER =
+            Shape.toldByPlace(Shape.numbers(3, 3), PLACE, PLACE, Shape.number(0, 1));
+    private static final Shape<double[]> TRIANGLE =
+            Shape.told(Shape.points(3, 3, 3), Shape.list("points", CORNER, 3, 3));
     private static final Field<List<double[]>> TRIANGLES =
-            Field.required(
-                            "triangles",
-                            Shape.list("triangles", Shape.points(3, 3, 3), 1, DepthTriangles.MOST))
+            Field.required("triangles", Shape.list("triangles", TRIANGLE, 1, DepthTriangles.MOST))
                     .as(FieldKind.POLYGONS);
     private static final Field<List<Integer>> SIZE =
             Field.required(
