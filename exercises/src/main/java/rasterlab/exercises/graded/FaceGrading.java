@@ -16,7 +16,7 @@ public final class FaceGrading extends ByTopic<FaceShader, FacePoints, double[]>
     private static final double SEEN = 0.01 / 255;
 
     public FaceGrading() {
-        super(new FaceTopic(), new PlainPhong());
+        super(new FaceTopic());
     }
 
     @Override
