@@ -3,11 +3,13 @@ package rasterlab.app.line;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.contract.WindowedLineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.LimitReached;
 
 /**
@@ -82,14 +84,39 @@ public record LineTrace(
     }
 
     private static void draw(LineRasterizer method, Segment segment, PixelRecording pixels) {
+        if (method instanceof WindowedLineRasterizer windowed) draw(windowed, segment, pixels);
+        else
+            method.draw(
+                    segment.x0(),
+                    segment.y0(),
+                    segment.x1(),
+                    segment.y1(),
+                    (x, y) -> {
+                        if (segment.window().contains(x, y)) pixels.plot(x, y);
+                    });
+    }
+
+    /** A whole segment is drawn in a window that is just large enough for it. */
+    private static void draw(WindowedLineRasterizer method, Segment s, PixelRecording pixels) {
+        PixelWindow window = s.isWhole() ? around(s) : s.window();
         method.draw(
-                segment.x0(),
-                segment.y0(),
-                segment.x1(),
-                segment.y1(),
-                (x, y) -> {
-                    if (segment.window().contains(x, y)) pixels.plot(x, y);
-                });
+                s.x0(),
+                s.y0(),
+                s.x1(),
+                s.y1(),
+                window.xmin(),
+                window.ymin(),
+                window.xmax(),
+                window.ymax(),
+                pixels);
+    }
+
+    private static PixelWindow around(Segment s) {
+        return new PixelWindow(
+                Math.min(s.x0(), s.x1()),
+                Math.min(s.y0(), s.y1()),
+                Math.max(s.x0(), s.x1()),
+                Math.max(s.y0(), s.y1()));
     }
 
     private static void walk(
