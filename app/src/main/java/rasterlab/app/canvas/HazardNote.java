@@ -24,7 +24,7 @@ public record HazardNote(String hazard, String method, Verdict verdict, List<Unl
                 texts.text(
                         "note",
                         hazard,
-                        method,
+                        OwnWords.called(method, language),
                         Texts.of("study", language).text("verdict." + verdict.kind().code()));
         String detail = verdict.detail();
         boolean failed = verdict.kind() != Verdict.Kind.EXACT;

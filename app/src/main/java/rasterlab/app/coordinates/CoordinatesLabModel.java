@@ -10,6 +10,7 @@ import rasterlab.app.coordinates.meeting.MeetingLabModel;
 import rasterlab.app.coordinates.stack.StackLabModel;
 import rasterlab.app.coordinates.turn.TurnLabModel;
 import rasterlab.app.coordinates.view.ViewLabModel;
+import rasterlab.app.mine.OwnMethods;
 
 /** All labs of coordinates, and which of them is shown. */
 public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoCloseable {
@@ -22,12 +23,13 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
     private CoordinatesMode mode = CoordinatesMode.VIEWS;
 
     /**
+     * @param own the programs of the user's
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what background work threw, on any thread
      */
-    public CoordinatesLabModel(Executor events, Consumer<Throwable> onFailure) {
-        transformations = new ListLabModel(events, onFailure);
-        rotation = new TurnLabModel(events, onFailure);
+    public CoordinatesLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        transformations = new ListLabModel(own, events, onFailure);
+        rotation = new TurnLabModel(own, events, onFailure);
     }
 
     public ViewLabModel views() {

@@ -28,7 +28,7 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     @Override
     public CoordinatesLabModel model(
             Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new CoordinatesLabModel(events, onFailure);
+        return new CoordinatesLabModel(own, events, onFailure);
     }
 
     @Override
@@ -94,13 +94,18 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     }
 
     private static TopicWay<CoordinatesLabModel> rotations() {
-        return TopicWay.inTurn(
-                lab -> lab.rotation().history(),
-                (lab, input) -> {
-                    lab.show(CoordinatesMode.ROTATION);
-                    lab.rotation().show((Turns) input);
-                },
-                (lab, method) -> lab.rotation().chooseMethod(method));
+        return TopicWay.<CoordinatesLabModel>inTurn(
+                        lab -> lab.rotation().history(),
+                        (lab, input) -> {
+                            lab.show(CoordinatesMode.ROTATION);
+                            lab.rotation().show((Turns) input);
+                        },
+                        (lab, method) -> lab.rotation().chooseMethod(method))
+                .withOwn(
+                        lab -> lab.rotation().history(),
+                        lab -> lab.show(CoordinatesMode.ROTATION),
+                        (lab, method) -> lab.rotation().chooseMethod(method),
+                        (lab, method) -> {});
     }
 
     private static TopicWay<CoordinatesLabModel> matrices() {
@@ -125,13 +130,21 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
 
     /** Points of space, beside what the method makes of them. */
     private static TopicWay<CoordinatesLabModel> points(String topic) {
-        return TopicWay.whole(
-                (lab, input, method) -> {
-                    lab.show(CoordinatesMode.TRANSFORMATIONS);
-                    if (input.hazard().isEmpty())
-                        lab.transformations().show(topic, input.input(), method);
-                    else lab.transformations().show(topic, input.hazard(), method);
-                });
+        return TopicWay.<CoordinatesLabModel>whole(
+                        (lab, input, method) -> {
+                            lab.show(CoordinatesMode.TRANSFORMATIONS);
+                            if (input.hazard().isEmpty())
+                                lab.transformations().show(topic, input.input(), method);
+                            else lab.transformations().show(topic, input.hazard(), method);
+                        })
+                .withOwn(
+                        lab -> lab.transformations().history(),
+                        lab -> {
+                            lab.show(CoordinatesMode.TRANSFORMATIONS);
+                            lab.transformations().enter(topic);
+                        },
+                        (lab, method) -> lab.transformations().tryMethod(method),
+                        (lab, method) -> {});
     }
 
     @Override

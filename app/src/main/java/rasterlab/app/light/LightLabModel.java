@@ -16,6 +16,7 @@ import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.Unlike;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
@@ -66,15 +67,20 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      * @param onFailure told what drawing threw, on any thread
      */
     public LightLabModel(Executor events, Consumer<Throwable> onFailure) {
-        this(PictureMaker.by(new Renderer()), events, onFailure);
+        this(new OwnMethods(), events, onFailure);
+    }
+
+    LightLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        this(PictureMaker.by(new Renderer()), own, events, onFailure);
     }
 
     /**
      * @param maker closed with the model, when it draws no more
      */
-    LightLabModel(PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
+    LightLabModel(
+            PictureMaker maker, OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         this.maker = maker;
-        rows = RowLabModel.ofTextures(events, onFailure);
+        rows = RowLabModel.ofTextures(own, events, onFailure);
         pictures =
                 new LatestOnly<>(
                         "lit pictures",

@@ -24,7 +24,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
 
     @Override
     public LightLabModel model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new LightLabModel(events, onFailure);
+        return new LightLabModel(own, events, onFailure);
     }
 
     @Override
@@ -85,12 +85,17 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 this,
                 new Place("row", ""),
                 RowColours.OWN,
-                TopicWay.whole(
-                        (lab, input, method) -> {
-                            if (input.hazard().isEmpty())
-                                lab.rows().show(topic, input.input(), method);
-                            else lab.rows().show(topic, input.hazard(), method);
-                        }));
+                TopicWay.<LightLabModel>whole(
+                                (lab, input, method) -> {
+                                    if (input.hazard().isEmpty())
+                                        lab.rows().show(topic, input.input(), method);
+                                    else lab.rows().show(topic, input.hazard(), method);
+                                })
+                        .withOwn(
+                                lab -> lab.rows().history(),
+                                lab -> lab.rows().openAgain(topic),
+                                (lab, method) -> lab.rows().chooseMethod(method),
+                                (lab, method) -> {}));
     }
 
     @Override

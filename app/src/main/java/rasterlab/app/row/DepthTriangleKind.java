@@ -3,6 +3,7 @@ package rasterlab.app.row;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.visibility.triangle.DepthTriangleTopic;
 import rasterlab.engine.visibility.triangle.DepthTriangles;
@@ -17,7 +18,11 @@ final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangle
     private static final double USABLE = 1.0 / (1 << 16);
 
     DepthTriangleKind() {
-        super(new DepthTriangleTopic());
+        this(new OwnMethods());
+    }
+
+    DepthTriangleKind(OwnMethods own) {
+        super(own.in(new DepthTriangleTopic()));
     }
 
     @Override

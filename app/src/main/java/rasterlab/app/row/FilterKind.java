@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
@@ -18,7 +19,11 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
     private static final double USABLE = 8;
 
     FilterKind() {
-        super(new FilterTopic());
+        this(new OwnMethods());
+    }
+
+    FilterKind(OwnMethods own) {
+        super(own.in(new FilterTopic()));
     }
 
     @Override

@@ -3,6 +3,7 @@ package rasterlab.app.row;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.texture.Texture;
@@ -24,7 +25,11 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
     private final TextureSampler board = new TextureSampler(board(), Wrap.REPEAT, Wrap.REPEAT);
 
     MappingKind() {
-        super(new MappingTopic());
+        this(new OwnMethods());
+    }
+
+    MappingKind(OwnMethods own) {
+        super(own.in(new MappingTopic()));
     }
 
     /** Neighbours along s and along t differ, so that a step in either is seen. */

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.NoAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
@@ -47,6 +48,8 @@ final class RowAnswers<C, I, O> {
             O actual = topic.record(implementation, hazard.input(), Integer.MAX_VALUE);
             Deviation deviation = topic.compare(hazard.input(), exact, actual);
             return new Answer<>(exact, Optional.of(actual), verdict(deviation));
+        } catch (NoAnswer none) {
+            return without(exact, none.kind(), none.getMessage());
         } catch (IllegalArgumentException refusal) {
             return without(exact, Verdict.Kind.REFUSED, refusal.getMessage());
         } catch (RuntimeException crash) {

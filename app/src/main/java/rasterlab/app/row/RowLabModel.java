@@ -11,12 +11,15 @@ import java.util.stream.Stream;
 import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.visibility.depth.DepthBufferTopic;
 
 /**
  * The lab of rows without its window: some topics, and whether their tab shows it.
@@ -59,22 +62,29 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     /**
      * The model of the depths that buffers store, in rows and in triangles.
      *
+     * @param own the programs of the user's
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what an answer threw, on any thread
      */
-    public static RowLabModel ofDepths(Executor events, Consumer<Throwable> onFailure) {
+    public static RowLabModel ofDepths(
+            OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         return new RowLabModel(
-                List.of(new DepthKind(), new DepthTriangleKind()), events, onFailure);
+                List.of(new DepthKind(own.in(new DepthBufferTopic())), new DepthTriangleKind(own)),
+                events,
+                onFailure);
     }
 
     /**
      * The model of textures: where they are looked up, and how they are filtered.
      *
+     * @param own the programs of the user's
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what an answer threw, on any thread
      */
-    public static RowLabModel ofTextures(Executor events, Consumer<Throwable> onFailure) {
-        return new RowLabModel(List.of(new MappingKind(), new FilterKind()), events, onFailure);
+    public static RowLabModel ofTextures(
+            OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        return new RowLabModel(
+                List.of(new MappingKind(own), new FilterKind(own)), events, onFailure);
     }
 
     private static RowChoice first(Topic<?, ?, ?> topic) {
@@ -158,6 +168,19 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         change(choice().withMethod(topic().method(method).name()));
     }
 
+    /** Has the present choice answered again: the user's program may be another by now. */
+    private void forget() {
+        asked = Optional.empty();
+        newest = Optional.empty();
+    }
+
+    /** The same topic's rows are shown once more; those of another topic from the first on. */
+    public void openAgain(String topic) {
+        forget();
+        open(topic);
+        tell();
+    }
+
     /** The present choice's scene; empty until it is found, which this asks for. */
     Optional<RowScene> shown() {
         RowChoice wanted = choice().at(0);
@@ -212,7 +235,16 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
                 .formatted(
                         kind(choice()).json(choice().hazard()),
                         choice().topic(),
-                        choice().method());
+                        OwnWords.known(choice().method(), beside()));
+    }
+
+    /** A method for the terminal, which does not know the user's program. */
+    private String beside() {
+        return topic().methods().stream()
+                .filter(each -> !each.faulty())
+                .findFirst()
+                .orElseThrow()
+                .name();
     }
 
     List<? extends Method<?>> methods(String topic) {

@@ -9,6 +9,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.VerdictDetail;
@@ -83,7 +84,7 @@ final class RowPainter {
     }
 
     private String name(RowScene.Band band) {
-        return texts.text("band." + band.key(), choice.method());
+        return texts.text("band." + band.key(), OwnWords.called(choice.method(), texts.language()));
     }
 
     /** All that a very low stage has room for, in the same order. */
@@ -183,10 +184,14 @@ final class RowPainter {
     }
 
     private String failureWords() {
-        return texts.text(
-                scene.verdict().kind().code(),
-                choice.method(),
-                VerdictDetail.said(texts.language(), scene.verdict().detail()));
+        String detail = scene.verdict().detail();
+        return OwnWords.refusal(choice.method(), detail, texts.language())
+                .orElseGet(
+                        () ->
+                                texts.text(
+                                        scene.verdict().kind().code(),
+                                        choice.method(),
+                                        VerdictDetail.said(texts.language(), detail)));
     }
 
     private String errorWords() {

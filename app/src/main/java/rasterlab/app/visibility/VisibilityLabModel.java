@@ -15,6 +15,7 @@ import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -53,10 +54,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what a background picture threw, on any thread
      */
-    public VisibilityLabModel(PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
+    public VisibilityLabModel(
+            OwnMethods own, PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
         this.maker = maker;
         charts = new ChartStudies(events, onFailure);
-        rows = RowLabModel.ofDepths(events, onFailure);
+        rows = RowLabModel.ofDepths(own, events, onFailure);
         pictures =
                 new LatestOnly<>(
                         "picture",
@@ -342,8 +344,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /**
-     * @param counted whether wrong pixels are counted that are not marked: that is slower than
-     *     turning
+     * @param counted whether unmarked wrong pixels are counted, which is slower than turning
      */
     private void draw(VisibilityChoice choice, boolean counted) {
         VisibilityChoice old = state.choice();
@@ -388,8 +389,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void accept(PixelReport found) {
-        boolean still = state.chosen().filter(found.asked()::isAt).isPresent();
-        if (still) publish(state.with(Optional.of(found)));
+        if (state.chosen().filter(found.asked()::isAt).isPresent())
+            publish(state.with(Optional.of(found)));
     }
 
     private void publish(VisibilityLabState next) {

@@ -39,7 +39,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
     @Override
     public VisibilityLabModel model(
             Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new VisibilityLabModel(PictureMaker.by(new Renderer()), events, onFailure);
+        return new VisibilityLabModel(own, PictureMaker.by(new Renderer()), events, onFailure);
     }
 
     @Override
@@ -89,12 +89,17 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 this,
                 new Place("row", ""),
                 RowColours.OWN,
-                TopicWay.whole(
-                        (lab, input, method) -> {
-                            if (input.hazard().isEmpty())
-                                lab.rows().show(topic, input.input(), method);
-                            else lab.rows().show(topic, input.hazard(), method);
-                        }));
+                TopicWay.<VisibilityLabModel>whole(
+                                (lab, input, method) -> {
+                                    if (input.hazard().isEmpty())
+                                        lab.rows().show(topic, input.input(), method);
+                                    else lab.rows().show(topic, input.hazard(), method);
+                                })
+                        .withOwn(
+                                lab -> lab.rows().history(),
+                                lab -> lab.rows().openAgain(topic),
+                                (lab, method) -> lab.rows().chooseMethod(method),
+                                (lab, method) -> {}));
     }
 
     private static String drawnBy(String method) {

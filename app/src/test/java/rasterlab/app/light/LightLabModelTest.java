@@ -22,6 +22,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
@@ -75,7 +76,7 @@ class LightLabModelTest {
                         done.countDown();
                     }
                 };
-        var lab = new LightLabModel(maker, thread, failures::add);
+        var lab = new LightLabModel(maker, new OwnMethods(), thread, failures::add);
         lab.resize(WIDTH, HEIGHT);
         drawing.await();
         lab.close();

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.coordinates.Answered;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -63,8 +64,10 @@ class RowCommandTest {
             Topic<C, I, O> topic, Hazard<I> hazard, Method<C> method) throws IOException {
         RowLabModel model =
                 topic instanceof DepthBufferTopic
-                        ? RowLabModel.ofDepths(Runnable::run, RowCommandTest::fail)
-                        : RowLabModel.ofTextures(Runnable::run, RowCommandTest::fail);
+                        ? RowLabModel.ofDepths(
+                                new OwnMethods(), Runnable::run, RowCommandTest::fail)
+                        : RowLabModel.ofTextures(
+                                new OwnMethods(), Runnable::run, RowCommandTest::fail);
         model.show(topic.name(), hazard.name(), method.name());
         String command = model.command();
         model.end();

@@ -22,11 +22,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 
 class RowInspectorTest {
     private final ConcurrentLinkedQueue<Runnable> answers = new ConcurrentLinkedQueue<>();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final RowLabModel model = RowLabModel.ofDepths(answers::add, failures::add);
+    private final RowLabModel model =
+            RowLabModel.ofDepths(new OwnMethods(), answers::add, failures::add);
     private final AtomicReference<RowInspector> inspector = new AtomicReference<>();
 
     @AfterEach

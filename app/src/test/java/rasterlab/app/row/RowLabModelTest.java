@@ -19,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -31,8 +32,10 @@ import rasterlab.engine.visibility.depth.DepthBufferTopic;
 class RowLabModelTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final RowLabModel depths = RowLabModel.ofDepths(thread, failures::add);
-    private final RowLabModel textures = RowLabModel.ofTextures(thread, failures::add);
+    private final RowLabModel depths =
+            RowLabModel.ofDepths(new OwnMethods(), thread, failures::add);
+    private final RowLabModel textures =
+            RowLabModel.ofTextures(new OwnMethods(), thread, failures::add);
 
     @AfterEach
     void end() {

@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Unshown;
@@ -20,6 +22,7 @@ import rasterlab.app.line.End;
 import rasterlab.app.line.LineChoice;
 import rasterlab.app.line.LineTrace;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -148,7 +151,7 @@ class OwnInLabTest {
 
     @Test
     void aLabWithoutMethodsOfTheContractRunsNone() {
-        assertEquals(Optional.of(Unshown.NO_OWN), opening.obstacleToOwn("depth-buffer"));
+        assertEquals(Optional.of(Unshown.NO_OWN), opening.obstacleToOwn("hidden-surfaces"));
         assertEquals(Optional.empty(), opening.obstacleToOwn("line"));
     }
 
@@ -199,6 +202,51 @@ class OwnInLabTest {
         assertEquals(OwnMethods.NAME, drawing.method());
         assertEquals("", drawing.message());
         assertTrue(drawing.right());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"texture-mapping, light", "mipmap, light", "depth-triangle, visibility"})
+    void theLabsOfRowsShowTheProgram(String id, String tab) {
+        Exercise exercise = Catalogue.builtIn().named(id);
+        showModel(exercise);
+        RowLabModel rows = tab.equals("light") ? models.light().rows() : models.visibility().rows();
+        assertEquals(exercise.topic(), rows.choice().topic());
+        assertEquals(OwnMethods.NAME, rows.choice().method());
+        assertTrue(rows.open());
+        assertEquals(List.of(tab), tabs);
+        rows.history().undo();
+        assertNotEquals(OwnMethods.NAME, rows.choice().method());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"view", "rotate-axis"})
+    void theLabOfTransformationsTriesTheProgram(String id) {
+        showModel(Catalogue.builtIn().named(id));
+        var trial = models.coordinates().transformations().choice().trial().orElseThrow();
+        assertEquals(id, trial.topic());
+        assertEquals(OwnMethods.NAME, trial.method());
+        assertEquals(List.of("coordinates"), tabs);
+    }
+
+    @Test
+    void theLabOfRotationsTurnsByTheProgram() {
+        showModel(Catalogue.builtIn().named("cheap-rotation"));
+        assertEquals(OwnMethods.NAME, models.coordinates().rotation().choice().method());
+        assertEquals(List.of("coordinates"), tabs);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "{\"from\":[0,0],\"to\":[9,4],\"window\":[2,1,5,3]}"})
+    void aProgramForAWindowDrawsInItOrTheWholeSegment(String json) throws InterruptedException {
+        Exercise exercise = Catalogue.builtIn().named("window-segment");
+        models.own().bring(exercise, exercise.evidence().model().orElseThrow());
+        opening.showOwn("line", json, "");
+        settle();
+        assertEquals(LineTrace.Ending.ENDED, trace().ending(), trace().message());
+        assertTrue(trace().pixels().size() > 0);
+        var difference = models.line().state().drawing().difference();
+        assertEquals(0, difference.extra().size());
+        assertEquals(0, difference.missing().size());
     }
 
     @Test

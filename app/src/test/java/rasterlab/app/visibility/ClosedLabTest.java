@@ -11,6 +11,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.raster.Raster;
 
@@ -39,7 +40,7 @@ class ClosedLabTest {
                         closed.countDown();
                     }
                 };
-        var lab = new VisibilityLabModel(maker, event -> {}, failures::add);
+        var lab = new VisibilityLabModel(new OwnMethods(), maker, event -> {}, failures::add);
         lab.resize(8, 6);
         lab.choose(choice -> choice.withVisibility("painter").withDifference(true));
         drawing.await();

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 
 class CountingPanelTest {
@@ -23,7 +24,9 @@ class CountingPanelTest {
     })
     void eachChartSaysWhatIsCounted(Language language, StageView view, String said) {
         var renderer = new Renderer();
-        try (var model = new VisibilityLabModel(renderer::render, Runnable::run, failure -> {})) {
+        try (var model =
+                new VisibilityLabModel(
+                        new OwnMethods(), renderer::render, Runnable::run, failure -> {})) {
             var panel = new CountingPanel(model, Texts.of("visibility", language));
             assertFalse(panel.isVisible(), "before a chart is asked for");
             panel.refresh(view);

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.TextureEnvironment;
@@ -32,6 +33,7 @@ class KeptChoiceTest {
     private final ModelThread thread = new ModelThread();
     private final VisibilityLabModel model =
             new VisibilityLabModel(
+                    new OwnMethods(),
                     (request, cancelled) -> new Raster(request.width(), request.height()),
                     thread,
                     failure -> {
@@ -113,6 +115,7 @@ class KeptChoiceTest {
 
     private VisibilityLabModel next() {
         return new VisibilityLabModel(
+                new OwnMethods(),
                 (request, cancelled) -> new Raster(request.width(), request.height()),
                 thread,
                 failure -> {

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 
 /** The depths of one method while another is chosen. */
@@ -24,7 +25,7 @@ class LentDepthsTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final VisibilityLabModel model =
-            new VisibilityLabModel(new Renderer()::render, thread, failures::add);
+            new VisibilityLabModel(new OwnMethods(), new Renderer()::render, thread, failures::add);
 
     @AfterEach
     void close() {

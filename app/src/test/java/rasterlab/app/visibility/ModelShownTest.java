@@ -17,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.scene.Mesh;
@@ -30,7 +31,7 @@ class ModelShownTest {
     private final ModelThread thread = new ModelThread();
     private final Renderer renderer = new Renderer();
     private final VisibilityLabModel model =
-            new VisibilityLabModel(renderer::render, thread, failures::add);
+            new VisibilityLabModel(new OwnMethods(), renderer::render, thread, failures::add);
 
     @TempDir Path folder;
 
@@ -91,7 +92,8 @@ class ModelShownTest {
         open(write(POLE));
         SceneOpening.stand(model, UpAxis.Z);
         thread.settle(model::settle);
-        try (var next = new VisibilityLabModel(renderer::render, thread, failures::add)) {
+        try (var next =
+                new VisibilityLabModel(new OwnMethods(), renderer::render, thread, failures::add)) {
             next.bringBack(model.kept());
             next.keptFiles().bringBack(model.keptFiles().kept());
             thread.settle(next::settle);
@@ -127,7 +129,11 @@ class ModelShownTest {
     private boolean saysEmpty(double far) throws Exception {
         Path file = write(POLE);
         try (var shown =
-                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, failures::add)) {
+                new VisibilityLabModel(
+                        new OwnMethods(),
+                        renderer::render,
+                        EventQueue::invokeLater,
+                        failures::add)) {
             var stage = new VisibilityStage(shown, Texts.of("visibility", Language.ENGLISH));
             EventQueue.invokeAndWait(() -> shown.open(file));
             shown.settle();

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 
@@ -29,6 +30,7 @@ class SceneSavingTest {
     private final ModelThread thread = new ModelThread();
     private final VisibilityLabModel model =
             new VisibilityLabModel(
+                    new OwnMethods(),
                     (request, cancelled) -> new Raster(request.width(), request.height()),
                     thread,
                     failure -> {

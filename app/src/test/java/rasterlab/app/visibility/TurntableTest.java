@@ -22,6 +22,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.Raster;
 
 /** Wrong pixels of a scene that the timeline turns. */
@@ -30,6 +31,7 @@ class TurntableTest {
     private final ModelThread thread = new ModelThread();
     private final VisibilityLabModel model =
             new VisibilityLabModel(
+                    new OwnMethods(),
                     (request, cancelled) -> new Raster(request.width(), request.height()),
                     thread,
                     failure -> {

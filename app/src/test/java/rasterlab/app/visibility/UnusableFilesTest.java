@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 
 /** Files of any kind that are opened or dropped: what is wrong is told, and nothing is lost. */
@@ -77,7 +78,9 @@ class UnusableFilesTest {
     private static void assertRefused(Path file, String said) throws Exception {
         var thread = new ModelThread();
         var failures = new CopyOnWriteArrayList<Throwable>();
-        try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
+        try (var model =
+                new VisibilityLabModel(
+                        new OwnMethods(), new Renderer()::render, thread, failures::add)) {
             model.resize(20, 20);
             VisibilityChoice before = model.state().choice();
             model.open(file);

@@ -29,6 +29,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.Renderer;
@@ -127,7 +128,10 @@ class VisibilityCommandTest {
     void comparisonHasACommandForEachPicture() {
         try (var model =
                 new VisibilityLabModel(
-                        new Renderer()::render, Runnable::run, Throwable::printStackTrace)) {
+                        new OwnMethods(),
+                        new Renderer()::render,
+                        Runnable::run,
+                        Throwable::printStackTrace)) {
             model.compare("cube", "painter", "warnock");
             List<String> lines = VisibilityCommand.now(model).text().lines().toList();
             assertEquals(2, lines.size());
@@ -140,7 +144,9 @@ class VisibilityCommandTest {
     void sceneThatIsInNoFileIsDrawnFromTheFileItIsSavedIn() throws Exception {
         var thread = new ModelThread();
         var failures = new CopyOnWriteArrayList<Throwable>();
-        try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
+        try (var model =
+                new VisibilityLabModel(
+                        new OwnMethods(), new Renderer()::render, thread, failures::add)) {
             model.resize(211, 97);
             assertFalse(VisibilityCommand.needsFile(model));
             var body = new VisibleFacesTopic().hazards().get(0).input();
@@ -162,7 +168,10 @@ class VisibilityCommandTest {
     void anotherSceneIsNotDrawnFromTheFileOfTheLast() {
         try (var model =
                 new VisibilityLabModel(
-                        new Renderer()::render, Runnable::run, Throwable::printStackTrace)) {
+                        new OwnMethods(),
+                        new Renderer()::render,
+                        Runnable::run,
+                        Throwable::printStackTrace)) {
             var bodies = new VisibleFacesTopic().hazards();
             model.choose(TopicView.of("a", bodies.get(0).input(), "back-face", "back-face")::shown);
             model.keep(new SavedScene(folder.resolve("a.json"), model.state().choice().shown()));
@@ -181,7 +190,9 @@ class VisibilityCommandTest {
     void copiedCommandDrawsTheSamePicture(UnaryOperator<VisibilityChoice> change) throws Exception {
         var thread = new ModelThread();
         var failures = new CopyOnWriteArrayList<Throwable>();
-        try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
+        try (var model =
+                new VisibilityLabModel(
+                        new OwnMethods(), new Renderer()::render, thread, failures::add)) {
             model.resize(211, 97);
             model.choose(change);
             thread.settle(model::settle);

@@ -23,6 +23,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Language;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -36,7 +37,7 @@ class VisibilityLabModelTest {
     private final List<RenderRequest> begun = new CopyOnWriteArrayList<>();
     private final Semaphore mayDraw = new Semaphore(10_000);
     private final VisibilityLabModel model =
-            new VisibilityLabModel(this::draw, thread, failures::add);
+            new VisibilityLabModel(new OwnMethods(), this::draw, thread, failures::add);
 
     /** Exact pictures are white; a textbook picture has one wrong pixel. */
     private Raster draw(RenderRequest request, BooleanSupplier cancelled) {
@@ -299,7 +300,9 @@ class VisibilityLabModelTest {
     @Test
     void methodThatRefusesSaysWhyInsteadOfFailing() {
         try (var real = new Renderer();
-                var lab = new VisibilityLabModel(real::render, thread, failures::add)) {
+                var lab =
+                        new VisibilityLabModel(
+                                new OwnMethods(), real::render, thread, failures::add)) {
             lab.resize(30, 20);
             lab.choose(choice -> choice.withVisibility("convex").withDifference(true));
             thread.settle(lab::settle);

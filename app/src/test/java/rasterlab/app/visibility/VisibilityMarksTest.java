@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 
 /** What stands over the pictures, and how long: marks of wrong pixels, problems with files. */
@@ -23,7 +24,7 @@ class VisibilityMarksTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final VisibilityLabModel model =
-            new VisibilityLabModel(new Renderer()::render, thread, failures::add);
+            new VisibilityLabModel(new OwnMethods(), new Renderer()::render, thread, failures::add);
 
     @AfterEach
     void close() {

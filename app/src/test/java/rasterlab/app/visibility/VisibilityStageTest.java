@@ -24,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -34,7 +35,11 @@ class VisibilityStageTest {
 
     private final Renderer renderer = new Renderer();
     private final VisibilityLabModel model =
-            new VisibilityLabModel(renderer::render, java.awt.EventQueue::invokeLater, this::fail);
+            new VisibilityLabModel(
+                    new OwnMethods(),
+                    renderer::render,
+                    java.awt.EventQueue::invokeLater,
+                    this::fail);
     private final VisibilityStage stage =
             new VisibilityStage(model, Texts.of("visibility", Language.RUSSIAN));
 
@@ -149,6 +154,7 @@ class VisibilityStageTest {
     void refusalIsSaidInTheWindowsLanguage() throws Exception {
         try (var lab =
                 new VisibilityLabModel(
+                        new OwnMethods(),
                         (request, cancelled) -> {
                             throw new IllegalArgumentException(
                                     "window must be convex, but goes round 2 times");

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.PixelMark;
@@ -32,7 +33,7 @@ class WrongRowsTest {
     private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final VisibilityLabModel model =
-            new VisibilityLabModel(new Renderer()::render, thread, failures::add);
+            new VisibilityLabModel(new OwnMethods(), new Renderer()::render, thread, failures::add);
     private Texts texts = Texts.of("visibility", Language.ENGLISH);
     private VisibilityInspector inspector;
 

@@ -2,6 +2,7 @@ package rasterlab.app.coordinates.list;
 
 import java.util.Optional;
 import rasterlab.app.card.TopicCard.Place;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.chain.Chain;
@@ -9,8 +10,8 @@ import rasterlab.engine.transform.chain.TransformTopic;
 
 /** Points through matrices. */
 final class ChainTrial extends TrialKind<PointTransformer, Chain, TransformTopic.Output> {
-    ChainTrial() {
-        super(new TransformTopic(), new Place("coordinates.view", ""));
+    ChainTrial(OwnMethods own) {
+        super(own.in(new TransformTopic()), new Place("coordinates.view", ""));
     }
 
     @Override

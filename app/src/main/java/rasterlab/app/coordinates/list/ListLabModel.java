@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.MatrixFormula;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -32,19 +33,26 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
     private static final String PRINTED = "formula-textbook";
 
     private final MatrixTopic topic = new MatrixTopic();
-    private final Trials trials = new Trials();
+    private final Trials trials;
     private final LatestOnly<Trial, TrialScene> tried;
     private ListScene scene;
     private Optional<Trial> asked = Optional.empty();
     private Optional<TrialScene> trial = Optional.empty();
     private int step;
 
+    /** The lab of somebody without programs of his own. */
+    public ListLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this(new OwnMethods(), events, onFailure);
+    }
+
     /**
+     * @param own the programs of the user's
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what trying threw, on any thread
      */
-    public ListLabModel(Executor events, Consumer<Throwable> onFailure) {
+    public ListLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         super(ListChoice.first());
+        trials = new Trials(own);
         scene = ListScene.of(topic, choice());
         step = scene.last();
         tried =
@@ -147,8 +155,14 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         show(topic, trials.kind(topic).given(input), method);
     }
 
+    /** Shows the topic: what is tried of it, or its first hazard. */
+    public void enter(String topic) {
+        if (choice().trial().filter(now -> now.topic().equals(topic)).isEmpty())
+            show(trials.first(topic));
+    }
+
     /** Tries another method on the same hazard, where there is one. */
-    void tryMethod(String method) {
+    public void tryMethod(String method) {
         choice().trial().ifPresent(now -> change(choice().with(now.by(method))));
     }
 

@@ -45,7 +45,7 @@ final class ListStage extends PlaneStage {
         if (model.choice().trial().isEmpty() || step < model.last())
             return ListFigure.of(model.scene(), step);
         return model.trial()
-                .map(tried -> TrialFigure.of(tried, model.choice()))
+                .map(tried -> TrialFigure.of(tried, model.choice(), texts.language()))
                 .orElseGet(() -> ListFigure.of(model.scene(), 0));
     }
 

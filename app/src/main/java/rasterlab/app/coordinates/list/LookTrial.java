@@ -1,13 +1,14 @@
 package rasterlab.app.coordinates.list;
 
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.EyeView;
 import rasterlab.engine.transform.view.Look;
 import rasterlab.engine.transform.view.ViewTopic;
 
 /** Points as an eye on a sphere sees them. */
 final class LookTrial extends ImagesTrial<EyeView, Look> {
-    LookTrial() {
-        super(new ViewTopic(), "view.");
+    LookTrial(OwnMethods own) {
+        super(own.in(new ViewTopic()), "view.");
     }
 
     @Override

@@ -2,10 +2,12 @@ package rasterlab.app.coordinates.list;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Ink;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.language.Language;
 import rasterlab.engine.raster.PixelMark;
 
 /**
@@ -18,16 +20,20 @@ final class TrialFigure {
     private final ListPlaces places;
     private final List<Mark> marks = new ArrayList<>();
 
-    private TrialFigure(TrialScene scene, ListChoice choice) {
+    /** How the method is called. */
+    private final String called;
+
+    private TrialFigure(TrialScene scene, ListChoice choice, Language language) {
         this.scene = scene;
+        called = OwnWords.called(scene.trial().method(), language);
         places = new ListPlaces(choice);
     }
 
     /**
      * @param choice from where space is looked at
      */
-    static Figure of(TrialScene scene, ListChoice choice) {
-        var figure = new TrialFigure(scene, choice);
+    static Figure of(TrialScene scene, ListChoice choice, Language language) {
+        var figure = new TrialFigure(scene, choice, language);
         figure.marks.addAll(figure.places.axes(scene.reach()));
         figure.given();
         scene.made().ifPresent(figure::made);
@@ -62,7 +68,7 @@ final class TrialFigure {
                 marks.add(new Mark.Line(right.get(i), spots.get(i), Ink.PRINTED));
             boolean label = !named && fate != TrialScene.Fate.RIGHT;
             named |= label;
-            marks.add(new Mark.Dot(spots.get(i), ink, label ? scene.trial().method() : ""));
+            marks.add(new Mark.Dot(spots.get(i), ink, label ? called : ""));
             if (fate == TrialScene.Fate.EXTRA)
                 marks.add(new Mark.Wrong(spots.get(i), PixelMark.EXTRA));
         }

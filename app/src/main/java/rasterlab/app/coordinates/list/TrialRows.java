@@ -55,6 +55,7 @@ final class TrialRows {
     private void addMethods(String of, List<? extends Method<?>> all, Consumer<String> chosen) {
         List<String> names = all.stream().map(Method::name).toList();
         var chooser = new MethodChooser("method", "", names, FigureColours.OWN, chosen);
+        if (!of.equals(MATRICES)) chooser.withOwn(Texts.of("canvas", texts.language()));
         column.row("method", chooser);
         methods.put(of, chooser);
     }

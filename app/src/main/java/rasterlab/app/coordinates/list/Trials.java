@@ -1,14 +1,24 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.List;
+import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /** The topics whose hazards are points of space. */
 final class Trials {
-    private final List<TrialKind<?, ?, ?>> kinds =
-            List.of(new ChainTrial(), new TurnTrial(), new LookTrial());
+    private final List<TrialKind<?, ?, ?>> kinds;
+
+    /** Those of somebody without programs of his own. */
+    Trials() {
+        this(new OwnMethods());
+    }
+
+    Trials(OwnMethods own) {
+        kinds = List.of(new ChainTrial(own), new TurnTrial(own), new LookTrial(own));
+    }
 
     List<String> topics() {
         return kinds.stream().map(kind -> kind.topic().name()).toList();
@@ -54,7 +64,10 @@ final class Trials {
     /** The shell command that has the method answer to the hazard. */
     String command(Trial trial) {
         return "echo '%s' | ./lab run %s %s"
-                .formatted(kind(trial.topic()).json(trial.hazard()), trial.topic(), trial.method());
+                .formatted(
+                        kind(trial.topic()).json(trial.hazard()),
+                        trial.topic(),
+                        OwnWords.known(trial.method(), first(trial.topic()).method()));
     }
 
     /**

@@ -1,13 +1,14 @@
 package rasterlab.app.coordinates.list;
 
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.AxisRotation;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.axis.AxisTurn;
 
 /** Points that turn about a line. */
 final class TurnTrial extends ImagesTrial<AxisRotation, AxisTurn> {
-    TurnTrial() {
-        super(new AxisTopic(), "rotate-axis.");
+    TurnTrial(OwnMethods own) {
+        super(own.in(new AxisTopic()), "rotate-axis.");
     }
 
     @Override

@@ -17,6 +17,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
@@ -107,7 +108,11 @@ final class DriftChart extends SelfDrawn {
     /** Width of the longest of the methods' names. */
     private int namesWidth(Font font) {
         FontMetrics metrics = getFontMetrics(font.deriveFont(Font.BOLD));
-        return drifts.stream().mapToInt(each -> metrics.stringWidth(each.method())).max().orElse(0);
+        return drifts.stream().mapToInt(each -> metrics.stringWidth(called(each))).max().orElse(0);
+    }
+
+    private String called(TurnScene.Drift drift) {
+        return OwnWords.called(drift.method(), texts.language());
     }
 
     /**
@@ -271,7 +276,7 @@ final class DriftChart extends SelfDrawn {
             g.setColor(colours.ink());
             boolean own = each.method().equals(chosen);
             g.setFont(g.getFont().deriveFont(own ? Font.BOLD : Font.PLAIN));
-            g.drawString(each.method(), (float) plot.x(DECADES) + LEAD + 5, (float) y + 4);
+            g.drawString(called(each), (float) plot.x(DECADES) + LEAD + 5, (float) y + 4);
         }
     }
 

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.turn;
 
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.Turns;
 
@@ -12,6 +13,8 @@ final class TurnCommand {
         double[] point = {choice.x(), choice.y()};
         var turns = new Turns(choice.degrees(), choice.times(), point);
         return "echo '%s' | ./lab run rotate %s"
-                .formatted(CommandInput.of(new RotateTopic().format(), turns), choice.method());
+                .formatted(
+                        CommandInput.of(new RotateTopic().format(), turns),
+                        OwnWords.known(choice.method(), "total-angle"));
     }
 }

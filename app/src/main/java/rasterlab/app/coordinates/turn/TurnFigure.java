@@ -2,10 +2,12 @@ package rasterlab.app.coordinates.turn;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Ink;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.language.Language;
 
 /** The way round. */
 final class TurnFigure {
@@ -17,7 +19,7 @@ final class TurnFigure {
 
     private TurnFigure() {}
 
-    static Figure of(TurnScene scene, int step) {
+    static Figure of(TurnScene scene, int step, Language language) {
         var marks = new ArrayList<Mark>();
         if (!scene.known()) return new Figure(marks, true);
         marks.add(new Mark.Path(scene.circle(), Ink.HELP));
@@ -40,12 +42,12 @@ final class TurnFigure {
                 marks.add(new Mark.Line(origin, done.get(done.size() - 1).at(), own));
             return new Figure(marks, true);
         }
-        ends(scene, marks);
+        ends(scene, marks, language);
         return new Figure(marks, true);
     }
 
     /** Where the point ends, and where it belongs; other methods where that is seen. */
-    private static void ends(TurnScene scene, List<Mark> marks) {
+    private static void ends(TurnScene scene, List<Mark> marks, Language language) {
         for (TurnScene.Drift each : scene.drifts()) {
             boolean own = each.method().equals(scene.choice().method());
             if (each.refused() || !own && !(each.error() > SEEN)) continue;
@@ -53,7 +55,11 @@ final class TurnFigure {
             marks.add(new Mark.Line(new Spot(0, 0), each.end(), ink));
             marks.add(
                     new Mark.Dot(
-                            each.end(), ink, own && each.error() <= SEEN ? "" : each.method()));
+                            each.end(),
+                            ink,
+                            own && each.error() <= SEEN
+                                    ? ""
+                                    : OwnWords.called(each.method(), language)));
         }
         marks.add(new Mark.Cross(scene.exact(), Ink.OBJECT, ""));
     }

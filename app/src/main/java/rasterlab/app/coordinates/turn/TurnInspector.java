@@ -14,6 +14,7 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.coordinates.figure.MatrixFormulas;
 import rasterlab.app.coordinates.figure.NumberTable;
@@ -58,7 +59,9 @@ final class TurnInspector {
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
         mode.accept(column);
-        method = parts.method(model.methods(), model::chooseMethod);
+        method =
+                parts.method(model.methods(), model::chooseMethod)
+                        .withOwn(Texts.of("canvas", texts.language()));
         degrees = parts.number("degrees", DEGREES, model::turnBy);
         times = parts.number("times", TIMES, model::turnTimes);
         times.takeOnlyWhole();
@@ -117,7 +120,10 @@ final class TurnInspector {
     private String refusal() {
         TurnScene scene = model.scene();
         boolean known = scene.known() && scene.choice().equals(model.choice());
-        return known && scene.drift().refused() ? texts.text("refused.long") : "";
+        if (!known || !scene.drift().refused()) return "";
+        TurnScene.Drift drift = scene.drift();
+        return OwnWords.refusal(drift.method(), drift.refusal(), texts.language())
+                .orElseGet(() -> texts.text("refused.long"));
     }
 
     private void showStep() {
@@ -160,7 +166,11 @@ final class TurnInspector {
     private List<List<String>> rows() {
         var rows = new ArrayList<List<String>>();
         for (TurnScene.Drift each : model.scene().drifts())
-            rows.add(List.of(each.method(), error(each), each.refused() ? "—" : place(each.end())));
+            rows.add(
+                    List.of(
+                            OwnWords.called(each.method(), texts.language()),
+                            error(each),
+                            each.refused() ? "—" : place(each.end())));
         return rows;
     }
 

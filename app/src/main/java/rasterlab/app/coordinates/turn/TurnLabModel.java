@@ -7,9 +7,12 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.Turns;
 
@@ -20,18 +23,25 @@ import rasterlab.engine.transform.rotate.Turns;
  * #scene}; answers and commands all run on the thread of the executor it is given.
  */
 public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps, AutoCloseable {
-    private final RotateTopic topic = new RotateTopic();
+    private final Topic<PlaneRotation, Turns, Images> topic;
     private final LatestOnly<TurnChoice, TurnScene> scenes;
     private TurnScene scene;
     private int step;
     private boolean stopped;
 
+    /** The lab of somebody without programs of his own. */
+    public TurnLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this(new OwnMethods(), events, onFailure);
+    }
+
     /**
+     * @param own the programs of the user's
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what turning threw, on any thread
      */
-    public TurnLabModel(Executor events, Consumer<Throwable> onFailure) {
+    public TurnLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         super(TurnChoice.first());
+        topic = own.in(new RotateTopic());
         scene = TurnScene.before(choice());
         scenes =
                 new LatestOnly<>(

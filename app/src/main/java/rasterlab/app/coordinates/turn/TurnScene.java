@@ -5,11 +5,12 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
-import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.SteppedRotation;
 import rasterlab.engine.transform.rotate.TurnWalk;
 import rasterlab.engine.transform.rotate.Turns;
@@ -20,7 +21,7 @@ import rasterlab.engine.transform.rotate.Turns;
  * @param steps the way, formula by formula or turn by turn
  * @param exact where the point belongs in the end; not finite before anything is known
  * @param circle the way of the exact point
- * @param drifts of all methods in teaching order
+ * @param drifts of all methods in teaching order, the user's own last where it is chosen
  */
 record TurnScene(
         TurnChoice choice, List<Step> steps, Spot exact, List<Spot> circle, List<Drift> drifts) {
@@ -47,8 +48,15 @@ record TurnScene(
      * @param end where the point is in the end; not finite where the method refuses
      * @param error of the end
      * @param samples the error after more and more turns; empty where the method refuses
+     * @param refusal what it said then, in English; "" otherwise
      */
-    record Drift(String method, Spot end, double error, boolean right, List<Sample> samples) {
+    record Drift(
+            String method,
+            Spot end,
+            double error,
+            boolean right,
+            List<Sample> samples,
+            String refusal) {
         boolean refused() {
             return !end.isFinite();
         }
@@ -59,9 +67,14 @@ record TurnScene(
      */
     record Sample(int times, double error) {}
 
-    static TurnScene of(RotateTopic topic, TurnChoice choice, BooleanSupplier cancelled) {
+    static TurnScene of(
+            Topic<PlaneRotation, Turns, Images> topic,
+            TurnChoice choice,
+            BooleanSupplier cancelled) {
         var drifts = new ArrayList<Drift>();
-        for (Method<PlaneRotation> method : topic.methods()) {
+        var methods = new ArrayList<>(topic.methods());
+        if (choice.method().equals(OwnMethods.NAME)) methods.add(topic.method(OwnMethods.NAME));
+        for (Method<PlaneRotation> method : methods) {
             if (cancelled.getAsBoolean()) throw new CancellationException();
             drifts.add(drift(topic, method, choice, cancelled));
         }
@@ -74,7 +87,7 @@ record TurnScene(
     }
 
     private static Drift drift(
-            RotateTopic topic,
+            Topic<PlaneRotation, Turns, Images> topic,
             Method<PlaneRotation> method,
             TurnChoice choice,
             BooleanSupplier cancelled) {
@@ -88,14 +101,21 @@ record TurnScene(
                 Images image = topic.record(method.implementation(), turns, 1);
                 samples.add(new Sample(times, deviation(topic, turns, image).worst()));
             }
-            return new Drift(method.name(), spot(end), off.worst(), topic.correct(off), samples);
+            return new Drift(
+                    method.name(), spot(end), off.worst(), topic.correct(off), samples, "");
         } catch (IllegalArgumentException refused) {
             return new Drift(
-                    method.name(), new Spot(Double.NaN, Double.NaN), Double.NaN, false, List.of());
+                    method.name(),
+                    new Spot(Double.NaN, Double.NaN),
+                    Double.NaN,
+                    false,
+                    List.of(),
+                    refused.getMessage());
         }
     }
 
-    private static Deviation deviation(RotateTopic topic, Turns turns, Images image) {
+    private static Deviation deviation(
+            Topic<PlaneRotation, Turns, Images> topic, Turns turns, Images image) {
         return topic.compare(turns, topic.exact(turns, 1), image);
     }
 
@@ -103,7 +123,7 @@ record TurnScene(
         return new Spot(images.coordinates()[0], images.coordinates()[1]);
     }
 
-    private static List<Step> steps(RotateTopic topic, TurnChoice choice) {
+    private static List<Step> steps(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
         PlaneRotation method = topic.method(choice.method()).implementation();
         int turns = Math.min(choice.times(), MOST_TURNS);
         var steps = new ArrayList<Step>();
@@ -133,7 +153,7 @@ record TurnScene(
     }
 
     /** Turned without drift. */
-    private static List<Spot> circle(RotateTopic topic, TurnChoice choice) {
+    private static List<Spot> circle(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
         PlaneRotation method = topic.method("total-angle").implementation();
         var circle = new ArrayList<Spot>();
         for (int i = 0; i <= CIRCLE; i++) {

@@ -127,7 +127,7 @@ final class TurnStage extends JPanel implements AutoCloseable {
 
     void refresh() {
         TurnScene scene = model.scene();
-        Figure figure = TurnFigure.of(scene, model.step());
+        Figure figure = TurnFigure.of(scene, model.step(), texts.language());
         Rectangle2D everything = Box.around(figure.marks());
         int begun = scene.known() ? 1 : 0;
         way.show(

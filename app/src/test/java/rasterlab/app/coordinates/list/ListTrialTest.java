@@ -172,7 +172,7 @@ class ListTrialTest {
     }
 
     private List<Mark> marks(TrialScene scene) {
-        return TrialFigure.of(scene, model.choice()).marks();
+        return TrialFigure.of(scene, model.choice(), Language.ENGLISH).marks();
     }
 
     private static <M extends Mark> M only(List<Mark> marks, Class<M> kind, String method) {
