@@ -9,6 +9,7 @@ import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.color.FormulaColors;
+import rasterlab.engine.study.NoAnswer;
 
 /**
  * A colour, as it was written last, and how its cube is turned.
@@ -125,7 +126,15 @@ record ColourChoice(
      * difference; NaN where it refuses or gives no number.
      */
     Map<ColorModel, Double> roundTrips() {
-        ColorConverter converter = new ColorTopic().method(method).implementation();
+        return roundTrips(new ColorTopic().method(method).implementation());
+    }
+
+    /**
+     * The same by any method.
+     *
+     * @throws NoAnswer if the method runs elsewhere and gives none
+     */
+    Map<ColorModel, Double> roundTrips(ColorConverter converter) {
         var errors = new EnumMap<ColorModel, Double>(ColorModel.class);
         double[] rgb = in(ColorModel.RGB);
         for (ColorModel each : ColorModel.values())
@@ -141,6 +150,8 @@ record ColourChoice(
             for (int c = 0; c < 3; c++) worst = Math.max(worst, Math.abs(back[c] - rgb[c]));
             for (double share : back) if (Double.isNaN(share)) return Double.NaN;
             return worst;
+        } catch (NoAnswer none) {
+            throw none;
         } catch (IllegalArgumentException refused) {
             return Double.NaN; // What the table says of such a method.
         }

@@ -1,6 +1,7 @@
 package rasterlab.app.light;
 
 import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.color.Colors;
 
@@ -11,6 +12,8 @@ final class ColourCommand {
     static String of(ColourChoice choice) {
         Colors colour = Colors.of(choice.model(), choice.in(choice.model()));
         return "echo '%s' | ./lab run color %s"
-                .formatted(CommandInput.of(new ColorTopic().format(), colour), choice.method());
+                .formatted(
+                        CommandInput.of(new ColorTopic().format(), colour),
+                        OwnWords.known(choice.method(), "formula"));
     }
 }

@@ -5,14 +5,17 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.study.Method;
@@ -57,12 +60,14 @@ final class ColourInspector {
 
     private void addTrip() {
         column.heading("heading.trip");
-        List<String> methods = new ColorTopic().methods().stream().map(Method::name).toList();
+        var methods =
+                new ArrayList<>(new ColorTopic().methods().stream().map(Method::name).toList());
+        methods.add(OwnMethods.NAME);
         method =
                 new NameChooser(
                         "colourMethod",
                         methods,
-                        name -> name,
+                        name -> OwnWords.called(name, texts.language()),
                         name -> model.colour(colour -> colour.withMethod(name)));
         column.row("colourMethod", method);
         for (ColorModel each : ColorModel.values())
@@ -113,8 +118,19 @@ final class ColourInspector {
                             hue && !Double.isNaN(value) ? said + "°" : said);
         }
         method.show(colour.method());
-        colour.roundTrips().forEach((each, error) -> errors.get(each).setText(error(error)));
-        about.show(explanations, colour.method(), "", "");
+        boolean own = colour.method().equals(OwnMethods.NAME);
+        Optional<OwnTrips.Trips> mine = own ? model.ownTrips(colour) : Optional.empty();
+        Map<ColorModel, Double> known =
+                own ? mine.map(OwnTrips.Trips::errors).orElse(Map.of()) : colour.roundTrips();
+        errors.forEach(
+                (each, label) ->
+                        label.setText(known.containsKey(each) ? error(known.get(each)) : "—"));
+        about.show(explanations, colour.method(), "", mine.map(this::refusal).orElse(""));
+    }
+
+    private String refusal(OwnTrips.Trips trips) {
+        if (trips.refusal().isEmpty()) return "";
+        return OwnWords.refusal(OwnMethods.NAME, trips.refusal(), texts.language()).orElse("");
     }
 
     private String error(double error) {

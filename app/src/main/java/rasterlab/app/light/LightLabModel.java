@@ -49,6 +49,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final Listeners<LightLabState> listeners = new Listeners<>();
     private final KeptFile<LitFile, Body, LitSceneOpening.Answer> keptFile;
     private final RowLabModel rows;
+    private final OwnTrips ownTrips;
     private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
@@ -81,6 +82,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
             PictureMaker maker, OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         this.maker = maker;
         rows = RowLabModel.ofTextures(own, events, onFailure);
+        ownTrips = new OwnTrips(own, events, onFailure, this::tellAll);
         pictures =
                 new LatestOnly<>(
                         "lit pictures",
@@ -186,6 +188,18 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         if (next.equals(state.colour())) return;
         history.remember();
         show(new Chosen(state.choice(), state.colours(), next));
+    }
+
+    /** How a colour comes back by the user's program; empty until that is found. */
+    Optional<OwnTrips.Trips> ownTrips(ColourChoice colour) {
+        return ownTrips.of(colour);
+    }
+
+    /** Shows colour models and asks the user's program, which may be another by now, once more. */
+    void enterColours() {
+        rows.close();
+        ownTrips.forget();
+        showColours(true);
     }
 
     /** Shows colour models instead of light, or light again. */
@@ -321,6 +335,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         reader.settle();
         pictures.settle();
         rows.settle();
+        ownTrips.settle();
     }
 
     /** Ends the threads; the one that draws closes what it draws by. */
@@ -329,6 +344,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         reader.close();
         pictures.close(maker::close);
         rows.end();
+        ownTrips.close();
     }
 
     private Chosen chosen() {

@@ -48,7 +48,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     @Override
     public List<TopicCard<LightLabModel>> cards() {
         return List.of(
-                lit("color", "", Set.of("formula")),
+                card("color", "", colours()),
                 lit("shade", "shade.", Set.of("phong", "blinn-phong")),
                 lit("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
                 lit(
@@ -59,24 +59,36 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 row("texture-filter"));
     }
 
+    private TopicWay<LightLabModel> colours() {
+        return lit("color", Set.of("formula"))
+                .withOwn(
+                        LightLabModel::history,
+                        LightLabModel::enterColours,
+                        (lab, name) -> lab.colour(colour -> colour.withMethod(name)),
+                        (lab, name) -> {});
+    }
+
+    private TopicCard<LightLabModel> card(String topic, String part, TopicWay<LightLabModel> way) {
+        return new TopicCard<>(topic, this, new Place("light", part), LightColours.OWN, way);
+    }
+
+    private TopicCard<LightLabModel> lit(String topic, String part, Set<String> drawnBy) {
+        return card(topic, part, lit(topic, drawnBy));
+    }
+
     /**
      * @param drawnBy by which of the topic's methods the lab draws
      */
-    private TopicCard<LightLabModel> lit(String topic, String part, Set<String> drawnBy) {
-        return new TopicCard<>(
-                topic,
-                this,
-                new Place("light", part),
-                LightColours.OWN,
-                TopicWay.noted(
-                        (lab, input, method) -> {
-                            lab.rows().close();
-                            lab.show(topic, input.hazard(), input.input(), method);
-                        },
-                        new TopicWay.Notes<>(
-                                (lab, input, method) -> lab.unlike(input.input(), method),
-                                drawnBy::contains,
-                                LightLabModel::tell)));
+    private static TopicWay<LightLabModel> lit(String topic, Set<String> drawnBy) {
+        return TopicWay.noted(
+                (lab, input, method) -> {
+                    lab.rows().close();
+                    lab.show(topic, input.hazard(), input.input(), method);
+                },
+                new TopicWay.Notes<>(
+                        (lab, input, method) -> lab.unlike(input.input(), method),
+                        drawnBy::contains,
+                        LightLabModel::tell));
     }
 
     private TopicCard<LightLabModel> row(String topic) {

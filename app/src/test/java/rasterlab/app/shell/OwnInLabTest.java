@@ -229,6 +229,15 @@ class OwnInLabTest {
     }
 
     @Test
+    void theLabOfColoursAsksTheProgram() {
+        showModel(Catalogue.builtIn().named("color"));
+        assertTrue(
+                String.valueOf(models.light().kept()).contains("method=" + OwnMethods.NAME),
+                String.valueOf(models.light().kept()));
+        assertEquals(List.of("light"), tabs);
+    }
+
+    @Test
     void theLabOfRotationsTurnsByTheProgram() {
         showModel(Catalogue.builtIn().named("cheap-rotation"));
         assertEquals(OwnMethods.NAME, models.coordinates().rotation().choice().method());

@@ -1,0 +1,102 @@
+package rasterlab.app.light;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.contract.ColorConverter;
+import rasterlab.contract.ColorModel;
+import rasterlab.engine.color.ColorTopic;
+import rasterlab.engine.study.NoAnswer;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * How colours come back from all models by the user's own program, which is asked on a thread of
+ * this class's own.
+ */
+final class OwnTrips implements AutoCloseable {
+    /**
+     * What came back of one colour.
+     *
+     * @param errors as {@link ColourChoice#roundTrips} has them; none where the program gives no
+     *     answer
+     * @param refusal why there is none, in English; "" otherwise
+     */
+    record Trips(ColourChoice colour, Map<ColorModel, Double> errors, String refusal) {}
+
+    private final LatestOnly<ColourChoice, Trips> trips;
+    private Optional<ColourChoice> asked = Optional.empty();
+    private Optional<Trips> newest = Optional.empty();
+
+    /**
+     * @param events runs what it is given on the one thread that uses this, in order
+     * @param onFailure told what asking threw, on any thread
+     * @param changed run when an answer is there
+     */
+    OwnTrips(OwnMethods own, Executor events, Consumer<Throwable> onFailure, Runnable changed) {
+        Topic<ColorConverter, ?, ?> topic = own.in(new ColorTopic());
+        trips =
+                new LatestOnly<>(
+                        "own colours",
+                        (colour, cancelled) -> trips(topic, colour),
+                        (colour, answer) ->
+                                events.execute(
+                                        () -> {
+                                            newest = Optional.of(answer);
+                                            changed.run();
+                                        }),
+                        onFailure);
+    }
+
+    private static Trips trips(Topic<ColorConverter, ?, ?> topic, ColourChoice colour) {
+        ColorConverter program = topic.method(OwnMethods.NAME).implementation();
+        try {
+            return new Trips(colour, colour.roundTrips(measured(program)), "");
+        } catch (NoAnswer none) {
+            return new Trips(colour, new EnumMap<>(ColorModel.class), none.getMessage());
+        }
+    }
+
+    /** The program, whose answers have the right length. */
+    private static ColorConverter measured(ColorConverter program) {
+        return (from, components, to) -> {
+            double[] answer = program.convert(from, components, to);
+            if (answer.length != to.size())
+                throw new NoAnswer(
+                        Verdict.Kind.WRONG,
+                        "your program's answer cannot be used: %d numbers were asked for, got %d"
+                                .formatted(to.size(), answer.length));
+            return answer;
+        };
+    }
+
+    /** What came back of that colour; empty until that is found, which this asks for. */
+    Optional<Trips> of(ColourChoice colour) {
+        if (asked.filter(colour::equals).isEmpty()) {
+            asked = Optional.of(colour);
+            trips.ask(colour);
+        }
+        return newest.filter(trip -> trip.colour().equals(colour));
+    }
+
+    /** Asks again: the program may be another by now. */
+    void forget() {
+        asked = Optional.empty();
+        newest = Optional.empty();
+    }
+
+    /** Waits until what was asked so far is answered. Any other thread. */
+    void settle() throws InterruptedException {
+        trips.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        trips.close();
+    }
+}
