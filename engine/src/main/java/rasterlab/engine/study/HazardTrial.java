@@ -39,8 +39,10 @@ public final class HazardTrial {
      *
      * @param exact the right answer, cut where {@link Topic#mostItems} says
      * @param made the method's; empty where it gave none
+     * @param thrown by the method in place of an answer; empty where it threw nothing
      */
-    public record Tried<O>(O exact, Optional<O> made, Verdict verdict) {}
+    public record Tried<O>(
+            O exact, Optional<O> made, Optional<Throwable> thrown, Verdict verdict) {}
 
     /** Every method on every hazard, hazard by hazard. */
     public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
@@ -135,12 +137,17 @@ public final class HazardTrial {
                 && threw.cause() instanceof LimitReached reached)
             return answer.cut()
                     ? compared(topic, input, answer.exact(), recorded(reached))
-                    : without(answer, endless(answer, topic.item()));
-        return without(answer, Verdicts.ofFailure(outcome));
+                    : without(answer, Optional.empty(), endless(answer, topic.item()));
+        Optional<Throwable> thrown =
+                outcome instanceof Guard.Threw<O> threw
+                        ? Optional.of(threw.cause())
+                        : Optional.empty();
+        return without(answer, thrown, Verdicts.ofFailure(outcome));
     }
 
-    private static <O> Tried<O> without(Answer<O> answer, Verdict verdict) {
-        return new Tried<>(answer.exact(), Optional.empty(), verdict);
+    private static <O> Tried<O> without(
+            Answer<O> answer, Optional<Throwable> thrown, Verdict verdict) {
+        return new Tried<>(answer.exact(), Optional.empty(), thrown, verdict);
     }
 
     private static Verdict endless(Answer<?> answer, String item) {
@@ -159,7 +166,7 @@ public final class HazardTrial {
     private static <C, I, O> Tried<O> compared(Topic<C, I, O> topic, I input, O exact, O actual) {
         // A method that somebody wrote may answer with null, which the comparison judges.
         Verdict verdict = verdict(topic, input, exact, actual);
-        return new Tried<>(exact, Optional.ofNullable(actual), verdict);
+        return new Tried<>(exact, Optional.ofNullable(actual), Optional.empty(), verdict);
     }
 
     private static <C, I, O> Verdict verdict(Topic<C, I, O> topic, I input, O exact, O actual) {

@@ -12,8 +12,10 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.InputChanged;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.CatalogueException;
@@ -146,8 +148,17 @@ public final class MethodsOnInput<C, I, O> {
                                             made ->
                                                     Leaves.difference(
                                                             topic, input, tried.exact(), made))
-                                    .orElseGet(() -> Message.of("break.crashes", verdict.detail()));
+                                    .orElseGet(() -> withoutAnswer(tried));
                 };
         return new Tried(name, verdict.kind(), said);
+    }
+
+    /** Says why there is no answer to compare, in words that are known in every language. */
+    private static Message withoutAnswer(HazardTrial.Tried<?> tried) {
+        Throwable thrown = tried.thrown().orElse(null);
+        if (thrown instanceof InputChanged) return Message.of("answer.overwrites");
+        if (thrown instanceof SharedAnswer shared)
+            return Message.of(shared.given() ? "answer.shared-given" : "answer.shared-before");
+        return Message.of("break.crashes", tried.verdict().detail());
     }
 }
