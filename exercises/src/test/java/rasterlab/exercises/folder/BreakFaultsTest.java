@@ -78,7 +78,7 @@ class BreakFaultsTest {
     @Test
     @DisplayName("points that do not make up the whole are not told, or are told of targets unread")
     void sumIsAskedOfTargetsThatCanBeRead() throws IOException {
-        change("\"points\": 12", "\"points\": 13");
+        change("\"points\": 13", "\"points\": 14");
         assertEquals(1, faults().size(), faults().toString());
         assertTrue(faults().get(0).contains("'targets' have 91 points"), faults().toString());
         change("\"axes-twice\"", "\"axes-thrice\"");
