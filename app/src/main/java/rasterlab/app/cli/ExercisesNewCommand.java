@@ -76,8 +76,15 @@ final class ExercisesNewCommand implements Callable<Integer> {
         Map<String, byte[]> files = files(form, id);
         WholeFile.requireFolder(made);
         files.forEach((name, content) -> WholeFile.write(made.resolve(name), content));
-        console.out().println(console.language().texts().text("new", folder));
+        String key = form == Form.WRITE ? "new" : "new.copy";
+        String prove = "./lab exercises prove " + id + " --exercises " + parent();
+        console.out().println(console.language().texts().text(key, folder, prove));
         return ExitCode.DONE;
+    }
+
+    private Path parent() {
+        Path parent = folder.normalize().getParent();
+        return parent == null ? Path.of(".") : parent;
     }
 
     private Form form() {

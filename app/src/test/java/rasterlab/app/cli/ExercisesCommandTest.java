@@ -68,6 +68,17 @@ class ExercisesCommandTest {
                         .toList());
     }
 
+    @ParameterizedTest(
+            name = "whoever begins an exercise of kind {0} is not told what is left to do")
+    @CsvSource({"write, true", "break, false", "predict, false"})
+    void newTellsWhatIsLeftToDo(String kind, boolean hasModel) {
+        Path made = folder.resolve("my-line");
+        String told = Ran.lab("exercises", "new", "line", made + "", "--kind", kind).out();
+        assertEquals(hasModel, told.contains("Model.java"), told);
+        String prove = "then prove it: ./lab exercises prove my-line --exercises " + folder + "\n";
+        assertTrue(told.endsWith(prove), told);
+    }
+
     @Test
     @DisplayName("an exercise of one's own needs more than its folder")
     void anExerciseOfDataAloneIsListedAndChecked() throws IOException {

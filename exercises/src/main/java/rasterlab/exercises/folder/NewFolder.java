@@ -4,15 +4,21 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.judging.InputJson;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
@@ -26,6 +32,9 @@ public final class NewFolder {
     private static final int MOST_OPEN = 3;
     private static final int MOST_HIDDEN = 3;
 
+    /** The proof has every faulty method answer every case, which longer answers make slow. */
+    private static final int LONGEST_ANSWER = 20_000;
+
     private final Topic<?, ?, ?> topic;
     private final TopicGrading grading;
     private final List<String> hazards;
@@ -33,7 +42,7 @@ public final class NewFolder {
     private NewFolder(String topic) {
         this.topic = Topics.named(topic);
         this.grading = TopicGradings.named(topic);
-        this.hazards = answered(this.topic);
+        this.hazards = answered(this.topic).stream().filter(this::isShort).toList();
     }
 
     /**
@@ -67,6 +76,26 @@ public final class NewFolder {
                 .toList();
     }
 
+    /** Whether a right answer to the hazard has few items. */
+    private boolean isShort(String hazard) {
+        String input = JsonNodeFactory.instance.objectNode().put("hazard", hazard).toString();
+        Exercise.Case asked =
+                new Exercise.Case(
+                        hazard,
+                        Map.of(),
+                        Exercise.Kind.STABILITY,
+                        Disclosure.VERDICT_ONLY,
+                        0,
+                        input,
+                        false);
+        try {
+            return grading.calls(asked, new Exercise.Tolerance(false), 0).stream()
+                    .allMatch(call -> call.items() <= LONGEST_ANSWER);
+        } catch (CatalogueException tooLong) {
+            return false;
+        }
+    }
+
     private ObjectNode exercise() {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("topic", topic.name());
@@ -84,7 +113,19 @@ public final class NewFolder {
                 .set("title", both("ordinary inputs", "обычные данные"));
         root.putArray("cases").add("cases.json").add("hidden-cases.json");
         root.put("model", "Model.java");
+        List<String> notAsked = mistakesOfLongAnswers();
+        if (!notAsked.isEmpty()) notAsked.forEach(root.putArray("notAsked")::add);
         return root;
+    }
+
+    /** Names of mutants whose own hazard is none of the cases, since its answer is too long. */
+    private List<String> mistakesOfLongAnswers() {
+        Set<String> left = new HashSet<>(answered(topic));
+        hazards.forEach(left::remove);
+        return topic.mutants().stream()
+                .filter(one -> left.contains(one.hazard()))
+                .map(Mutant::name)
+                .toList();
     }
 
     private static ObjectNode both(String english, String russian) {
