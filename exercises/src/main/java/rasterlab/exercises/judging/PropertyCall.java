@@ -162,6 +162,9 @@ final class PropertyCall<C, I, O> implements Call {
     }
 
     /**
+     * What the property makes of another answer of the method is as wrong as that one, so it is
+     * told as such and never drawn: the pictures are those of the input whose answer is wrong.
+     *
      * @param mine the input whose answer is wrong
      * @param wrong what is told of it alone
      */
@@ -184,11 +187,7 @@ final class PropertyCall<C, I, O> implements Call {
                                         .orElse(broken.get().said()))
                         .and(shown("property.wrong", mine))
                         .and(wrong.said());
-        return new Finding(
-                GradingVerdict.WRONG,
-                said,
-                wanted.map(one -> grading.pictures(other, one, output)).orElse(wrong.pictures()),
-                wrong.explanations());
+        return new Finding(GradingVerdict.WRONG, said, wrong.pictures(), wrong.explanations());
     }
 
     /** The input, and the one that breaks the property where that is another. */

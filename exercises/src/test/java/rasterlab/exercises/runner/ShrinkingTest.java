@@ -5,10 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.contract.Pixels;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
@@ -16,6 +18,7 @@ import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.proving.TriedMethod;
+import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -90,6 +93,47 @@ class ShrinkingTest {
                         && said.contains("wrong is the answer to {\"from\":[0,0],\"to\":[-5,1]}"),
                 said);
         assertEquals(3, shrunk.shown().pictures().size());
+    }
+
+    /** Rounds towards 0 what is to be rounded to the nearest, so it is wrong from either end. */
+    private static void truncated(int x0, int y0, int x1, int y1, Pixels out) {
+        int n = Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0));
+        for (int k = 0; k <= n; k++)
+            out.plot(x0 + (x1 - x0) * k / n, y0 + (int) (k * (double) (y1 - y0) / n));
+    }
+
+    @Test
+    void expectedIsTheRightAnswerWhereTheOneToTheInputItselfIsWrong() {
+        TriedCall wrong = tried(call("[0, 0]", "[5, -1]"), ShrinkingTest::truncated);
+        assertPictures(wrong, List.of("...###", "###..."), List.of(".....#", "#####."));
+        assertOpens(wrong, "[0,0]", "[5,-1]");
+    }
+
+    @Test
+    void expectedIsTheRightAnswerWhereTheOneToTheInputBesideItIsWrong() {
+        TriedCall wrong = tried(call("[0, 0]", "[5, 1]"), LEFT_IS_LOW);
+        assertPictures(
+                wrong,
+                List.of("###...", "...###", "......", "......"),
+                List.of(".##...", "...###", "......", "#....."));
+        assertOpens(wrong, "[5,1]", "[0,0]");
+    }
+
+    private static void assertPictures(
+            TriedCall wrong, List<String> expected, List<String> actual) {
+        List<CasePicture> pictures = wrong.shown().pictures();
+        assertEquals(expected, rows(pictures, CasePicture.EXPECTED));
+        assertEquals(actual, rows(pictures, CasePicture.ACTUAL));
+    }
+
+    private static List<String> rows(List<CasePicture> pictures, String kind) {
+        return CasePicture.of(pictures, kind).orElseThrow().rows();
+    }
+
+    /** The lab is to show the input that the pictures are of. */
+    private static void assertOpens(TriedCall wrong, String from, String to) {
+        String scene = wrong.call().scene(wrong.answer()).replaceAll("\\s", "");
+        assertTrue(scene.contains("\"from\":" + from + ",\"to\":" + to), scene);
     }
 
     @Test
