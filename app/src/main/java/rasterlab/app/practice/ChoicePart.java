@@ -36,6 +36,7 @@ final class ChoicePart implements AnswerPart {
             buttons.add(button);
             row.add(button);
         }
+        FlowRows.keepWrapped(row);
     }
 
     @Override

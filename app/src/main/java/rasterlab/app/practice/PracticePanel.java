@@ -108,8 +108,9 @@ final class PracticePanel extends JPanel implements Settling {
         KeyBinding.within(this, KeyStroke.getKeyStroke("ENTER"), this::submit);
         for (int digit = 0; digit <= 9; digit++) {
             int pressed = digit;
-            for (String key : new String[] {"" + digit, "NUMPAD" + digit})
-                KeyBinding.within(this, KeyStroke.getKeyStroke(key), () -> form.digit(pressed));
+            // As a character, not as a key: a text field uses those for itself.
+            KeyBinding.within(
+                    this, KeyStroke.getKeyStroke("typed " + digit), () -> form.digit(pressed));
         }
     }
 
