@@ -1,6 +1,5 @@
 package rasterlab.app.light;
 
-import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -12,7 +11,7 @@ import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.study.NoAnswer;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.WrongLength;
 
 /**
  * How colours come back from all models by the user's own program, which is asked on a thread of
@@ -57,19 +56,21 @@ final class OwnTrips implements AutoCloseable {
         try {
             return new Trips(colour, colour.roundTrips(measured(program)), "");
         } catch (NoAnswer none) {
-            return new Trips(colour, new EnumMap<>(ColorModel.class), none.getMessage());
+            return without(colour, none);
+        } catch (WrongLength length) {
+            return without(colour, OwnMethods.misshapen(length));
         }
+    }
+
+    private static Trips without(ColourChoice colour, NoAnswer why) {
+        return new Trips(colour, Map.of(), why.getMessage());
     }
 
     /** The program, whose answers have the right length. */
     private static ColorConverter measured(ColorConverter program) {
         return (from, components, to) -> {
             double[] answer = program.convert(from, components, to);
-            if (answer.length != to.size())
-                throw new NoAnswer(
-                        Verdict.Kind.WRONG,
-                        "your program's answer cannot be used: %d numbers were asked for, got %d"
-                                .formatted(to.size(), answer.length));
+            WrongLength.require(to.size(), answer.length, "numbers");
             return answer;
         };
     }

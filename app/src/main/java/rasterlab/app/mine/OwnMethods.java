@@ -12,6 +12,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.NoAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.WrongLength;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
@@ -115,6 +116,14 @@ public final class OwnMethods implements AutoCloseable {
     private <C> Method<C> mine(Topic<C, ?, ?> topic) {
         Object method = of(topic.name()).map(OwnProgram::method).orElseGet(() -> none(topic));
         return Method.failing(NAME, (C) method);
+    }
+
+    /** The refusal of an answer that has another length than its topic asks for. */
+    public static NoAnswer misshapen(WrongLength length) {
+        return new NoAnswer(
+                Verdict.Kind.WRONG,
+                "your program's answer has %d values where %d were asked for"
+                        .formatted(length.got(), length.asked()));
     }
 
     private static Object none(Topic<?, ?, ?> topic) {

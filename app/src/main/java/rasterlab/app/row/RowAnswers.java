@@ -3,11 +3,13 @@ package rasterlab.app.row;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.NoAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.WrongLength;
 
 /**
  * What is right for a topic's rows and what methods answer; finding either takes longer than a
@@ -49,6 +51,9 @@ final class RowAnswers<C, I, O> {
             Deviation deviation = topic.compare(hazard.input(), exact, actual);
             return new Answer<>(exact, Optional.of(actual), verdict(deviation));
         } catch (NoAnswer none) {
+            return without(exact, none.kind(), none.getMessage());
+        } catch (WrongLength length) {
+            NoAnswer none = OwnMethods.misshapen(length);
             return without(exact, none.kind(), none.getMessage());
         } catch (IllegalArgumentException refusal) {
             return without(exact, Verdict.Kind.REFUSED, refusal.getMessage());

@@ -64,9 +64,7 @@ class OwnTripsTest {
     @Test
     void anAnswerOfAWrongLengthIsTold() throws InterruptedException {
         OwnTrips.Trips trips = trips(converting("return new double[9];"));
-        assertEquals(
-                "your program's answer cannot be used: 3 numbers were asked for, got 9",
-                trips.refusal());
+        assertEquals("your program's answer has 9 values where 3 were asked for", trips.refusal());
     }
 
     @Test

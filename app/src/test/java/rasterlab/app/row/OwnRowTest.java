@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
@@ -11,6 +12,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
@@ -85,6 +88,25 @@ class OwnRowTest {
                         MAPPING.formatted("return new double[2 * span.pixels()];"));
         assertEquals(Verdict.Kind.WRONG, scene.verdict().kind());
         assertTrue(scene.wrongPixels() > 0);
+    }
+
+    @Test
+    void anAnswerOfAWrongLengthIsToldInBothLanguages() throws InterruptedException {
+        RowScene scene = scene("texture-mapping", MAPPING.formatted("return new double[3];"));
+        assertEquals(Verdict.Kind.WRONG, scene.verdict().kind());
+        String said = scene.verdict().detail();
+        assertEquals(
+                Optional.of(
+                        "Your program's answer has 3 values where %d were asked for"
+                                .formatted(2 * scene.pixels())
+                                .replace('\'', '’')),
+                OwnWords.refusal(OwnMethods.NAME, said, Language.ENGLISH)
+                        .map(words -> words.replace('\'', '’')));
+        assertEquals(
+                Optional.of(
+                        "В ответе вашей программы значений: 3, а нужно: %d"
+                                .formatted(2 * scene.pixels())),
+                OwnWords.refusal(OwnMethods.NAME, said, Language.RUSSIAN));
     }
 
     @Test
