@@ -55,12 +55,11 @@ final class CaseReader {
         List<Case> cases = new ArrayList<>();
         for (String file : faults.tried(() -> exercise.texts("cases")).orElse(List.of()))
             for (JsonFields fields :
-                    faults.tried(
-                                    () ->
-                                            JsonFields.parseArray(
-                                                    folder.place(file), folder.text(file), FIELDS))
-                            .orElse(List.of()))
+                    faults.tried(() -> JsonFields.parseArray(folder.place(file), folder.text(file)))
+                            .orElse(List.of())) {
+                faults.checkKnown(fields, FIELDS);
                 faults.tried(() -> checked(fields, oneCase(fields))).ifPresent(cases::add);
+            }
         checkNames(cases);
         return cases;
     }

@@ -112,7 +112,9 @@ final class ExerciseReader {
 
     private JsonFields fields() {
         String file = "exercise.json";
-        return JsonFields.parse(folder.place(file), folder.text(file), FIELDS);
+        JsonFields fields = JsonFields.parse(folder.place(file), folder.text(file));
+        faults.checkKnown(fields, FIELDS);
+        return fields;
     }
 
     private Optional<Exercise> tried(String id, JsonFields fields) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.json.JsonFields;
 
 /** Keeps what is wrong in a folder, so that reading goes on to what is wrong elsewhere. */
 final class Faults {
@@ -26,6 +27,11 @@ final class Faults {
                     check.run();
                     return true;
                 });
+    }
+
+    /** Keeps each field that is not among the known ones. */
+    void checkKnown(JsonFields fields, String... known) {
+        for (String one : fields.unknown(known)) found.add(fields.refusal(one, known));
     }
 
     /** All, in the order in which they were found. */

@@ -43,7 +43,7 @@ public final class JsonFields {
         return new JsonFields(new Value(place, "", object), known);
     }
 
-    /** Reads an array of objects, each of which may have the known fields. */
+    /** Reads an array of objects, each of which may have the known fields; none given: any. */
     public static List<JsonFields> parseArray(String file, String json, String... known) {
         Phrase place = Phrase.quoted(file);
         var objects = new ArrayList<JsonFields>();
@@ -52,6 +52,16 @@ public final class JsonFields {
                     new JsonFields(
                             item.called(Phrase.quoted(file + "[" + objects.size() + "]")), known));
         return objects;
+    }
+
+    /** The names of those of its fields that are not among the known ones, in order. */
+    public List<String> unknown(String... known) {
+        return object.names().stream().filter(one -> !List.of(known).contains(one)).toList();
+    }
+
+    /** Refuses a field that is not among the known ones. */
+    public CatalogueException refusal(String unknown, String... known) {
+        return object.at(unknown).wrong(Phrase.of("field.unknown", object.listed(known)));
     }
 
     public boolean has(String field) {

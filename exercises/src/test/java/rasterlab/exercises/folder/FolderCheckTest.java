@@ -93,10 +93,14 @@ class FolderCheckTest {
         change("exercise.json", "\"accuracy\" : 75", "\"accuracy\" : 74");
         change("exercise.json", "\"НАЗВАНИЕ\"", "\"\"");
         change("cases.json", "\"hazard\" : \"last-edge\"", "\"hazard\" : \"none\"");
+        change("exercise.json", "\"tolerance\"", "\"colour\" : 1, \"size\" : 2, \"tolerance\"");
+        change("cases.json", "\"points\" : 12", "\"shade\" : 3, \"points\" : 1.5");
         Files.delete(folder.resolve("statement.ru.md"));
         Files.delete(folder.resolve("Starter.java"));
         List<String> faults = faults();
-        assertEquals(5, faults.size(), faults.toString());
+        for (String unknown : List.of("'colour'", "'size'", "'shade'"))
+            assertTrue(faults.stream().anyMatch(one -> one.contains(unknown)), unknown);
+        assertEquals(9, faults.size(), faults.toString());
     }
 
     @Test
