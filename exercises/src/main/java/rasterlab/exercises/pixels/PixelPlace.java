@@ -27,8 +27,7 @@ record PixelPlace(List<Cause> causes, PixelPath path, Motion back) {
         Pixel first = s.first();
         List<PixelPlace> places = new ArrayList<>();
         places.add(new PixelPlace(List.of(), s, NONE));
-        for (int dy = -1; dy <= 1; dy++)
-            for (int dx = -1; dx <= 1; dx++) if (dx != 0 || dy != 0) places.add(shifted(s, dx, dy));
+        if (!isBetweenItsEnds(s, actual)) addShifted(places, s);
         Cause leftRight = Cause.of("mirrored-left-right");
         Cause upDown = Cause.of("mirrored-up-down");
         mirrored(places, s, List.of(wrongWay("x", leftRight)), 2L * first.x(), -1, 0, 1);
@@ -59,6 +58,22 @@ record PixelPlace(List<Cause> causes, PixelPath path, Motion back) {
     /** The same mistake as being mirrored, but the first end stays where it is. */
     private static Cause wrongWay(String axis, Cause mirrored) {
         return new Cause(mirrored.code(), Message.of("mistake.wrong-way-" + axis));
+    }
+
+    /**
+     * Whether it is drawn from one of the path's ends to the other: it is not shifted then, though
+     * a shift and one more along the path may take each other back at the ends.
+     */
+    private static boolean isBetweenItsEnds(PixelPath s, PixelRecording actual) {
+        Pixel from = new Pixel(actual.x(0), actual.y(0));
+        Pixel to = new Pixel(actual.x(actual.size() - 1), actual.y(actual.size() - 1));
+        return from.equals(s.first()) && to.equals(s.last())
+                || from.equals(s.last()) && to.equals(s.first());
+    }
+
+    private static void addShifted(List<PixelPlace> places, PixelPath s) {
+        for (int dy = -1; dy <= 1; dy++)
+            for (int dx = -1; dx <= 1; dx++) if (dx != 0 || dy != 0) places.add(shifted(s, dx, dy));
     }
 
     private static PixelPlace shifted(PixelPath s, int dx, int dy) {

@@ -158,6 +158,20 @@ class LineExerciseTest {
         assertEquals("#..\n.##", text(finding, CasePicture.ACTUAL));
     }
 
+    /** Between right ends a shift of the line and one along itself would take each other back. */
+    @ParameterizedTest(name = "rounding towards 0 is told as a shift: {0}, {1}")
+    @CsvSource({"3, 1", "3, -1", "3, 2", "-3, 1", "1, 3", "-1, -3"})
+    void aLineBetweenRightEndsIsNotShifted(int x1, int y1) {
+        int n = Math.max(Math.abs(x1), Math.abs(y1));
+        PixelRecording truncated = new PixelRecording(n + 1);
+        for (int k = 0; k <= n; k++) truncated.plot(k * x1 / n, k * y1 / n);
+        Answer answer = answer(Answer.Ending.RETURNED, truncated);
+        Finding finding = call(new Segment(0, 0, x1, y1), "", true).judge(answer);
+        assertEquals(GradingVerdict.WRONG, finding.verdict());
+        assertEquals(List.of(), finding.explanations());
+        assertFalse(finding.said().in("en").contains("shifted"), finding.said().in("en"));
+    }
+
     private static String text(Finding finding, String kind) {
         return CasePicture.of(finding.pictures(), kind).orElseThrow().text().in("en");
     }
