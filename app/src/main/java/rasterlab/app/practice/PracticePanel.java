@@ -188,7 +188,7 @@ final class PracticePanel extends JPanel implements Settling {
         title.setText(sheet.exercise().title().get(language));
         position.setText(texts.text("position", state.at() + 1, sheet.size()));
         question.show(now.rules().question(language));
-        told.show(texts.text("told", WalkText.told(now.told())));
+        told.show(texts.text("told", WalkText.told(now.told(), topic, texts)));
         told.setVisible(state.isAsking() && !now.told().isEmpty());
         Optional<Sketch> sketch = Sketches.of(topic);
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));
@@ -203,7 +203,7 @@ final class PracticePanel extends JPanel implements Settling {
         next.setVisible(state.resting());
         next.setText(texts.label(state.isThrough() ? "again" : "next"));
         verdict.setVisible(state.last().isPresent());
-        state.last().ifPresent(verdict::show);
+        state.last().ifPresent(last -> verdict.show(last, topic));
         walk.setText(WalkText.of(state, texts));
         walk.setCaretPosition(0);
         shown = Optional.of(now);

@@ -2,12 +2,14 @@ package rasterlab.app.practice;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.Predicting.Asked;
 
 /** Says whether the last answer was right, what is right, and why. */
 final class VerdictPane extends JPanel {
@@ -27,12 +29,15 @@ final class VerdictPane extends JPanel {
     }
 
     /** The verdict on an answer, with the method's own reason. */
-    void show(Answered last) {
+    void show(Answered last, String topic) {
         Color own = last.right() ? MethodColours.GREEN : MethodColours.VERMILLION;
         verdict.setForeground(MethodColours.textOn(getBackground(), own));
         verdict.setText(texts.text(last.right() ? "right" : "wrong"));
         String language = texts.locale().getLanguage();
-        say(sentence(WalkText.signed(last.question().said(last.answer()).in(language))));
+        String said = last.question().said(last.answer()).in(language);
+        List<String> fields = last.question().rules().asked().stream().map(Asked::field).toList();
+        String listed = WalkText.localised(said, texts.locale());
+        say(sentence(WalkText.named(listed, fields, topic, texts)));
         setVisible(true);
     }
 
