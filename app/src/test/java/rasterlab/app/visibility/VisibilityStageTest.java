@@ -138,7 +138,8 @@ class VisibilityStageTest {
                     mouse(MouseEvent.MOUSE_RELEASED, 80);
                 });
         assertNotEquals(before, model.state().choice());
-        model.history().undo();
+        // On the thread of the pictures' news, which would write over the choice meanwhile.
+        EventQueue.invokeAndWait(() -> model.history().undo());
         assertEquals(before, model.state().choice());
         assertFalse(model.history().undoable());
     }
