@@ -23,13 +23,19 @@ class ServerWordsTest {
     private static final Pattern ENGLISH =
             Pattern.compile("\\b(the|no|of|at|you|only|must|this|send)\\b");
 
-    /** What the window never brings about, since it makes requests as they should be. */
+    /**
+     * What the window never brings about, since it makes requests as they should be, or tells by
+     * its own words, as that there are no more hints.
+     */
     private static final Set<Class<?>> OF_OTHER_CLIENTS =
             Set.of(
                     Rejection.NotSignedIn.class,
                     Rejection.ForeignOrigin.class,
                     Rejection.Malformed.class,
                     Rejection.BadKey.class,
+                    Rejection.BadDeadline.class,
+                    Rejection.HintOrder.class,
+                    Rejection.NoMoreHints.class,
                     Rejection.UnknownLanguage.class,
                     Rejection.UnknownStudent.class,
                     Rejection.WrongMethod.class,
