@@ -180,12 +180,17 @@ public final class ExercisePanel extends LabPanel implements Settling {
         return task;
     }
 
-    /** Beside its label above the statement, in large type above all, where it has room. */
+    /**
+     * Beside its label above the statement, in large type above all, where it has room; the map's
+     * button is below it where a title needs the width.
+     */
     private JPanel chooser(String insets) {
         var row = new JPanel(new MigLayout("insets " + insets + ", gap 8", "[][grow,fill][]"));
         row.add(Controls.label("exercise", texts, exercise));
         row.add(exercise, "wmin 0");
-        row.add(Controls.button("map", texts, () -> map.open()));
+        row.add(
+                Controls.button("map", texts, () -> map.open()),
+                LargeType.now() ? "" : "newline, skip, growx 0, gaptop 4");
         return row;
     }
 
