@@ -40,7 +40,7 @@ public final class GivenInput {
         return hazard(topic, name);
     }
 
-    /** What stands for the explanation of a hazard. */
+    /** The sentence in place of a hazard's explanation. */
     public static String said(Language language) {
         return Texts.of("canvas", language).text("hazard.given");
     }

@@ -15,7 +15,7 @@ public final class MethodChooser extends JComboBox<String> {
 
     private boolean refreshing;
 
-    /** What the user's own program is called. */
+    /** The name of the user's own program. */
     private String called = "";
 
     /**

@@ -5,7 +5,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 
-/** What labs say of the user's own program, which is a method without words of a teacher's. */
+/** Words of the labs on the user's own program, which is a method without words of a teacher's. */
 public final class OwnWords {
     private OwnWords() {}
 
@@ -27,8 +27,8 @@ public final class OwnWords {
     }
 
     /**
-     * What the user's program refused by, or why it was stopped, as a sentence; empty for any other
-     * method.
+     * Tells by what the user's program refused, or why it was stopped, as a sentence; empty for any
+     * other method.
      *
      * @param said in English
      */

@@ -200,7 +200,9 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         noStandings.run();
     }
 
-    /** As wide as there is room: a long title is shortened, nothing is to be scrolled sideways. */
+    /**
+     * Fits the width that there is: a long title is shortened, nothing is to be scrolled sideways.
+     */
     private static final class WideList extends JPanel implements Scrollable {
         private static final long serialVersionUID = 1L;
 

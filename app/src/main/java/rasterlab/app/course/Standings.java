@@ -24,7 +24,7 @@ import rasterlab.app.server.CourseServer;
  */
 public final class Standings implements AutoCloseable {
     /**
-     * What is known.
+     * All that is known of the standings.
      *
      * @param exercises those that were tried, by id
      * @param detail the server where the student has joined a course, or why nothing can be read;

@@ -193,7 +193,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         hints.next(state().exercise(), state.account());
     }
 
-    /** What may be shown of the hints of the chosen exercise. */
+    /** The part of the chosen exercise's hints that may be shown. */
     HintView hints() {
         return hints.of(state().exercise(), state.account());
     }

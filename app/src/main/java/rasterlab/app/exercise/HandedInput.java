@@ -13,8 +13,8 @@ final class HandedInput {
     private HandedInput() {}
 
     /**
-     * What is to be handed in with that input as the last one: those before stay as far as the
-     * exercise takes so many, and the first ones go. A starter, and what is no JSON, gives way.
+     * Adds that input as the last one to be handed in: those before stay as far as the exercise
+     * takes so many, and the first ones go. A starter, and what is no JSON, gives way.
      *
      * @param source handed in so far
      * @param json the further input

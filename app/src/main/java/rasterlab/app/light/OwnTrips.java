@@ -19,7 +19,7 @@ import rasterlab.engine.study.WrongLength;
  */
 final class OwnTrips implements AutoCloseable {
     /**
-     * What came back of one colour.
+     * The answers to one colour.
      *
      * @param errors as {@link ColourChoice#roundTrips} has them; none where the program gives no
      *     answer

@@ -11,7 +11,7 @@ import rasterlab.engine.study.Method;
 final class Trials {
     private final List<TrialKind<?, ?, ?>> kinds;
 
-    /** Those of somebody without programs of his own. */
+    /** The trials of somebody who has written no program. */
     Trials() {
         this(new OwnMethods());
     }
