@@ -53,11 +53,6 @@ public interface LabRoom<M> {
      */
     record Surroundings(Language language, OpenInLab opening, Consumer<Throwable> onFailure) {}
 
-    /** Whether it opens other tabs, whose models it needs then. */
-    default boolean opensOthers() {
-        return false;
-    }
-
     /** Whether it plays steps. */
     default boolean playsSteps() {
         return true;

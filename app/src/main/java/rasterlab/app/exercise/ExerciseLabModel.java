@@ -139,6 +139,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         }
     }
 
+    void readAhead() {
+        exercises.readAhead();
+    }
+
     /** All there are; on any thread. */
     public List<Exercise> exercises() {
         return exercises.get();

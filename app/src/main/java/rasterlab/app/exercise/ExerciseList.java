@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import rasterlab.exercises.Exercise;
 
@@ -12,6 +13,20 @@ final class ExerciseList {
 
     ExerciseList(Supplier<List<Exercise>> catalogue) {
         this.catalogue = catalogue;
+    }
+
+    /**
+     * Begins to read them in the background, so that who asks next waits less. What fails there
+     * fails again, and is told, where they are asked for.
+     */
+    void readAhead() {
+        CompletableFuture.runAsync(this::get, ExerciseList::inBackground);
+    }
+
+    private static void inBackground(Runnable reading) {
+        var thread = new Thread(reading, "exercises");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     synchronized List<Exercise> get() {

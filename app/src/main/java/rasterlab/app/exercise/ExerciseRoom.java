@@ -32,9 +32,9 @@ public final class ExerciseRoom implements LabRoom<ExerciseRoom.Desk> {
 
     @Override
     public Desk model(Executor events, Consumer<Throwable> onFailure, OwnMethods own) {
-        return new Desk(
-                new ExerciseLabModel(() -> Catalogue.builtIn().all(), own, events, onFailure),
-                new WindowEditor());
+        var model = new ExerciseLabModel(() -> Catalogue.builtIn().all(), own, events, onFailure);
+        model.readAhead();
+        return new Desk(model, new WindowEditor());
     }
 
     @Override
@@ -60,11 +60,6 @@ public final class ExerciseRoom implements LabRoom<ExerciseRoom.Desk> {
                 around.opening(),
                 around.language(),
                 around.onFailure());
-    }
-
-    @Override
-    public boolean opensOthers() {
-        return true;
     }
 
     @Override

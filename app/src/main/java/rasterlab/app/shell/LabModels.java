@@ -111,13 +111,11 @@ public final class LabModels implements AutoCloseable {
     }
 
     /**
-     * Makes what is not made of what a tab needs, the first one for a name that none has; those
-     * with ways into other tabs need all. What is closed meanwhile is not made.
+     * Makes what is not made of what a tab needs, the first one for a name that none has. What is
+     * closed meanwhile is not made.
      */
     void make(String tab) {
-        LabRoom<?> room = TabRooms.namedOrFirst(tab);
-        if (room.opensOthers()) makeAll();
-        else lab(room).prepare();
+        lab(TabRooms.namedOrFirst(tab)).prepare();
     }
 
     /** Makes what is not made and not closed meanwhile. */

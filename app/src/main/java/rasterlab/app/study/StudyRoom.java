@@ -39,11 +39,6 @@ public final class StudyRoom implements LabRoom<StudyLabModel> {
     }
 
     @Override
-    public boolean opensOthers() {
-        return true;
-    }
-
-    @Override
     public boolean playsSteps() {
         return false;
     }

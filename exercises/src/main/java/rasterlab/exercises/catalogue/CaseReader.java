@@ -142,6 +142,7 @@ final class CaseReader {
 
     /** Reads the input as the runner will, so that a mistake shows before anybody submits. */
     private Case checked(JsonFields fields, Case one) {
+        if (folder.tested()) return one;
         try {
             topic.ifPresent(known -> known.calls(one, new Tolerance(false), 0));
             return one;

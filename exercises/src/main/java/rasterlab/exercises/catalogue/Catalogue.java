@@ -137,7 +137,7 @@ public final class Catalogue {
      */
     public List<Exercise> all() {
         List<String> course = Topics.names();
-        return exercises.values().stream()
+        return exercises.values().parallelStream()
                 .map(Entry::exercise)
                 .sorted(
                         Comparator.comparingInt((Exercise one) -> course.indexOf(one.topic()))

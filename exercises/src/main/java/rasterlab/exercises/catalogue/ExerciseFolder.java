@@ -29,11 +29,13 @@ final class ExerciseFolder {
     private final String id;
     private final String place;
     private final Opener opener;
+    private final boolean tested;
     private final Map<String, byte[]> read = new TreeMap<>();
 
-    private ExerciseFolder(String id, String place, Opener opener) {
+    private ExerciseFolder(String id, String place, boolean tested, Opener opener) {
         this.id = id;
         this.place = place;
+        this.tested = tested;
         this.opener = opener;
     }
 
@@ -41,6 +43,7 @@ final class ExerciseFolder {
         return new ExerciseFolder(
                 folder.getFileName().toString(),
                 folder.toString(),
+                false,
                 name -> DiskFiles.open(folder.resolve(name)));
     }
 
@@ -48,6 +51,7 @@ final class ExerciseFolder {
         return new ExerciseFolder(
                 id,
                 "built-in exercise " + id,
+                true,
                 name -> {
                     InputStream in =
                             Catalogue.class.getResourceAsStream(
@@ -61,6 +65,7 @@ final class ExerciseFolder {
         return new ExerciseFolder(
                 id,
                 "kept exercise " + id,
+                false,
                 name -> {
                     byte[] content = files.get(name);
                     if (content == null) throw new IOException("not kept");
@@ -70,6 +75,14 @@ final class ExerciseFolder {
 
     String id() {
         return id;
+    }
+
+    /**
+     * Whether the build has drawn every input of these files, so that whoever lists all exercises
+     * need not draw them again.
+     */
+    boolean tested() {
+        return tested;
     }
 
     /** What messages call a file of this folder. */

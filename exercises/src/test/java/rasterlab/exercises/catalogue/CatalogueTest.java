@@ -64,6 +64,17 @@ class CatalogueTest {
             }
     }
 
+    /** What comes with the program is read without this check, which draws every input. */
+    @Test
+    void builtInExercisesHaveNoFaultOfInstructorsFolders() {
+        for (String id : Catalogue.builtIn().ids())
+            assertEquals(List.of(), Catalogue.read(sources(id)).faults(), id);
+    }
+
+    private static Path sources(String id) {
+        return Path.of("src/main/resources/rasterlab/exercises", id);
+    }
+
     @Test
     void aFolderIsAddedWithoutCompiling() {
         Catalogue catalogue = Catalogue.builtIn().withFolder(folder);
