@@ -139,7 +139,13 @@ public record TopicWay<M>(
      * @param command for what is shown; empty where no command does that
      */
     public TopicWay<M> writing(String topic, Function<M, Optional<String>> command) {
-        Writing<M> input = lab -> command.apply(lab).flatMap(told -> CommandInput.in(topic, told));
+        return writing(
+                (Writing<M>)
+                        lab -> command.apply(lab).flatMap(told -> CommandInput.in(topic, told)));
+    }
+
+    /** The same way of a lab that tells its input. */
+    public TopicWay<M> writing(Writing<M> input) {
         return new TopicWay<>(show, notes, cases, anyInput, own, Optional.of(input));
     }
 

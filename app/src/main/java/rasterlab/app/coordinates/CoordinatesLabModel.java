@@ -1,5 +1,6 @@
 package rasterlab.app.coordinates;
 
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
@@ -54,6 +55,11 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
 
     public CoordinatesMode mode() {
         return mode;
+    }
+
+    /** This, while it shows that mode. */
+    Optional<CoordinatesLabModel> in(CoordinatesMode shown) {
+        return mode == shown ? Optional.of(this) : Optional.empty();
     }
 
     public void show(CoordinatesMode next) {

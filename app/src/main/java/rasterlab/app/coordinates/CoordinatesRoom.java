@@ -101,6 +101,11 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
                             lab.rotation().show((Turns) input);
                         },
                         (lab, method) -> lab.rotation().chooseMethod(method))
+                .writing(
+                        "rotate",
+                        lab ->
+                                lab.in(CoordinatesMode.ROTATION)
+                                        .map(shown -> shown.rotation().command()))
                 .withOwn(
                         lab -> lab.rotation().history(),
                         lab -> lab.show(CoordinatesMode.ROTATION),
@@ -109,23 +114,36 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     }
 
     private static TopicWay<CoordinatesLabModel> matrices() {
-        return TopicWay.inTurn(
-                lab -> lab.transformations().history(),
-                (lab, input) -> {
-                    lab.show(CoordinatesMode.TRANSFORMATIONS);
-                    lab.transformations().show((MatrixCall) input);
-                },
-                (lab, method) -> lab.transformations().chooseMethod(method));
+        return TopicWay.<CoordinatesLabModel>inTurn(
+                        lab -> lab.transformations().history(),
+                        (lab, input) -> {
+                            lab.show(CoordinatesMode.TRANSFORMATIONS);
+                            lab.transformations().show((MatrixCall) input);
+                        },
+                        (lab, method) -> lab.transformations().chooseMethod(method))
+                .writing(listed("matrix"));
     }
 
     private static TopicWay<CoordinatesLabModel> meetings() {
-        return TopicWay.inTurn(
-                lab -> lab.meeting().history(),
-                (lab, input) -> {
-                    lab.show(CoordinatesMode.MEETING);
-                    lab.meeting().show((PlaneAndLines) input);
-                },
-                (lab, method) -> lab.meeting().chooseMethod(method));
+        return TopicWay.<CoordinatesLabModel>inTurn(
+                        lab -> lab.meeting().history(),
+                        (lab, input) -> {
+                            lab.show(CoordinatesMode.MEETING);
+                            lab.meeting().show((PlaneAndLines) input);
+                        },
+                        (lab, method) -> lab.meeting().chooseMethod(method))
+                .writing(
+                        "line-plane",
+                        lab ->
+                                lab.in(CoordinatesMode.MEETING)
+                                        .flatMap(shown -> shown.meeting().command()));
+    }
+
+    /** Tells the list of matrices, and the points that go through them, as an input. */
+    private static TopicWay.Writing<CoordinatesLabModel> listed(String topic) {
+        return lab ->
+                lab.in(CoordinatesMode.TRANSFORMATIONS)
+                        .flatMap(shown -> shown.transformations().input(topic));
     }
 
     /** Points of space, beside what the method makes of them. */
@@ -137,6 +155,7 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
                                 lab.transformations().show(topic, input.input(), method);
                             else lab.transformations().show(topic, input.hazard(), method);
                         })
+                .writing(listed(topic))
                 .withOwn(
                         lab -> lab.transformations().history(),
                         lab -> {

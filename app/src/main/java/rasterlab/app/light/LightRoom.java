@@ -2,9 +2,12 @@ package rasterlab.app.light;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
@@ -14,6 +17,11 @@ import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
+import rasterlab.engine.color.ColorTopic;
+import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.normals.NormalsTopic;
+import rasterlab.engine.light.shade.ShadeTopic;
+import rasterlab.engine.study.Topic;
 
 /** The lab of light, colour and texture. */
 public final class LightRoom implements LabRoom<LightLabModel> {
@@ -49,12 +57,13 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     public List<TopicCard<LightLabModel>> cards() {
         return List.of(
                 card("color", "", colours()),
-                lit("shade", "shade.", Set.of("phong", "blinn-phong")),
-                lit("shade-face", "face.", Set.of("flat", "gouraud", "phong")),
+                lit(new ShadeTopic(), "shade.", Set.of("phong", "blinn-phong"), LitInputs::point),
+                lit(new FaceTopic(), "face.", Set.of("flat", "gouraud", "phong"), LitInputs::face),
                 lit(
-                        "vertex-normals",
+                        new NormalsTopic(),
                         "normals.",
-                        Set.of("plain-textbook", "plain", "area", "angle")),
+                        Set.of("plain-textbook", "plain", "area", "angle"),
+                        state -> Optional.of(LitInputs.body(state.choice()))),
                 row("texture-mapping"),
                 row("texture-filter"));
     }
@@ -65,15 +74,47 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                         LightLabModel::history,
                         LightLabModel::enterColours,
                         (lab, name) -> lab.colour(colour -> colour.withMethod(name)),
-                        (lab, name) -> {});
+                        (lab, name) -> {})
+                .writing(
+                        writing(
+                                new ColorTopic(),
+                                state ->
+                                        state.colours()
+                                                ? Optional.of(LitInputs.colour(state.colour()))
+                                                : Optional.empty()));
     }
 
     private TopicCard<LightLabModel> card(String topic, String part, TopicWay<LightLabModel> way) {
         return new TopicCard<>(topic, this, new Place("light", part), LightColours.OWN, way);
     }
 
-    private TopicCard<LightLabModel> lit(String topic, String part, Set<String> drawnBy) {
-        return card(topic, part, lit(topic, drawnBy));
+    /**
+     * @param drawnBy by which of the topic's methods the lab draws
+     * @param lit what is lit as an input of the topic; empty where it is none
+     */
+    private <I> TopicCard<LightLabModel> lit(
+            Topic<?, I, ?> topic,
+            String part,
+            Set<String> drawnBy,
+            Function<LightLabState, Optional<I>> lit) {
+        TopicWay<LightLabModel> way =
+                lit(topic.name(), drawnBy)
+                        .writing(
+                                writing(
+                                        topic,
+                                        state ->
+                                                state.colours()
+                                                        ? Optional.empty()
+                                                        : lit.apply(state)));
+        return card(topic.name(), part, way);
+    }
+
+    private static <I> TopicWay.Writing<LightLabModel> writing(
+            Topic<?, I, ?> topic, Function<LightLabState, Optional<I>> shown) {
+        return lab ->
+                lab.rows().open()
+                        ? Optional.empty()
+                        : shown.apply(lab.state()).map(input -> GivenInput.name(topic, input));
     }
 
     /**
@@ -103,6 +144,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                         lab.rows().show(topic, input.input(), method);
                                     else lab.rows().show(topic, input.hazard(), method);
                                 })
+                        .writing(lab -> lab.rows().input(topic))
                         .withOwn(
                                 lab -> lab.rows().history(),
                                 lab -> lab.rows().openAgain(topic),

@@ -2,7 +2,7 @@ package rasterlab.app.light;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.contract.LightSource;
+import java.util.Optional;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.Light;
@@ -24,6 +24,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  * @param own emission and ambient light: red, green, blue
  * @param lamps what each lamp that shines adds
  * @param sum of all, cut to 1
+ * @param toEye from there to the eye
  */
 record PointReading(
         int face,
@@ -31,7 +32,8 @@ record PointReading(
         double[] normal,
         double[] own,
         List<OfLamp> lamps,
-        double[] sum) {
+        double[] sum,
+        double[] toEye) {
     /**
      * @param number the lamp's, from 1
      * @param diffuse cosine n·l, 0 where the lamp is behind
@@ -63,7 +65,38 @@ record PointReading(
             for (int c = 0; c < 3; c++) sum[c] += added.added()[c];
         }
         for (int c = 0; c < 3; c++) sum[c] = Math.min(1, sum[c]);
-        return new PointReading(seen.face(), position, normal, own, List.copyOf(lamps), sum);
+        return new PointReading(seen.face(), position, normal, own, List.copyOf(lamps), sum, toEye);
+    }
+
+    /** The point in the light of the selected lamp; empty where the lamp is in the point. */
+    Optional<LitPoint> lit(LightChoice choice) {
+        Material material = LightTerm.only(choice.terms(), choice.material().material());
+        double[] everywhere = choice.model().globalAmbient();
+        return lit(choice.lamp(), material, position, normal, toEye, everywhere);
+    }
+
+    private static Optional<LitPoint> lit(
+            Lamp lamp,
+            Material material,
+            double[] point,
+            double[] normal,
+            double[] toEye,
+            double[] everywhere) {
+        Light light = lamp.light();
+        double[] toLight = {light.x(), light.y(), light.z()};
+        if (!light.directional()) for (int c = 0; c < 3; c++) toLight[c] -= point[c];
+        double distance = length(toLight);
+        return distance == 0
+                ? Optional.empty()
+                : Optional.of(
+                        new LitPoint(
+                                normal,
+                                toLight,
+                                toEye,
+                                distance,
+                                material.surface(),
+                                light.source(),
+                                everywhere));
     }
 
     private static double[] toEye(LightChoice choice, ViewTransform transform, double[] point) {
@@ -84,19 +117,14 @@ record PointReading(
             double[] point,
             double[] normal,
             double[] toEye) {
-        Light light = lamp.light();
-        double[] toLight = {light.x(), light.y(), light.z()};
-        if (!light.directional()) for (int c = 0; c < 3; c++) toLight[c] -= point[c];
-        double distance = length(toLight);
         double[] none = new double[3];
-        if (distance == 0) return new OfLamp(number, 0, 0, 1, none);
-        LightSource source = light.source();
-        var lit = new LitPoint(normal, toLight, toEye, distance, material.surface(), source, none);
-        Terms terms = new FormulaShader(reflection).terms(lit);
+        Optional<LitPoint> lit = lit(lamp, material, point, normal, toEye, none);
+        if (lit.isEmpty()) return new OfLamp(number, 0, 0, 1, none);
+        Terms terms = new FormulaShader(reflection).terms(lit.get());
         var added = new double[3];
         for (int c = 0; c < 3; c++)
             added[c] = terms.ambient()[c] + terms.diffuse()[c] + terms.specular()[c];
-        double[] l = unit(toLight);
+        double[] l = unit(lit.get().toLight());
         double[] v = unit(toEye);
         double diffuse = normal[0] * l[0] + normal[1] * l[1] + normal[2] * l[2];
         double mirrored =

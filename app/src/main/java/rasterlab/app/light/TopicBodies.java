@@ -3,6 +3,7 @@ package rasterlab.app.light;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.joml.Vector3d;
 import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Unlike;
@@ -88,6 +89,12 @@ final class TopicBodies {
                 BACKGROUND,
                 LightChoice.first().camera(),
                 SCALE / reach);
+    }
+
+    /** The input whose body it is; empty for a scene's. */
+    static Optional<Object> input(Body body) {
+        String[] words = body.name().split("/");
+        return has(body.name()) ? Optional.of(input(words[0], words[1])) : Optional.empty();
     }
 
     private static Object input(String of, String hazard) {

@@ -52,6 +52,11 @@ abstract class RowKind<C, I, O> {
         return json((I) input);
     }
 
+    /** All of the input, signs of zeros among it. */
+    final String whole(String hazard) {
+        return GivenInput.name(topic, hazard(hazard).input());
+    }
+
     final String json(String hazard) {
         return json(hazard(hazard).input());
     }

@@ -238,6 +238,13 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
                         OwnWords.known(choice().method(), beside()));
     }
 
+    /** The row's input in JSON; empty while rows of that topic are not shown. */
+    public Optional<String> input(String topic) {
+        return open && choice().topic().equals(topic)
+                ? Optional.of(kind(topic).whole(choice().hazard()))
+                : Optional.empty();
+    }
+
     /** A method for the terminal, which does not know the user's program. */
     private String beside() {
         return topic().methods().stream()

@@ -18,6 +18,7 @@ import rasterlab.engine.texture.Texture;
  * @param image the picture laid on all its faces, where one was opened
  * @param up the axis of a model that points up; empty where no model is shown
  * @param known whether the name brings the scene back, image and all
+ * @param given the input of a topic that the scene shows; empty for any other scene
  */
 record SceneChoice(
         String name,
@@ -25,7 +26,8 @@ record SceneChoice(
         Optional<Path> image,
         Scene scene,
         Optional<UpAxis> up,
-        boolean known) {
+        boolean known,
+        Optional<Object> given) {
     /**
      * @throws IllegalArgumentException for an unknown name
      */
@@ -37,13 +39,25 @@ record SceneChoice(
                 Optional.empty(),
                 Scenes.named(name),
                 Optional.empty(),
-                true);
+                true,
+                Optional.empty());
     }
 
     /** A scene that is neither the lab's nor a file's. */
     static SceneChoice of(Scene scene) {
         return new SceneChoice(
-                scene.name(), Optional.empty(), Optional.empty(), scene, Optional.empty(), false);
+                scene.name(),
+                Optional.empty(),
+                Optional.empty(),
+                scene,
+                Optional.empty(),
+                false,
+                Optional.empty());
+    }
+
+    /** The same scene, which shows that input of a topic. */
+    SceneChoice showing(Object input) {
+        return new SceneChoice(name, file, image, scene, up, known, Optional.of(input));
     }
 
     /** What {@link #named} brings back; only scenes that the lab has are kept between runs. */
@@ -79,7 +93,8 @@ record SceneChoice(
                 Optional.empty(),
                 scene,
                 up,
-                false);
+                false,
+                Optional.empty());
     }
 
     /**
@@ -87,7 +102,13 @@ record SceneChoice(
      */
     SceneChoice covered(Path picture, Texture texture) {
         return new SceneChoice(
-                name, file, Optional.of(picture), TextureChange.covered(scene, texture), up, false);
+                name,
+                file,
+                Optional.of(picture),
+                TextureChange.covered(scene, texture),
+                up,
+                false,
+                given);
     }
 
     boolean textured() {

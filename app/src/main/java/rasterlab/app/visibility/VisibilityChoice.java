@@ -106,6 +106,13 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
+    /** The same, whose scene shows that input of a topic. */
+    VisibilityChoice showing(Object input) {
+        var draft = new Draft(this);
+        draft.shown = shown.showing(input);
+        return draft.choice();
+    }
+
     /** The same with a scene of the lab in the place of one that no name brings back. */
     VisibilityChoice withoutFiles() {
         return shown.known() ? this : alike(shown.withoutFiles().orElse(first().shown));

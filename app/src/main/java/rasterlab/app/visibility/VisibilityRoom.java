@@ -2,9 +2,12 @@ package rasterlab.app.visibility;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PictureMaker;
@@ -17,8 +20,12 @@ import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.faces.Body;
+import rasterlab.engine.visibility.faces.VisibleFacesTopic;
+import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
 import rasterlab.engine.visibility.hidden.SurfaceView;
+import rasterlab.engine.visibility.order.DepthOrderTopic;
 import rasterlab.engine.visibility.order.Sight;
 
 /** The lab of hidden surfaces. */
@@ -64,21 +71,23 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
     public List<TopicCard<VisibilityLabModel>> cards() {
         return List.of(
                 card(
-                        "hidden-surfaces",
+                        new HiddenSurfacesTopic(),
                         "",
-                        (in, method) -> TopicView.of(in.name(), (SurfaceView) in.input(), method)),
+                        (in, method) -> TopicView.of(in.name(), (SurfaceView) in.input(), method),
+                        SceneInputs::surfaces),
                 card(
-                        "visible-faces",
+                        new VisibleFacesTopic(),
                         "faces.",
                         (in, method) ->
-                                TopicView.of(
-                                        in.name(), (Body) in.input(), method, drawnBy(method))),
+                                TopicView.of(in.name(), (Body) in.input(), method, drawnBy(method)),
+                        choice -> Optional.of(SceneInputs.body(choice))),
                 card(
-                        "depth-order",
+                        new DepthOrderTopic(),
                         "order.",
                         (in, method) ->
                                 TopicView.of(
-                                        in.name(), (Sight) in.input(), method, drawnBy(method))),
+                                        in.name(), (Sight) in.input(), method, drawnBy(method)),
+                        choice -> Optional.of(SceneInputs.sight(choice))),
                 row("depth-buffer"),
                 row("depth-triangle"));
     }
@@ -95,6 +104,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                                         lab.rows().show(topic, input.input(), method);
                                     else lab.rows().show(topic, input.hazard(), method);
                                 })
+                        .writing(lab -> lab.rows().input(topic))
                         .withOwn(
                                 lab -> lab.rows().history(),
                                 lab -> lab.rows().openAgain(topic),
@@ -106,22 +116,35 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
         return DRAWN_BY.getOrDefault(method, method);
     }
 
-    private TopicCard<VisibilityLabModel> card(
-            String topic, String part, BiFunction<TopicInput, String, TopicView> view) {
+    private <I> TopicCard<VisibilityLabModel> card(
+            Topic<?, I, ?> topic,
+            String part,
+            BiFunction<TopicInput, String, TopicView> view,
+            Function<VisibilityChoice, Optional<I>> seen) {
         return new TopicCard<>(
-                topic,
+                topic.name(),
                 this,
                 new Place("visibility", part),
                 VisibilityColours.OWN,
-                TopicWay.noted(
-                        (lab, input, method) -> {
-                            lab.rows().close();
-                            lab.choose(view.apply(input, method)::shown);
-                        },
-                        new TopicWay.Notes<>(
-                                (lab, input, method) -> view.apply(input, method).unlike(),
-                                method -> true,
-                                VisibilityLabModel::tell)));
+                TopicWay.<VisibilityLabModel>noted(
+                                (lab, input, method) -> {
+                                    lab.rows().close();
+                                    TopicView shown = view.apply(input, method);
+                                    lab.choose(old -> shown.shown(old).showing(input.input()));
+                                },
+                                new TopicWay.Notes<>(
+                                        (lab, input, method) -> view.apply(input, method).unlike(),
+                                        method -> true,
+                                        VisibilityLabModel::tell))
+                        .writing(
+                                lab ->
+                                        lab.rows().open()
+                                                ? Optional.empty()
+                                                : seen.apply(lab.state().choice())
+                                                        .map(
+                                                                input ->
+                                                                        GivenInput.name(
+                                                                                topic, input))));
     }
 
     @Override

@@ -1,5 +1,7 @@
 package rasterlab.app.coordinates.list;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Optional;
 import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.mine.OwnMethods;
@@ -17,6 +19,19 @@ final class ChainTrial extends TrialKind<PointTransformer, Chain, TransformTopic
     @Override
     PointList list(Chain chain) {
         return PointList.of(chain);
+    }
+
+    /** {@inheritDoc} Matrices that are refused are none. */
+    @Override
+    Optional<Chain> listed(ListScene scene) {
+        if (scene.isRefused()) return Optional.empty();
+        var matrices = new ArrayList<>(scene.cells());
+        Collections.reverse(matrices);
+        return Optional.of(
+                new Chain(
+                        scene.choice().dimension(),
+                        matrices.toArray(double[][]::new),
+                        scene.choice().coordinates()));
     }
 
     @Override

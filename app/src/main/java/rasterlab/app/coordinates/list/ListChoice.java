@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**
  * What the user chose, and what undo brings back.
@@ -51,6 +52,29 @@ public record ListChoice(
 
     Wire wire() {
         return new Wire(dimension(), points, subject.wire().edges());
+    }
+
+    /** The matrix that is selected, by its name; empty where none is or it has no name. */
+    Optional<MatrixCall> selectedCall() {
+        return selected < 0 || items.get(selected).free()
+                ? Optional.empty()
+                : Optional.of(items.get(selected).call());
+    }
+
+    /** The only matrix of the list, if it has that name. */
+    Optional<double[]> only(String name) {
+        return items.size() == 1 && items.get(0).name().equals(name)
+                ? Optional.of(doubles(items.get(0).numbers()))
+                : Optional.empty();
+    }
+
+    /** The coordinates of the points, one point after the other. */
+    double[] coordinates() {
+        return doubles(points);
+    }
+
+    private static double[] doubles(List<Double> numbers) {
+        return numbers.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
     /** Another subject; what is tried ends with every change but that of how it is looked at. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
@@ -153,6 +154,13 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
      */
     public void show(String topic, Object input, String method) {
         show(topic, trials.kind(topic).given(input), method);
+    }
+
+    /** The list as an input of the topic, in JSON; empty where it is none. */
+    public Optional<String> input(String of) {
+        return of.equals(topic.name())
+                ? choice().selectedCall().map(call -> GivenInput.name(topic, call))
+                : trials.input(of, scene);
     }
 
     /** Shows the topic: what is tried of it, or its first hazard. */

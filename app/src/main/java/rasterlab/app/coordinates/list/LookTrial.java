@@ -1,5 +1,6 @@
 package rasterlab.app.coordinates.list;
 
+import java.util.Optional;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.EyeView;
 import rasterlab.engine.transform.view.Look;
@@ -14,6 +15,12 @@ final class LookTrial extends ImagesTrial<EyeView, Look> {
     @Override
     PointList list(Look look) {
         return PointList.of(look);
+    }
+
+    @Override
+    Optional<Look> listed(ListScene scene) {
+        double[] points = scene.choice().coordinates();
+        return scene.choice().only(PointList.VIEW).map(n -> new Look(n[0], n[1], n[2], points));
     }
 
     @Override

@@ -16,6 +16,12 @@ import rasterlab.engine.transform.view.Look;
  * @param points coordinates, one point after the other
  */
 record PointList(List<ListItem> items, List<Double> points) {
+    /** Name of the matrix of an eye on a sphere. */
+    static final String VIEW = "VIEW_LEFT";
+
+    /** Name of the matrix of a rotation about a line. */
+    static final String TURN = "ROTAXIS";
+
     PointList {
         items = List.copyOf(items);
         points = List.copyOf(points);
@@ -44,7 +50,7 @@ record PointList(List<ListItem> items, List<Double> points) {
     }
 
     static PointList of(Look look) {
-        ListItem view = ListItem.of("VIEW_LEFT", look.theta(), look.phi(), look.rho());
+        ListItem view = ListItem.of(VIEW, look.theta(), look.phi(), look.rho());
         return new PointList(List.of(view), list(look.points()));
     }
 
@@ -53,7 +59,7 @@ record PointList(List<ListItem> items, List<Double> points) {
         double[] along = turn.direction();
         ListItem axis =
                 ListItem.of(
-                        "ROTAXIS",
+                        TURN,
                         through[0],
                         through[1],
                         through[2],

@@ -77,6 +77,23 @@ abstract class TrialKind<C, I, O> {
         return list(hazard(hazard).input());
     }
 
+    /**
+     * The list as an input of the topic; empty where it is none.
+     *
+     * @param scene of a list that is no hazard of the topic
+     */
+    abstract Optional<I> listed(ListScene scene);
+
+    /** What is shown as an input of the topic, in JSON: the hazard itself, or the list. */
+    final Optional<String> input(ListScene scene) {
+        return scene.choice()
+                .trial()
+                .filter(shown -> shown.topic().equals(topic.name()))
+                .map(shown -> hazard(shown.hazard()).input())
+                .or(() -> listed(scene))
+                .map(input -> GivenInput.name(topic, input));
+    }
+
     /** The hazard as {@code ./lab run} reads it. */
     final String json(String hazard) {
         return CommandInput.of(topic.format(), hazard(hazard).input());

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.List;
+import java.util.Optional;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.naming.Named;
@@ -68,6 +69,11 @@ final class Trials {
                         kind(trial.topic()).json(trial.hazard()),
                         trial.topic(),
                         OwnWords.known(trial.method(), first(trial.topic()).method()));
+    }
+
+    /** The list as an input of the topic, in JSON; empty where it is none. */
+    Optional<String> input(String topic, ListScene scene) {
+        return kind(topic).input(scene);
     }
 
     /**

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.meeting;
 
 import java.util.List;
+import java.util.Optional;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 import rasterlab.contract.LinePlane;
 import rasterlab.engine.geometry.Line;
@@ -34,6 +35,11 @@ public final class MeetingLabModel extends ChoiceModel<MeetingChoice> {
     /** Stays while points are moved. */
     SideView view() {
         return view;
+    }
+
+    /** The shell command that asks the same; empty where no command can. */
+    public Optional<String> command() {
+        return MeetingCommand.of(choice());
     }
 
     List<Method<LinePlane>> methods() {

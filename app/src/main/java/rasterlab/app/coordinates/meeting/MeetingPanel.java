@@ -35,11 +35,7 @@ public final class MeetingPanel extends LabCard {
         inspector =
                 new MeetingInspector(
                         model, texts, modes(CoordinatesMode.MEETING, language, onMode));
-        addCopies(
-                stage::shown,
-                () -> stage.shown().svg(),
-                () -> MeetingCommand.of(model.choice()),
-                onFailure);
+        addCopies(stage::shown, () -> stage.shown().svg(), model::command, onFailure);
         var legend = new WrappedText("legend");
         legend.show(texts.text("legend"));
         arrange(
@@ -77,7 +73,7 @@ public final class MeetingPanel extends LabCard {
     protected void refreshParts() {
         stage.refresh();
         inspector.refresh();
-        actions().enable("copyCommand", MeetingCommand.of(model.choice()).isPresent());
+        actions().enable("copyCommand", model.command().isPresent());
     }
 
     @Override

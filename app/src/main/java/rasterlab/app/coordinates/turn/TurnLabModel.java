@@ -73,6 +73,11 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
         tell();
     }
 
+    /** The shell command that turns the same. */
+    public String command() {
+        return TurnCommand.of(choice());
+    }
+
     List<Method<PlaneRotation>> methods() {
         return topic.methods();
     }

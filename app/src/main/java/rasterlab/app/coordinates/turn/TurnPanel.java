@@ -36,11 +36,7 @@ public final class TurnPanel extends LabCard {
         stage = new TurnStage(model, texts, onFailure);
         inspector =
                 new TurnInspector(model, texts, modes(CoordinatesMode.ROTATION, language, onMode));
-        addCopies(
-                () -> stage,
-                stage::svg,
-                () -> Optional.of(TurnCommand.of(model.choice())),
-                onFailure);
+        addCopies(() -> stage, stage::svg, () -> Optional.of(model.command()), onFailure);
         actions().addQuestions(() -> "rotate");
         play(
                 hazards(
