@@ -7,51 +7,59 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /**
- * Words of a lab about a topic's methods and hazards, in one language.
+ * Words about a topic, its methods and its hazards, in one language.
  *
- * @param part what stands before names in the keys of a lab with several topics; "" for one
- * @param labels of the lab that shows the hazards
- * @param shownAs what stands before hazards' names in their keys
+ * @param texts all of the topic; those on a method begin with its name
  */
-public record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
-    /** The texts of the card's topic. */
-    public static TopicTexts of(TopicCard<?> card, Language language) {
-        return of(card.texts(), card.labels(), language);
+public record TopicTexts(Texts texts) {
+    public static TopicTexts of(String topic, Language language) {
+        return new TopicTexts(Texts.ofTopic(topic, language));
     }
 
     /**
-     * @param texts where methods and hazards are explained
-     * @param labels where hazards are called by their short names
+     * What a mode of a lab is called, which may be a topic.
+     *
+     * @param lab the lab's texts, with its modes that are none
      */
-    public static TopicTexts of(TopicCard.Place texts, TopicCard.Place labels, Language language) {
-        return new TopicTexts(
-                Texts.of(texts.feature(), "topic", language),
-                texts.part(),
-                Texts.of(labels.feature(), language),
-                labels.part());
+    public static String mode(Texts lab, String code) {
+        String key = "mode." + code;
+        return lab.has(key) ? lab.text(key) : of(code, lab.language()).texts.text("mode");
     }
 
-    /** The name of the hazard in the lab; empty where it does not show it. */
+    /** The short name of the hazard; empty where it has none. */
     public Optional<String> label(Hazard<?> hazard) {
-        String key = "hazard." + shownAs + hazard.name();
-        return labels.has(key) ? Optional.of(labels.text(key)) : Optional.empty();
+        String key = "label." + hazard.name();
+        return texts.has(key) ? Optional.of(texts.text(key)) : Optional.empty();
+    }
+
+    /** The short name of the hazard; that of the command line where it has none. */
+    public String title(Hazard<?> hazard) {
+        return label(hazard).orElse(hazard.name());
     }
 
     /** A sentence on why the hazard is special. */
     public String hazard(Hazard<?> hazard) {
-        return texts.text("hazard." + part + hazard.name());
+        return hazard(hazard.name());
+    }
+
+    /** The same of the hazard of that name. */
+    public String hazard(String name) {
+        return texts.text("hazard." + name);
     }
 
     /**
      * @param what "formula", "invariant", "cost", "failures" or "source"
      */
     public String about(Method<?> method, String what) {
-        return texts.text(key(method) + "." + what);
+        return texts.text(method.name() + "." + what);
     }
 
-    /** The beginning of the keys of a method's texts. */
-    public String key(Method<?> method) {
-        String key = part + method.name();
-        return texts.has(key + ".formula") ? key : method.name();
+    /**
+     * What the method's decision variable is.
+     *
+     * @param english in the engine's words, taken where there are no others; "" for none
+     */
+    public String decision(Method<?> method, String english) {
+        return english.isEmpty() ? "" : texts.textOr(method.name() + ".decision", english);
     }
 }

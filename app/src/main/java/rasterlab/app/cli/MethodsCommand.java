@@ -18,7 +18,6 @@ import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -80,7 +79,7 @@ final class MethodsCommand implements Callable<Integer> {
 
     private void print(Topic<?, ?, ?> topic) {
         PrintStream out = console.out();
-        TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), console.language().inWindow());
+        TopicTexts said = TopicTexts.of(topic.name(), console.language().inWindow());
         out.println(texts.text("topic") + " " + topic.name());
         out.println();
         var forms = new FormWords(console.language().inWindow());

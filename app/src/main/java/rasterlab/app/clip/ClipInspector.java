@@ -18,6 +18,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
@@ -28,7 +29,6 @@ import rasterlab.engine.study.Method;
 final class ClipInspector {
     private final ClipLabModel model;
     private final Texts texts;
-    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final Map<ClipMode, MethodChooser> method = new EnumMap<>(ClipMode.class);
@@ -55,7 +55,6 @@ final class ClipInspector {
     ClipInspector(ClipLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("clip", "topic", texts.language());
         column = new Inspector(texts);
         mode =
                 new NameChooser(
@@ -223,11 +222,11 @@ final class ClipInspector {
 
     private void explain(ClipLabState state) {
         Method<?> chosen = model.method();
-        String formula = ClipTopics.decisionFormula(chosen);
+        TopicTexts said = TopicTexts.of(state.choice().mode().topic(), texts.language());
         about.show(
-                explanations,
+                said.texts(),
                 chosen.name(),
-                formula.isEmpty() ? "" : explanations.textOr("decision." + chosen.name(), formula),
+                said.decision(chosen, ClipTopics.decisionFormula(chosen)),
                 refusal(state));
     }
 

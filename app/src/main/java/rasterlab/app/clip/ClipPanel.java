@@ -13,6 +13,7 @@ import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -113,17 +114,15 @@ public final class ClipPanel extends LabPanel {
 
     private Chips chips(ClipMode mode) {
         var row = new Chips(texts, "hazards");
-        Texts explanations = Texts.of("clip", "topic", texts.language());
-        for (Hazard<?> hazard : model.hazards(mode)) {
-            String key = "hazard." + mode.code() + "." + hazard.name();
+        TopicTexts said = TopicTexts.of(mode.topic(), texts.language());
+        for (Hazard<?> hazard : model.hazards(mode))
             row.add(
                     HazardCase.of(
                             hazard,
-                            texts.textOr(key, hazard.name()),
-                            explanations.text(key),
+                            said.title(hazard),
+                            said.hazard(hazard),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
-        }
         return row;
     }
 }

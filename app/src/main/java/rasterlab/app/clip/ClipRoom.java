@@ -50,7 +50,6 @@ public final class ClipRoom implements LabRoom<ClipLabModel> {
         return new TopicCard<>(
                 mode.topic(),
                 this,
-                new TopicCard.Place("clip", mode.code() + "."),
                 ClipColours.OWN,
                 TopicWay.<ClipLabModel>inTurn(
                                 ClipLabModel::history,

@@ -9,7 +9,6 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
@@ -54,43 +53,12 @@ public final class CoordinatesRoom implements LabRoom<CoordinatesLabModel> {
     @Override
     public List<TopicCard<CoordinatesLabModel>> cards() {
         return List.of(
-                new TopicCard<>(
-                        "rotate",
-                        this,
-                        new Place("coordinates.turn", ""),
-                        FigureColours.OWN,
-                        rotations()),
-                new TopicCard<>(
-                        "matrix",
-                        this,
-                        new Place("coordinates.list", ""),
-                        FigureColours.OWN,
-                        matrices()),
-                new TopicCard<>(
-                        "line-plane",
-                        this,
-                        new Place("coordinates.meeting", ""),
-                        FigureColours.OWN,
-                        meetings()),
-                new TopicCard<>(
-                        "transform",
-                        this,
-                        new Place("coordinates.view", ""),
-                        new Place("coordinates.list", "transform."),
-                        FigureColours.OWN,
-                        points("transform")),
-                new TopicCard<>(
-                        "view",
-                        this,
-                        new Place("coordinates.list", "view."),
-                        FigureColours.OWN,
-                        points("view")),
-                new TopicCard<>(
-                        "rotate-axis",
-                        this,
-                        new Place("coordinates.list", "rotate-axis."),
-                        FigureColours.OWN,
-                        points("rotate-axis")));
+                new TopicCard<>("rotate", this, FigureColours.OWN, rotations()),
+                new TopicCard<>("matrix", this, FigureColours.OWN, matrices()),
+                new TopicCard<>("line-plane", this, FigureColours.OWN, meetings()),
+                new TopicCard<>("transform", this, FigureColours.OWN, points("transform")),
+                new TopicCard<>("view", this, FigureColours.OWN, points("view")),
+                new TopicCard<>("rotate-axis", this, FigureColours.OWN, points("rotate-axis")));
     }
 
     private static TopicWay<CoordinatesLabModel> rotations() {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 import java.util.Set;
+import rasterlab.exercises.words.TopicWords;
 
 /**
  * The texts of one package of the app in one language.
@@ -37,6 +38,11 @@ public final class Texts {
      */
     public static Texts of(String feature, String bundle, Language language) {
         return new Texts(bundle(feature, bundle, language), language);
+    }
+
+    /** The words about a topic, which its lab, studies and the command line share. */
+    public static Texts ofTopic(String topic, Language language) {
+        return new Texts(TopicWords.of(topic, language.locale()), language);
     }
 
     /** The same for a library that looks up its own keys. */

@@ -14,6 +14,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.ColorModel;
@@ -40,7 +41,7 @@ final class ColourInspector {
     ColourInspector(LightLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("light", "topic", texts.language());
+        explanations = TopicTexts.of("color", texts.language()).texts();
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
         hex = column.value("hex");

@@ -13,7 +13,6 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
@@ -56,12 +55,11 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     @Override
     public List<TopicCard<LightLabModel>> cards() {
         return List.of(
-                card("color", "", colours()),
-                lit(new ShadeTopic(), "shade.", Set.of("phong", "blinn-phong"), LitInputs::point),
-                lit(new FaceTopic(), "face.", Set.of("flat", "gouraud", "phong"), LitInputs::face),
+                card("color", colours()),
+                lit(new ShadeTopic(), Set.of("phong", "blinn-phong"), LitInputs::point),
+                lit(new FaceTopic(), Set.of("flat", "gouraud", "phong"), LitInputs::face),
                 lit(
                         new NormalsTopic(),
-                        "normals.",
                         Set.of("plain-textbook", "plain", "area", "angle"),
                         state -> Optional.of(LitInputs.body(state.choice()))),
                 row("texture-mapping"),
@@ -84,8 +82,8 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                                 : Optional.empty()));
     }
 
-    private TopicCard<LightLabModel> card(String topic, String part, TopicWay<LightLabModel> way) {
-        return new TopicCard<>(topic, this, new Place("light", part), LightColours.OWN, way);
+    private TopicCard<LightLabModel> card(String topic, TopicWay<LightLabModel> way) {
+        return new TopicCard<>(topic, this, LightColours.OWN, way);
     }
 
     /**
@@ -94,7 +92,6 @@ public final class LightRoom implements LabRoom<LightLabModel> {
      */
     private <I> TopicCard<LightLabModel> lit(
             Topic<?, I, ?> topic,
-            String part,
             Set<String> drawnBy,
             Function<LightLabState, Optional<I>> lit) {
         TopicWay<LightLabModel> way =
@@ -106,7 +103,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                                 state.colours()
                                                         ? Optional.empty()
                                                         : lit.apply(state)));
-        return card(topic.name(), part, way);
+        return card(topic.name(), way);
     }
 
     private static <I> TopicWay.Writing<LightLabModel> writing(
@@ -136,7 +133,6 @@ public final class LightRoom implements LabRoom<LightLabModel> {
         return new TopicCard<>(
                 topic,
                 this,
-                new Place("row", ""),
                 RowColours.OWN,
                 TopicWay.<LightLabModel>whole(
                                 (lab, input, method) -> {

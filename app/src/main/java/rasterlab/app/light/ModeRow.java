@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 
 /** The choice between light, colour models and rows of textures, first in each column. */
@@ -20,7 +21,7 @@ final class ModeRow {
                 new NameChooser(
                         "mode",
                         names(model),
-                        code -> texts.text("mode." + code),
+                        code -> TopicTexts.mode(texts, code),
                         code -> choose(model, code));
         column.row("mode", mode);
     }

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
@@ -24,7 +25,6 @@ import rasterlab.engine.raster.PixelMark;
 final class FigureInspector {
     private final FigureLabModel model;
     private final Texts texts;
-    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final Map<LineMode, MethodChooser> method = new EnumMap<>(LineMode.class);
@@ -52,7 +52,6 @@ final class FigureInspector {
     FigureInspector(LineLabModel lab, Texts texts) {
         this.texts = texts;
         model = lab.figures();
-        explanations = Texts.of("line", "topic", texts.language());
         column = new Inspector(texts);
         mode = ModeChooser.of(LineMode.CIRCLE, lab, texts);
         column.row("mode", mode);
@@ -211,17 +210,12 @@ final class FigureInspector {
                 .ifPresentOrElse(
                         chosen -> {
                             LineMode shown = state.scene().mode();
-                            String key =
-                                    shown == LineMode.BRIGHTNESS
-                                            ? chosen.name()
-                                            : shown.code() + "." + chosen.name();
-                            String formula = FigureTopics.decisionFormula(chosen);
+                            String topic = shown == LineMode.BRIGHTNESS ? "line" : shown.code();
+                            TopicTexts said = TopicTexts.of(topic, texts.language());
                             about.show(
-                                    explanations,
-                                    key,
-                                    formula.isEmpty()
-                                            ? ""
-                                            : explanations.textOr(key + ".decision", formula),
+                                    said.texts(),
+                                    chosen.name(),
+                                    said.decision(chosen, FigureTopics.decisionFormula(chosen)),
                                     refusal(state));
                         },
                         () -> about.show(texts, "pen", "", ""));

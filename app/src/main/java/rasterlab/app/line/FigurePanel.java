@@ -14,6 +14,7 @@ import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -118,17 +119,15 @@ final class FigurePanel extends LabPanel {
 
     private Chips chips(LineMode mode) {
         var row = new Chips(texts, "hazards");
-        Texts explanations = Texts.of("line", "topic", texts.language());
-        for (Hazard<?> hazard : model.hazards(mode)) {
-            String key = "hazard." + mode.code() + "." + hazard.name();
+        TopicTexts said = TopicTexts.of(mode.code(), texts.language());
+        for (Hazard<?> hazard : model.hazards(mode))
             row.add(
                     HazardCase.of(
                             hazard,
-                            texts.textOr(key, hazard.name()),
-                            explanations.text(key),
+                            said.title(hazard),
+                            said.hazard(hazard),
                             model.methods(mode),
                             () -> model.show(mode, hazard.name())));
-        }
         return row;
     }
 }

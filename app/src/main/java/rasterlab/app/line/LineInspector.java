@@ -8,6 +8,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.SteppedLine;
@@ -18,7 +19,7 @@ import rasterlab.engine.study.Method;
 final class LineInspector {
     private final LineLabModel model;
     private final Texts texts;
-    private final Texts explanations;
+    private final TopicTexts said;
     private final Inspector column;
     private EndFields a;
     private EndFields b;
@@ -40,7 +41,7 @@ final class LineInspector {
     LineInspector(LineLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("line", "topic", texts.language());
+        said = TopicTexts.of("line", texts.language());
         column = new Inspector(texts);
         List<String> names = model.methods().stream().map(Method::name).toList();
 
@@ -135,12 +136,12 @@ final class LineInspector {
 
     private void explain(LineLabState state) {
         Method<LineRasterizer> chosen = model.method(state.choice().method());
-        about.show(explanations, chosen.name(), decisionFormula(chosen), refusal(state));
+        about.show(said.texts(), chosen.name(), decisionFormula(chosen), refusal(state));
     }
 
     private String decisionFormula(Method<LineRasterizer> chosen) {
         return chosen.implementation() instanceof SteppedLine stepped
-                ? explanations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                ? said.decision(chosen, stepped.decisionFormula())
                 : "";
     }
 

@@ -51,8 +51,7 @@ public final class LineRoom implements LabRoom<LineLabModel> {
     @Override
     public List<TopicCard<LineLabModel>> cards() {
         return List.of(
-                new TopicCard<>(
-                        "line", this, new TopicCard.Place("line", ""), LineColours.OWN, segments()),
+                new TopicCard<>("line", this, LineColours.OWN, segments()),
                 figure(
                         "circle",
                         LineMode.CIRCLE,
@@ -95,7 +94,6 @@ public final class LineRoom implements LabRoom<LineLabModel> {
         return new TopicCard<>(
                 topic,
                 this,
-                new TopicCard.Place("line", topic + "."),
                 LineColours.OWN,
                 TopicWay.<LineLabModel>inTurn(
                                 lab -> lab.figures().history(),

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
@@ -106,14 +107,14 @@ final class SegmentPanel extends LabPanel {
 
     private Chips chips() {
         var chips = new Chips(texts, "hazards");
-        Texts explanations = Texts.of("line", "topic", texts.language());
+        TopicTexts said = TopicTexts.of("line", texts.language());
         List<String> methods = model.methods().stream().map(Method::name).toList();
         for (Hazard<Segment> hazard : model.hazards())
             chips.add(
                     HazardCase.of(
                             hazard,
-                            texts.textOr("hazard." + hazard.name(), hazard.name()),
-                            explanations.text("hazard." + hazard.name()),
+                            said.title(hazard),
+                            said.hazard(hazard),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

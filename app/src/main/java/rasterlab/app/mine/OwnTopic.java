@@ -28,6 +28,11 @@ record OwnTopic<C, I, O>(Topic<C, I, O> topic, OwnMethods own, List<Method<C>> m
     }
 
     @Override
+    public String lab() {
+        return topic.lab();
+    }
+
+    @Override
     public Class<C> contract() {
         return topic.contract();
     }

@@ -18,6 +18,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
@@ -28,7 +29,6 @@ import rasterlab.engine.study.Method;
 final class PolygonInspector {
     private final PolygonLabModel model;
     private final Texts texts;
-    private final Texts explanations;
     private final Inspector column;
     private final NameChooser mode;
     private final Map<PolygonMode, MethodChooser> method = new EnumMap<>(PolygonMode.class);
@@ -56,7 +56,6 @@ final class PolygonInspector {
     PolygonInspector(PolygonLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("polygon", "topic", texts.language());
         column = new Inspector(texts);
         mode =
                 new NameChooser(
@@ -220,14 +219,12 @@ final class PolygonInspector {
     }
 
     private void explain(PolygonLabState state) {
-        PolygonMode shown = state.choice().mode();
         Method<?> chosen = model.method();
-        String key = shown.code() + "." + chosen.name();
-        String formula = PolygonTopics.decisionFormula(chosen);
+        TopicTexts said = TopicTexts.of(state.choice().mode().topic(), texts.language());
         about.show(
-                explanations,
-                key,
-                formula.isEmpty() ? "" : explanations.textOr(key + ".decision", formula),
+                said.texts(),
+                chosen.name(),
+                said.decision(chosen, PolygonTopics.decisionFormula(chosen)),
                 refusal(state));
     }
 

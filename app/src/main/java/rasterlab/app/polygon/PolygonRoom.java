@@ -49,7 +49,6 @@ public final class PolygonRoom implements LabRoom<PolygonLabModel> {
         return new TopicCard<>(
                 mode.topic(),
                 this,
-                new TopicCard.Place("polygon", mode.code() + "."),
                 PolygonColours.OWN,
                 TopicWay.<PolygonLabModel>inTurn(
                                 PolygonLabModel::history,

@@ -56,8 +56,9 @@ final class AnswerForm extends JPanel {
 
     /** What a field of a step is called: a word before the name that it has on a sheet. */
     static String label(Texts texts, String topic, String field) {
-        String key = "field." + topic + "." + field;
-        return texts.has(key) ? texts.text(key) + " (" + field + ")" : field;
+        Texts own = Texts.ofTopic(topic, texts.language());
+        String key = "field." + field;
+        return own.has(key) ? own.text(key) + " (" + field + ")" : field;
     }
 
     /** A value that is a word, in the window's language. */

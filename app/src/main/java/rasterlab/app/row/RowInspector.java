@@ -13,6 +13,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
@@ -27,7 +28,6 @@ final class RowInspector {
 
     private final RowLabModel model;
     private final Texts texts;
-    private final Texts explanations;
     private final Texts verdicts;
     private final Inspector column;
     private final NameChooser mode;
@@ -54,10 +54,9 @@ final class RowInspector {
             Consumer<String> chosen) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("row", "topic", texts.language());
         verdicts = Texts.of("study", texts.language());
         column = new Inspector(texts);
-        mode = new NameChooser("mode", modes, code -> modeTexts.text("mode." + code), chosen);
+        mode = new NameChooser("mode", modes, code -> TopicTexts.mode(modeTexts, code), chosen);
         column.row("mode", mode);
         for (String topic : model.topics()) methods.add(methods(topic));
         column.heading("heading.row");
@@ -96,13 +95,14 @@ final class RowInspector {
             column.showRow(methods.get(i), shown);
             if (shown) methods.get(i).show(choice.method());
         }
+        TopicTexts said = TopicTexts.of(choice.topic(), texts.language());
         description.show(
                 GivenInput.is(choice.hazard())
                         ? GivenInput.said(texts.language())
-                        : explanations.text("hazard." + choice.hazard()));
+                        : said.hazard(choice.hazard()));
         pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
         model.shown().ifPresentOrElse(this::show, this::showNothing);
-        about.show(explanations, choice.method(), "", "");
+        about.show(said.texts(), choice.method(), "", "");
     }
 
     private void show(RowScene scene) {

@@ -195,11 +195,12 @@ final class RowPainter {
     }
 
     private String errorWords() {
-        return texts.text(
-                "errors." + choice.topic(),
-                Shown.number(worst(), 3, texts.locale()),
-                scene.wrongPixels(),
-                scene.pixels());
+        return Texts.ofTopic(choice.topic(), texts.language())
+                .text(
+                        "errors",
+                        Shown.number(worst(), 3, texts.locale()),
+                        scene.wrongPixels(),
+                        scene.pixels());
     }
 
     private double worst() {

@@ -9,6 +9,7 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -63,17 +64,16 @@ public final class RowPanel extends LabCard {
     }
 
     private Chips chips(Texts texts, Language language) {
-        Texts explanations = Texts.of("row", "topic", language);
         var chips = new Chips(texts, "hazards");
         model.hazards()
                 .forEach(
                         each -> {
-                            String key = "hazard." + each.hazard().name();
+                            TopicTexts said = TopicTexts.of(each.topic(), language);
                             chips.add(
                                     HazardCase.of(
                                             each.hazard(),
-                                            texts.text(key),
-                                            explanations.text(key),
+                                            said.title(each.hazard()),
+                                            said.hazard(each.hazard()),
                                             model.methods(each.topic()).stream()
                                                     .map(Method::name)
                                                     .toList(),

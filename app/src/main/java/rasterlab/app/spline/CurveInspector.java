@@ -16,6 +16,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.SteppedCurve;
@@ -27,7 +28,7 @@ final class CurveInspector {
 
     private final CurveLabModel model;
     private final Texts texts;
-    private final Texts explanations;
+    private final TopicTexts said;
     private final Inspector column;
     private final InspectorParts parts;
     private NameChooser form;
@@ -58,7 +59,7 @@ final class CurveInspector {
     CurveInspector(CurveLabModel model, Texts texts, Consumer<SplineMode> onMode) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("spline", "topic", texts.language());
+        said = TopicTexts.of("curve", texts.language());
         column = new Inspector(texts);
         parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.CURVE, onMode);
@@ -244,7 +245,7 @@ final class CurveInspector {
                 drawing.method().equals(chosen.name())
                         && drawing.ending() == CurveDrawing.Ending.REFUSED;
         about.show(
-                explanations,
+                said.texts(),
                 chosen.name(),
                 decisionFormula(chosen),
                 refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
@@ -252,7 +253,7 @@ final class CurveInspector {
 
     private String decisionFormula(Method<CurveTracer> chosen) {
         return chosen.implementation() instanceof SteppedCurve stepped
-                ? explanations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                ? said.decision(chosen, stepped.decisionFormula())
                 : "";
     }
 }

@@ -16,6 +16,7 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.spline.CurveTask;
@@ -28,7 +29,7 @@ final class CurvePanel extends LabPanel {
 
     private final transient CurveLabModel model;
     private final transient Texts texts;
-    private final transient Texts explanations;
+    private final transient TopicTexts said;
     private final PlaneView stage;
     private final transient CurveInspector inspector;
     private final StepPlayer player;
@@ -48,7 +49,7 @@ final class CurvePanel extends LabPanel {
         this.model = model;
         setName("curve");
         texts = Texts.of("spline", language);
-        explanations = Texts.of("spline", "topic", language);
+        said = TopicTexts.of("curve", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -144,8 +145,8 @@ final class CurvePanel extends LabPanel {
             chips.add(
                     HazardCase.of(
                             hazard,
-                            texts.text("hazard." + hazard.name()),
-                            explanations.text("hazard." + hazard.name()),
+                            said.title(hazard),
+                            said.hazard(hazard),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
@@ -22,7 +23,7 @@ import rasterlab.engine.study.Method;
 final class FunctionInspector {
     private final FunctionLabModel model;
     private final Texts texts;
-    private final Texts explanations;
+    private final TopicTexts said;
     private final Inspector column;
     private final MethodChooser method;
     private final MethodChooser comparison;
@@ -45,7 +46,7 @@ final class FunctionInspector {
     FunctionInspector(FunctionLabModel model, Texts texts, Consumer<SplineMode> onMode) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("spline", "topic", texts.language());
+        said = TopicTexts.of("spline-function", texts.language());
         column = new Inspector(texts);
         var parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.FUNCTION, onMode);
@@ -139,7 +140,7 @@ final class FunctionInspector {
                 drawing.method().equals(chosen.name())
                         && drawing.ending() == FunctionDrawing.Ending.REFUSED;
         about.show(
-                explanations,
+                said.texts(),
                 chosen.name(),
                 decisionFormula(chosen),
                 refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
@@ -147,7 +148,7 @@ final class FunctionInspector {
 
     private String decisionFormula(Method<SplineFunction> chosen) {
         return chosen.implementation() instanceof SteppedSpline stepped
-                ? explanations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                ? said.decision(chosen, stepped.decisionFormula())
                 : "";
     }
 }

@@ -16,6 +16,7 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
@@ -32,7 +33,7 @@ final class FunctionPanel extends LabPanel {
 
     private final transient FunctionLabModel model;
     private final transient Texts texts;
-    private final transient Texts explanations;
+    private final transient TopicTexts said;
     private final PlaneView stage;
     private final transient FunctionInspector inspector;
     private final StepPlayer player;
@@ -52,7 +53,7 @@ final class FunctionPanel extends LabPanel {
         this.model = model;
         setName("function");
         texts = Texts.of("spline", language);
-        explanations = Texts.of("spline", "topic", language);
+        said = TopicTexts.of("spline-function", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -154,8 +155,8 @@ final class FunctionPanel extends LabPanel {
             chips.add(
                     HazardCase.of(
                             hazard,
-                            texts.text("hazard." + hazard.name()),
-                            explanations.text("hazard." + hazard.name()),
+                            said.title(hazard),
+                            said.hazard(hazard),
                             methods,
                             () -> model.show(hazard.input())));
         return chips;

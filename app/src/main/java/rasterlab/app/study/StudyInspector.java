@@ -17,7 +17,6 @@ import rasterlab.app.canvas.Unshown;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial.Cell;
@@ -245,7 +244,7 @@ final class StudyInspector {
     }
 
     private TopicTexts said(StudyLabState state) {
-        return TopicTexts.of(LabRooms.card(state.topic().name()), texts.language());
+        return TopicTexts.of(state.topic().name(), texts.language());
     }
 
     private void explain(StudyLabState state) {
@@ -254,7 +253,7 @@ final class StudyInspector {
         about.show(
                 List.of(
                         new AboutText.Called(
-                                words.called(method.name()), said.texts(), said.key(method))));
+                                words.called(method.name()), said.texts(), method.name())));
     }
 
     private String number(double value) {

@@ -34,12 +34,17 @@ public final class StudyWords {
 
     /** What is counted, as it stands behind "per"; in English where it has no translation. */
     public String item(Study study) {
-        return texts.textOr(itemKey(study.item()), study.item());
+        return own(study).textOr("item", texts.textOr(itemKey(study.item()), study.item()));
     }
 
     /** Unit of the error; in English where it has no translation. */
     public String errorUnit(Study study) {
-        return texts.textOr(unitKey(study.errorUnit()), study.errorUnit());
+        return own(study)
+                .textOr("unit", texts.textOr(unitKey(study.errorUnit()), study.errorUnit()));
+    }
+
+    private Texts own(Study study) {
+        return Texts.ofTopic(study.topic(), texts.language());
     }
 
     public String verdict(Verdict.Kind kind) {

@@ -7,9 +7,8 @@ import rasterlab.app.language.Texts;
 
 /**
  * What workloads and their sizes are called. A workload's name without its numbers is its kind,
- * such as {@code side-corners} for {@code side-64-corners-20}. Words on a kind of one topic are
- * those of the lab that shows it, with the topic's name in the key; those that topics share, the
- * study's.
+ * such as {@code side-corners} for {@code side-64-corners-20}. Words on a kind of one topic are the
+ * topic's; those that topics share, the study's.
  *
  * @param texts of the study
  */
@@ -29,11 +28,10 @@ record WorkloadWords(Texts texts) {
 
     private String said(String what, String topic, String name) {
         String kind = NUMBER.matcher(name).replaceAll("");
-        Texts own = TopicNames.texts(topic, texts.language());
-        String key = "study." + what + "." + topic + "." + kind;
+        String key = what + "." + kind;
+        Texts own = Texts.ofTopic(topic, texts.language());
         if (own.has(key)) return own.text(key, arguments(name));
-        String shared = what + "." + kind;
-        return texts.has(shared) ? texts.text(shared, arguments(name)) : name;
+        return texts.has(key) ? texts.text(key, arguments(name)) : name;
     }
 
     /** The numbers, for the form of words; then the same as they are written on a chart. */

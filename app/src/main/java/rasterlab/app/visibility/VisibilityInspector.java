@@ -16,6 +16,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.MethodSwatch;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
@@ -60,7 +61,7 @@ final class VisibilityInspector {
     VisibilityInspector(VisibilityLabModel model, Texts texts, SceneSaving saving) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("visibility", "topic", texts.language());
+        explanations = TopicTexts.of("hidden-surfaces", texts.language()).texts();
         column = new Inspector(texts);
         mode = modes();
         scene = scenes();
@@ -144,7 +145,7 @@ final class VisibilityInspector {
                 new NameChooser(
                         "mode",
                         VisibilityMode.names(model),
-                        name -> texts.text("mode." + name),
+                        name -> TopicTexts.mode(texts, name),
                         name -> VisibilityMode.choose(model, name));
         column.row("mode", modes);
         modes.show(VisibilityMode.SCENE);

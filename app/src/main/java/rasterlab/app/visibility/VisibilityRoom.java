@@ -14,7 +14,6 @@ import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
@@ -72,18 +71,15 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
         return List.of(
                 card(
                         new HiddenSurfacesTopic(),
-                        "",
                         (in, method) -> TopicView.of(in.name(), (SurfaceView) in.input(), method),
                         SceneInputs::surfaces),
                 card(
                         new VisibleFacesTopic(),
-                        "faces.",
                         (in, method) ->
                                 TopicView.of(in.name(), (Body) in.input(), method, drawnBy(method)),
                         choice -> Optional.of(SceneInputs.body(choice))),
                 card(
                         new DepthOrderTopic(),
-                        "order.",
                         (in, method) ->
                                 TopicView.of(
                                         in.name(), (Sight) in.input(), method, drawnBy(method)),
@@ -96,7 +92,6 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
         return new TopicCard<>(
                 topic,
                 this,
-                new Place("row", ""),
                 RowColours.OWN,
                 TopicWay.<VisibilityLabModel>whole(
                                 (lab, input, method) -> {
@@ -118,13 +113,11 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
 
     private <I> TopicCard<VisibilityLabModel> card(
             Topic<?, I, ?> topic,
-            String part,
             BiFunction<TopicInput, String, TopicView> view,
             Function<VisibilityChoice, Optional<I>> seen) {
         return new TopicCard<>(
                 topic.name(),
                 this,
-                new Place("visibility", part),
                 VisibilityColours.OWN,
                 TopicWay.<VisibilityLabModel>noted(
                                 (lab, input, method) -> {

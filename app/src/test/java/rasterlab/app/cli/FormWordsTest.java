@@ -3,22 +3,16 @@ package rasterlab.app.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
-import java.io.IOException;
-import java.util.List;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.run.TopicRunner;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Translations;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
@@ -65,26 +59,5 @@ class FormWordsTest {
                 .results()
                 .map(MatchResult::group)
                 .collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    @Test
-    @DisplayName("the English of a form was changed or left out, its translation was not")
-    void eachTranslationWasMadeForItsEnglish() throws IOException {
-        var translations = Translations.of("cli");
-        var english = new TreeMap<String, String>();
-        for (String key : translations.texts().keySet()) english.put(key, english(key));
-        assertEquals(List.of(), translations.outdated(english));
-    }
-
-    /** What the topic itself says in place of a translation. */
-    private static String english(String key) {
-        String[] parts = key.split("\\.", 3);
-        TopicRunner<?> run = TopicRunner.named(parts[0]);
-        return switch (parts[1]) {
-            case "reads" -> run.format().reads();
-            case "answers" -> run.format().answers();
-            case "word" -> run.format().topic().vocabulary().get(parts[2]);
-            default -> throw new AssertionError(key + " is the key of nothing");
-        };
     }
 }

@@ -8,14 +8,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
-import org.junit.jupiter.api.Test;
+import java.util.regex.Pattern;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.card.TopicCard;
-import rasterlab.app.card.TopicTexts;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.circle.SteppedCircle;
 import rasterlab.engine.circle.SteppedEllipse;
@@ -32,6 +27,7 @@ import rasterlab.engine.spline.SteppedSpline;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 
@@ -40,33 +36,47 @@ import rasterlab.engine.transform.matrix.NamedMatrix;
  * says in English.
  */
 class TopicTextsTest {
-    static Stream<String> features() {
-        return LabRooms.cards().stream().map(card -> card.texts().feature()).distinct();
+    /** What may be said of any topic beside its methods, hazards and workloads. */
+    private static final Pattern OTHERS =
+            Pattern.compile(
+                    "title|name|unit|item|errors|mode|(field|mutant|property|place|complaint)\\..+");
+
+    static List<String> topics() {
+        return Topics.names();
     }
 
     @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
-    @MethodSource("features")
-    void eachTranslationWasMadeForTheEnglish(String feature) throws IOException {
-        assertEquals(List.of(), Translations.of(feature).outdated(english(feature)));
+    @MethodSource("topics")
+    void eachTranslationWasMadeForTheEnglish(String topic) throws IOException {
+        Map<String, String> english = explained(topic);
+        english.putAll(ofTheEngine(topic));
+        assertEquals(List.of(), Translations.of(topic).outdated(english));
     }
 
     @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
-    @MethodSource("features")
-    void translatesWhatThereIsAndNothingElse(String feature) throws IOException {
-        assertEquals(List.of(), Translations.of(feature).unmatched(english(feature)));
+    @MethodSource("topics")
+    void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
+        Map<String, String> english = Translations.english(topic);
+        english.putAll(ofTheEngine(topic));
+        assertEquals(List.of(), Translations.of(topic).unmatched(english));
     }
 
     @ParameterizedTest(name = "a method or hazard is not explained, or what is none is: {0}")
-    @MethodSource("features")
-    void explainsWhatThereIsAndNothingElse(String feature) throws IOException {
-        assertEquals(explained(feature), new TreeSet<>(Translations.english(feature).keySet()));
+    @MethodSource("topics")
+    void explainsWhatThereIsAndNothingElse(String topic) throws IOException {
+        var keys = new TreeSet<>(Translations.english(topic).keySet());
+        keys.removeIf(key -> OTHERS.matcher(key).matches());
+        keys.removeAll(ofWorkloads(topic));
+        var known = new TreeSet<>(explanations(topic));
+        for (Hazard<?> hazard : Topics.named(topic).hazards()) known.add("label." + hazard.name());
+        assertEquals(known, keys);
     }
 
     @ParameterizedTest(name = "a text has no words: {0}")
-    @MethodSource("features")
-    void hasNoEmptyText(String feature) throws IOException {
+    @MethodSource("topics")
+    void hasNoEmptyText(String topic) throws IOException {
         var empty = new TreeSet<String>();
-        for (var texts : List.of(Translations.english(feature), Translations.of(feature).texts()))
+        for (var texts : List.of(Translations.english(topic), Translations.of(topic).texts()))
             texts.forEach(
                     (key, text) -> {
                         if (text.isBlank()) empty.add(key);
@@ -75,10 +85,11 @@ class TopicTextsTest {
     }
 
     @ParameterizedTest(name = "a sentence about a topic gets a placeholder: {0}")
-    @MethodSource("features")
-    void hasNoPlaceholderThatNothingFills(String feature) throws IOException {
-        Map<String, String> english = english(feature);
-        Translations.of(feature)
+    @MethodSource("topics")
+    void hasNoPlaceholderThatNothingFills(String topic) throws IOException {
+        Map<String, String> english = Translations.english(topic);
+        english.putAll(ofTheEngine(topic));
+        Translations.of(topic)
                 .texts()
                 .forEach(
                         (key, text) ->
@@ -88,71 +99,57 @@ class TopicTextsTest {
                                         key));
     }
 
-    @Test
-    @DisplayName("a lab shows a hazard that has no short name there")
-    void hazardsHaveShortNamesInTheirLab() {
-        var nameless = new TreeSet<String>();
-        for (Language language : Language.values())
-            for (TopicCard<?> card : LabRooms.cards()) {
-                if (namedElsewhere(card, language)) continue;
-                TopicTexts said = TopicTexts.of(card, language);
-                for (Hazard<?> hazard : Topics.named(card.topic()).hazards())
-                    if (said.label(hazard).isEmpty())
-                        nameless.add(language + " " + card.topic() + " " + hazard.name());
-            }
-        assertEquals(new TreeSet<>(), nameless);
-    }
-
-    /** Whether the lab has scenes of its own beside hazards, which have names for the tables. */
-    private static boolean namedElsewhere(TopicCard<?> card, Language language) {
-        String hazards = "study.hazard." + card.topic() + ".";
-        return Texts.of(card.lab().texts(), language).keys().stream()
-                .anyMatch(key -> key.startsWith(hazards));
-    }
-
-    /** The keys of the texts on methods and hazards that are explained in that package. */
-    private static TreeSet<String> explained(String feature) {
+    /** The keys of the explanations of methods and hazards. */
+    private static Set<String> explanations(String name) {
+        Topic<?, ?, ?> topic = Topics.named(name);
         var keys = new TreeSet<String>();
-        for (TopicCard<?> card : LabRooms.cards())
-            if (card.texts().feature().equals(feature)) explained(card, keys);
+        for (Method<?> method : topic.methods()) explanations(method.name(), keys);
+        for (Hazard<?> hazard : topic.hazards()) keys.add("hazard." + hazard.name());
+        if (name.equals("hidden-surfaces"))
+            for (Method<?> method : Renderer.visibilityMethods()) explanations(method.name(), keys);
         return keys;
     }
 
-    private static void explained(TopicCard<?> card, Set<String> keys) {
-        Topic<?, ?, ?> topic = Topics.named(card.topic());
-        TopicTexts said = TopicTexts.of(card, Language.ENGLISH);
-        for (Method<?> method : topic.methods()) explained(said.key(method), keys);
-        for (Hazard<?> hazard : topic.hazards()) keys.add("hazard." + said.part() + hazard.name());
-        if (topic.name().equals("hidden-surfaces"))
-            for (Method<?> method : Renderer.visibilityMethods()) explained(method.name(), keys);
-    }
-
-    private static void explained(String method, Set<String> keys) {
+    private static void explanations(String method, Set<String> keys) {
         for (String part : List.of("formula", "invariant", "cost", "failures", "source"))
             keys.add(method + "." + part);
     }
 
-    /** The English on the topics that are explained in that package, by the keys. */
-    private static Map<String, String> english(String feature) throws IOException {
-        Map<String, String> said = new TreeMap<>(Translations.english(feature));
-        for (TopicCard<?> card : LabRooms.cards())
-            if (card.texts().feature().equals(feature)) ofTheEngine(card, said);
-        return said;
+    /** The English of those explanations that there are. */
+    private static Map<String, String> explained(String topic) throws IOException {
+        Map<String, String> english = Translations.english(topic);
+        english.keySet().retainAll(explanations(topic));
+        return english;
     }
 
-    /** Puts what the engine writes into the JSON of the topic's steps, and its words. */
-    private static void ofTheEngine(TopicCard<?> card, Map<String, String> said) {
-        Topic<?, ?, ?> topic = Topics.named(card.topic());
-        TopicTexts russian = TopicTexts.of(card, Language.RUSSIAN);
+    /** The keys of what a topic's workloads and their sizes may be called. */
+    private static Set<String> ofWorkloads(String topic) {
+        var keys = new TreeSet<String>();
+        for (Workload<?> workload : Topics.named(topic).workloads()) {
+            String kind = workload.name().replaceAll("-\\d+(?=-|$)", "");
+            keys.add("workload." + kind);
+            keys.add("size." + kind);
+        }
+        return keys;
+    }
+
+    /** What the engine says of JSON and writes into the JSON of the topic's steps. */
+    private static Map<String, String> ofTheEngine(String name) throws IOException {
+        Topic<?, ?, ?> topic = Topics.named(name);
+        var said = new TreeMap<String, String>();
+        Set<String> russian = Translations.of(name).texts().keySet();
+        // Forms without words are the same in each language.
+        if (russian.contains("reads")) said.put("reads", topic.format().reads());
+        if (russian.contains("answers")) said.put("answers", topic.format().answers());
         for (Method<?> method : topic.methods()) {
             String decision = decision(method.implementation());
-            String own = russian.key(method) + ".decision";
-            if (!decision.isEmpty())
-                said.put(russian.texts().has(own) ? own : "decision." + method.name(), decision);
+            if (!decision.isEmpty()) said.put(method.name() + ".decision", decision);
         }
-        if (topic.name().equals("matrix"))
+        if (name.equals("matrix"))
             for (NamedMatrix matrix : NamedMatrices.all())
                 said.put("matrix." + matrix.name(), matrix.meaning());
+        else topic.vocabulary().forEach((word, meaning) -> said.put("word." + word, meaning));
+        return said;
     }
 
     private static String decision(Object method) {

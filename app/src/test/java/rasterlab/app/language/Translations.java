@@ -17,8 +17,8 @@ import java.util.zip.CRC32;
  * The Russian of what is said of topics: above each text stands, as a comment, the checksum of the
  * English that it was made for, so that a change of one language alone is seen.
  */
-public final class Translations {
-    private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
+final class Translations {
+    static final Path FOLDER = Path.of("../exercises/src/main/resources/rasterlab/exercises/words");
     private static final String CHECKSUM = "#[0-9a-f]{8}";
 
     private final Properties texts = new Properties();
@@ -33,28 +33,24 @@ public final class Translations {
                 checksums.put(lines.get(i).split("=", 2)[0], lines.get(i - 1));
     }
 
-    /** The translations of a package below {@code rasterlab.app}, such as {@code line}. */
-    public static Translations of(String feature) throws IOException {
-        return new Translations(Files.readAllLines(file(feature, "topic_ru.properties")));
+    /** The translations of what is said of that topic. */
+    static Translations of(String topic) throws IOException {
+        return new Translations(Files.readAllLines(FOLDER.resolve(topic + "_ru.properties")));
     }
 
-    /** The English texts of such a package, by their keys. */
-    static Map<String, String> english(String feature) throws IOException {
-        return new Translations(Files.readAllLines(file(feature, "topic.properties"))).texts();
+    /** The English of it, by the keys. */
+    static Map<String, String> english(String topic) throws IOException {
+        return new Translations(Files.readAllLines(FOLDER.resolve(topic + ".properties"))).texts();
     }
 
-    private static Path file(String feature, String name) {
-        return ROOT.resolve(feature.replace('.', '/')).resolve(name);
-    }
-
-    public Map<String, String> texts() {
+    Map<String, String> texts() {
         var all = new TreeMap<String, String>();
         for (String key : texts.stringPropertyNames()) all.put(key, texts.getProperty(key));
         return all;
     }
 
     /** A line for each key that has no translation, or whose English there is no more. */
-    public List<String> unmatched(Map<String, String> english) {
+    List<String> unmatched(Map<String, String> english) {
         var wrong = new ArrayList<String>();
         var keys = new TreeSet<>(english.keySet());
         keys.addAll(texts.stringPropertyNames());
@@ -65,7 +61,7 @@ public final class Translations {
     }
 
     /** A line for each translation that was not looked at since its English was changed. */
-    public List<String> outdated(Map<String, String> english) {
+    List<String> outdated(Map<String, String> english) {
         var wrong = new ArrayList<String>();
         english.forEach(
                 (key, text) -> {

@@ -108,7 +108,7 @@ class ShownTopicsTest {
         line.add(hex(colours.of(method.name())));
         line.add(hex(colours.among(names).get(method.name())));
         for (Language language : Language.values()) {
-            TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), language);
+            TopicTexts said = TopicTexts.of(topic.name(), language);
             for (String what : List.of("formula", "invariant", "cost", "failures", "source"))
                 line.add(sum(said.about(method, what)));
         }
@@ -119,7 +119,7 @@ class ShownTopicsTest {
         var line = new StringJoiner(" | ");
         line.add("hazard " + hazard.name());
         for (Language language : Language.values()) {
-            TopicTexts said = TopicTexts.of(LabRooms.card(topic.name()), language);
+            TopicTexts said = TopicTexts.of(topic.name(), language);
             line.add(TopicNames.in(language).hazard(topic, hazard));
             line.add(sum(said.hazard(hazard)));
         }

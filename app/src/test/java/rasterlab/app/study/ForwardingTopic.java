@@ -23,6 +23,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     }
 
     @Override
+    public String lab() {
+        return whole.lab();
+    }
+
+    @Override
     public Class<C> contract() {
         return whole.contract();
     }

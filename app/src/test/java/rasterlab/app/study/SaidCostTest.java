@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineProblem;
@@ -78,7 +77,7 @@ class SaidCostTest {
     }
 
     private static String cost(Topic<?, ?, ?> topic, Method<?> method) {
-        return TopicTexts.of(LabRooms.card(topic.name()), Language.ENGLISH).about(method, "cost");
+        return TopicTexts.of(topic.name(), Language.ENGLISH).about(method, "cost");
     }
 
     private static <C, I> Map<String, Long> difference(

@@ -14,15 +14,11 @@ import javax.swing.JComponent;
 import javax.swing.JTable;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
-import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Workload;
 
 class TopicNamesTest {
     private static final TopicNames RUSSIAN = TopicNames.in(Language.RUSSIAN);
@@ -64,29 +60,6 @@ class TopicNamesTest {
     }
 
     @Test
-    @DisplayName("a name of a topic, hazard or workload that is gone keeps its translation")
-    void translatesWhatThereIsAndNothingElse() {
-        var known = new TreeSet<String>();
-        for (Topic<?, ?, ?> topic : Topics.all()) {
-            known.add("study.topic." + topic.name());
-            for (Hazard<?> hazard : topic.hazards())
-                known.add("study.hazard." + topic.name() + "." + hazard.name());
-            for (Workload<?> workload : topic.workloads()) {
-                String kind = workload.name().replaceAll("-\\d+(?=-|$)", "");
-                known.add("study.workload." + topic.name() + "." + kind);
-                known.add("study.size." + topic.name() + "." + kind);
-            }
-        }
-        var unknown = new TreeSet<String>();
-        for (LabRoom<?> room : LabRooms.all())
-            Texts.of(room.texts(), Language.RUSSIAN).keys().stream()
-                    .filter(key -> key.startsWith("study."))
-                    .filter(key -> !known.contains(key))
-                    .forEach(unknown::add);
-        assertEquals(new TreeSet<>(), unknown);
-    }
-
-    @Test
     @DisplayName("the English window calls a hazard as commands do, with hyphens")
     void everyHazardHasAnEnglishTitle() {
         TopicNames english = TopicNames.in(Language.ENGLISH);
@@ -100,16 +73,6 @@ class TopicNamesTest {
                     untitled.add(topic.name() + " " + title);
             }
         assertEquals(new TreeSet<>(), untitled);
-    }
-
-    @Test
-    @DisplayName("a hazard has another title than in the tab that shows it")
-    void titlesAreThoseOfTheTab() {
-        TopicNames english = TopicNames.in(Language.ENGLISH);
-        var line = new LineTopic();
-        Texts lines = Texts.of("line", Language.ENGLISH);
-        for (Hazard<?> hazard : line.hazards())
-            assertEquals(lines.text("hazard." + hazard.name()), english.hazard(line, hazard));
     }
 
     @Test

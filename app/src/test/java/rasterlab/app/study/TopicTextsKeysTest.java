@@ -9,7 +9,6 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -59,6 +58,6 @@ class TopicTextsKeysTest {
     }
 
     private static TopicTexts said(Topic<?, ?, ?> topic, Language language) {
-        return TopicTexts.of(LabRooms.card(topic.name()), language);
+        return TopicTexts.of(topic.name(), language);
     }
 }

@@ -46,6 +46,11 @@ abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
     }
 
     @Override
+    public String lab() {
+        return "line";
+    }
+
+    @Override
     public PixelRecording run(C method, I input, int limit) {
         var recording = new PixelRecording(limit);
         draw(method, input, recording);

@@ -33,6 +33,11 @@ public final class ColorTopic implements Topic<ColorConverter, Colors, ColorShee
     }
 
     @Override
+    public String lab() {
+        return "light";
+    }
+
+    @Override
     public Class<ColorConverter> contract() {
         return ColorConverter.class;
     }

@@ -35,6 +35,11 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     }
 
     @Override
+    public String lab() {
+        return "polygon";
+    }
+
+    @Override
     public Class<SeedFiller> contract() {
         return SeedFiller.class;
     }

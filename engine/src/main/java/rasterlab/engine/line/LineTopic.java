@@ -34,6 +34,11 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     }
 
     @Override
+    public String lab() {
+        return "line";
+    }
+
+    @Override
     public Class<LineRasterizer> contract() {
         return LineRasterizer.class;
     }

@@ -35,6 +35,11 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     }
 
     @Override
+    public String lab() {
+        return "spline";
+    }
+
+    @Override
     public Class<CurveTracer> contract() {
         return CurveTracer.class;
     }

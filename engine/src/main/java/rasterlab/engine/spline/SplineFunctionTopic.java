@@ -34,6 +34,11 @@ public final class SplineFunctionTopic
     }
 
     @Override
+    public String lab() {
+        return "spline";
+    }
+
+    @Override
     public Class<SplineFunction> contract() {
         return SplineFunction.class;
     }

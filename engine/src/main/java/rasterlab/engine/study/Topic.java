@@ -21,6 +21,9 @@ public interface Topic<C, I, O> {
     /** Lower-case name with hyphens, as on the command line. */
     String name();
 
+    /** Name of the lab that shows it, such as "polygon". */
+    String lab();
+
     /** The interface that methods implement; a student's too, where it is a public contract. */
     Class<C> contract();
 

@@ -26,6 +26,11 @@ record LinesOf(List<Method<LineRasterizer>> methods)
     }
 
     @Override
+    public String lab() {
+        return "line";
+    }
+
+    @Override
     public Class<LineRasterizer> contract() {
         return LineRasterizer.class;
     }

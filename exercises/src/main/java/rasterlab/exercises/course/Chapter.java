@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.words.TopicWords;
 
 /**
  * A topic of the course with its exercises.
@@ -34,34 +35,12 @@ public record Chapter(String topic, List<Exercise> exercises) {
 
     /** The heading, in that language ("en", "ru"). */
     public String title(String language) {
-        return texts(language).getString("topic." + topic);
+        return TopicWords.of(topic, Locale.forLanguageTag(language)).getString("title");
     }
 
     /** Name of the lab that prepares for the exercises, as that of its tab in the window. */
     public String lab() {
-        return switch (topic) {
-            case "line", "circle", "ellipse" -> "line";
-            case "fill", "polygon-fill", "point-in-triangle", "point-in-polygon", "triangulate" ->
-                    "polygon";
-            case "clip-segment", "clip-polygon", "clip-volume" -> "clip";
-            case "visible-faces",
-                    "depth-order",
-                    "depth-buffer",
-                    "depth-triangle",
-                    "hidden-surfaces" ->
-                    "visibility";
-            case "spline-function", "curve" -> "spline";
-            case "line-plane", "matrix", "transform", "view", "rotate", "rotate-axis" ->
-                    "coordinates";
-            case "shade",
-                    "vertex-normals",
-                    "shade-face",
-                    "color",
-                    "texture-mapping",
-                    "texture-filter" ->
-                    "light";
-            default -> throw new IllegalStateException("no lab is said to show " + topic);
-        };
+        return Topics.named(topic).lab();
     }
 
     /** What that lab's tab is called, in that language. */

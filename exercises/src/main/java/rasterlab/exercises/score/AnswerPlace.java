@@ -2,7 +2,6 @@ package rasterlab.exercises.score;
 
 import java.text.MessageFormat;
 import java.util.Locale;
-import java.util.ResourceBundle;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -19,14 +18,14 @@ final class AnswerPlace {
      * @param topic whose answer it is
      * @param path as in the answer's JSON
      */
-    static String in(ResourceBundle texts, String topic, String path) {
+    static String in(ReportTexts texts, String topic, String path) {
         Matcher parts = PATH.matcher(path);
         if (!parts.matches()) return path;
         String field = "place." + topic + "." + parts.group(1);
         String key = parts.group(3) == null ? field : field + "." + parts.group(3);
-        if (!texts.containsKey(key)) return path;
+        if (!texts.has(key)) return path;
         int place = 1 + Integer.parseInt(parts.group(2));
-        return new MessageFormat(texts.getString(key), Locale.ROOT)
+        return new MessageFormat(texts.text(key), Locale.ROOT)
                 .format(new Object[] {String.valueOf(place)});
     }
 }

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -24,8 +23,6 @@ public record Message(List<Sentence> sentences) {
 
     /** Above what a picture of pixels has in its rows. */
     private static final int MOST_IN_ROWS = 10_000;
-
-    private static final Set<String> LANGUAGES = Set.of("en", "ru");
 
     /** A number as this project writes it: 12, -0.5, 1.5·10³⁰⁰, ∞, NaN. */
     private static final String NUMBER = "(-?\\d+(\\.\\d+)?(·10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?|-?∞|NaN)";
@@ -63,23 +60,22 @@ public record Message(List<Sentence> sentences) {
             arguments = arguments.stream().map(one -> VisibleText.lines(one, most)).toList();
         }
 
-        private String in(ResourceBundle texts) {
+        private String in(ReportTexts texts) {
             Object[] said = arguments.stream().map(one -> said(one, texts)).toArray();
             place().ifPresent(
                             path ->
                                     said[0] =
                                             AnswerPlace.in(
                                                     texts, arguments.get(said.length - 1), path));
-            return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
+            return new MessageFormat(texts.text(key), Locale.ROOT).format(said);
         }
 
         /**
          * A number or numbers in brackets with the language's minus and decimal sign, and with what
          * it sets between numbers; all else as it is.
          */
-        private String said(String argument, ResourceBundle texts) {
-            if (WITHIN.contains(key) && texts.containsKey(argument))
-                return texts.getString(argument);
+        private String said(String argument, ReportTexts texts) {
+            if (WITHIN.contains(key) && texts.has(argument)) return texts.text(argument);
             return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
         }
 
@@ -90,16 +86,16 @@ public record Message(List<Sentence> sentences) {
                     : Optional.empty();
         }
 
-        private static String inForm(String argument, ResourceBundle texts) {
+        private static String inForm(String argument, ReportTexts texts) {
             if (!ALONE.matcher(argument).matches() && !IN_BRACKETS.matcher(argument).matches())
                 return argument;
-            return argument.replace("-", texts.getString("minus"))
+            return argument.replace("-", texts.text("minus"))
                     .replace('.', point(texts))
-                    .replace(", ", texts.getString("apart"));
+                    .replace(", ", texts.text("apart"));
         }
 
-        private static char point(ResourceBundle texts) {
-            return DecimalFormatSymbols.getInstance(texts.getLocale()).getDecimalSeparator();
+        private static char point(ReportTexts texts) {
+            return DecimalFormatSymbols.getInstance(texts.locale()).getDecimalSeparator();
         }
     }
 
@@ -109,12 +105,12 @@ public record Message(List<Sentence> sentences) {
 
     /** Whether there is a text of that key. */
     public static boolean isKnown(String key) {
-        return texts("en").containsKey(key);
+        return ReportTexts.in("en").has(key);
     }
 
     /** One sentence of ours. */
     public static Message of(String key, Object... arguments) {
-        if (!texts("en").containsKey(key)) throw new AssertionError("no text for '" + key + "'");
+        if (!ReportTexts.in("en").has(key)) throw new AssertionError("no text for '" + key + "'");
         return new Message(
                 List.of(new Sentence(key, Stream.of(arguments).map(String::valueOf).toList())));
     }
@@ -143,23 +139,15 @@ public record Message(List<Sentence> sentences) {
      * @param language such as "ru"
      */
     public String in(String language) {
-        ResourceBundle texts = texts(language);
+        ReportTexts texts = ReportTexts.in(language);
         StringBuilder text = new StringBuilder();
         Joints joints = new Joints(sentences.stream().map(Sentence::key).toList());
         for (int i = 0; i < sentences.size(); i++) {
-            joints.before(i).map(texts::getString).ifPresent(text::append);
+            joints.before(i).map(texts::text).ifPresent(text::append);
             text.append(sentences.get(i).in(texts));
         }
-        joints.end().map(texts::getString).ifPresent(text::append);
+        joints.end().map(texts::text).ifPresent(text::append);
         return text.toString();
-    }
-
-    private static ResourceBundle texts(String language) {
-        return ResourceBundle.getBundle(
-                "rasterlab.exercises.score.messages",
-                Locale.forLanguageTag(LANGUAGES.contains(language) ? language : "en"),
-                ResourceBundle.Control.getNoFallbackControl(
-                        ResourceBundle.Control.FORMAT_PROPERTIES));
     }
 
     /** As JSON to be stored: for each sentence an array of its key and arguments. */
@@ -183,7 +171,7 @@ public record Message(List<Sentence> sentences) {
         List<Sentence> sentences = new ArrayList<>();
         try {
             for (String[] one : OwnJson.MAPPER.readValue(data, String[][].class)) {
-                if (one.length == 0 || !texts("en").containsKey(one[0])) return quoted(english);
+                if (one.length == 0 || !ReportTexts.in("en").has(one[0])) return quoted(english);
                 sentences.add(new Sentence(one[0], List.of(one).subList(1, one.length)));
             }
             return new Message(sentences);

@@ -7,8 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
@@ -161,8 +159,8 @@ class MessageTest {
 
     @Test
     void nothingIsLeftInEnglish() throws IOException {
-        Properties english = texts("messages.properties");
-        Properties russian = texts("messages_ru.properties");
+        Properties english = AllTexts.in("messages.properties");
+        Properties russian = AllTexts.in("messages_ru.properties");
         for (String key : english.stringPropertyNames())
             if (!SAME.contains(key))
                 assertNotEquals(english.getProperty(key), russian.getProperty(key), key);
@@ -171,7 +169,7 @@ class MessageTest {
     @Test
     void noTextShowsAPlaceUnfilled() throws IOException {
         for (String name : new String[] {"en", "ru"})
-            for (String key : texts("messages.properties").stringPropertyNames()) {
+            for (String key : AllTexts.in("messages.properties").stringPropertyNames()) {
                 String said = Message.of(key, "A", "B", "C", "D", "E", "F", "G", "H").in(name);
                 assertFalse(PLACE.matcher(said).find() || said.contains("''"), said);
             }
@@ -205,7 +203,7 @@ class MessageTest {
 
     private static Map<String, TreeSet<String>> places(String file) throws IOException {
         Map<String, TreeSet<String>> places = new TreeMap<>();
-        texts(file)
+        AllTexts.in(file)
                 .forEach(
                         (key, text) -> {
                             TreeSet<String> found = new TreeSet<>();
@@ -215,15 +213,5 @@ class MessageTest {
                             if (!TITLED.contains(key)) places.put((String) key, found);
                         });
         return places;
-    }
-
-    private static Properties texts(String file) throws IOException {
-        Properties texts = new Properties();
-        try (var in =
-                new InputStreamReader(
-                        Message.class.getResourceAsStream(file), StandardCharsets.UTF_8)) {
-            texts.load(in);
-        }
-        return texts;
     }
 }

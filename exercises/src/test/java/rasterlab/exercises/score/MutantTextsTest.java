@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.charset.StandardCharsets;
 import java.util.Properties;
 import java.util.Set;
 import java.util.TreeSet;
@@ -27,7 +25,7 @@ class MutantTextsTest {
     @ValueSource(strings = {"messages.properties", "messages_ru.properties"})
     void everyMutantHasATextAndEveryTextAMutant(String file) throws IOException {
         TreeSet<String> mutants = mutants();
-        TreeSet<String> texts = keys(texts(file));
+        TreeSet<String> texts = keys(AllTexts.in(file));
         assertEquals(Set.of(), without(texts, mutants), "mutants without a text");
         assertEquals(Set.of(), without(mutants, texts), "texts without a mutant");
     }
@@ -35,7 +33,7 @@ class MutantTextsTest {
     @ParameterizedTest
     @ValueSource(strings = {"messages.properties", "messages_ru.properties"})
     void aTextIsAClauseWithinAnother(String file) throws IOException {
-        Properties texts = texts(file);
+        Properties texts = AllTexts.in(file);
         assertAll(keys(texts).stream().map(key -> () -> clause(key, texts.getProperty(key))));
     }
 
@@ -57,7 +55,7 @@ class MutantTextsTest {
     @ParameterizedTest
     @ValueSource(strings = {"messages.properties", "messages_ru.properties"})
     void noTwoMutantsOfATopicAreSaidAlike(String file) throws IOException {
-        Properties texts = texts(file);
+        Properties texts = AllTexts.in(file);
         for (var topic : Topics.all()) {
             var said =
                     keys(texts).stream()
@@ -95,15 +93,5 @@ class MutantTextsTest {
         Stream<String> all = texts.stringPropertyNames().stream();
         return all.filter(key -> key.startsWith(PREFIX))
                 .collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    private static Properties texts(String file) throws IOException {
-        var texts = new Properties();
-        try (var in =
-                new InputStreamReader(
-                        Message.class.getResourceAsStream(file), StandardCharsets.UTF_8)) {
-            texts.load(in);
-        }
-        return texts;
     }
 }

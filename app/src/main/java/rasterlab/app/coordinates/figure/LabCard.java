@@ -19,6 +19,7 @@ import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.canvas.SvgDrawing;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -145,23 +146,24 @@ public abstract class LabCard extends LabPanel {
     /**
      * A chip for each hazard.
      *
-     * @param texts the lab's, with their short names
-     * @param explanations why they are special
+     * @param texts the lab's
+     * @param topic whose hazards they are
      * @param methods names of those that the lab offers
      */
     protected static <I> Chips hazards(
             Texts texts,
-            Texts explanations,
+            String topic,
             List<Hazard<I>> hazards,
             List<String> methods,
             Consumer<Hazard<I>> chosen) {
         var chips = new Chips(texts, "hazards");
+        TopicTexts said = TopicTexts.of(topic, texts.language());
         for (Hazard<I> each : hazards)
             chips.add(
                     HazardCase.of(
                             each,
-                            texts.textOr("hazard." + each.name(), each.name()),
-                            explanations.text("hazard." + each.name()),
+                            said.title(each),
+                            said.hazard(each),
                             methods,
                             () -> chosen.accept(each)));
         return chips;

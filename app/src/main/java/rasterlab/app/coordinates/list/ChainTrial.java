@@ -3,7 +3,6 @@ package rasterlab.app.coordinates.list;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Optional;
-import rasterlab.app.card.TopicCard.Place;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.transform.Images;
@@ -13,7 +12,7 @@ import rasterlab.engine.transform.chain.TransformTopic;
 /** Points through matrices. */
 final class ChainTrial extends TrialKind<PointTransformer, Chain, TransformTopic.Output> {
     ChainTrial(OwnMethods own) {
-        super(own.in(new TransformTopic()), new Place("coordinates.view", ""));
+        super(own.in(new TransformTopic()));
     }
 
     @Override

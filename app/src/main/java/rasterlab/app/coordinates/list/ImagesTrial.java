@@ -1,7 +1,6 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.Optional;
-import rasterlab.app.card.TopicCard.Place;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
 
@@ -12,11 +11,8 @@ import rasterlab.engine.transform.Images;
  * @param <I> its input
  */
 abstract class ImagesTrial<C, I> extends TrialKind<C, I, Images> {
-    /**
-     * @param prefix of the keys of its methods' and hazards' texts
-     */
-    ImagesTrial(Topic<C, I, Images> topic, String prefix) {
-        super(topic, new Place("coordinates.list", prefix));
+    ImagesTrial(Topic<C, I, Images> topic) {
+        super(topic);
     }
 
     @Override

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.language.Texts;
@@ -55,7 +56,7 @@ final class ListInspector {
     ListInspector(ListLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("coordinates.list", "topic", texts.language());
+        explanations = TopicTexts.of("matrix", texts.language()).texts();
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
         mode.accept(column);

@@ -56,17 +56,17 @@ public final class ListPanel extends LabCard {
         if (topic.equals(TrialRows.MATRICES))
             return hazards(
                     texts,
-                    Texts.of("coordinates.list", "topic", texts.language()),
+                    "matrix",
                     model.hazards(),
                     model.methods().stream().map(Method::name).toList(),
                     model::show);
         var chips = new Chips(texts, "hazards");
-        TopicTexts said = model.trials().kind(topic).said(texts.language());
+        TopicTexts said = TopicTexts.of(topic, texts.language());
         for (Hazard<?> hazard : model.trials().hazards(topic))
             chips.add(
                     HazardCase.of(
                             hazard,
-                            said.label(hazard).orElse(hazard.name()),
+                            said.title(hazard),
                             said.hazard(hazard),
                             model.trials().methods(topic).stream().map(Method::name).toList(),
                             () -> model.show(topic, hazard.name(), "")));

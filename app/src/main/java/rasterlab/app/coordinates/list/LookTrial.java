@@ -9,7 +9,7 @@ import rasterlab.engine.transform.view.ViewTopic;
 /** Points as an eye on a sphere sees them. */
 final class LookTrial extends ImagesTrial<EyeView, Look> {
     LookTrial(OwnMethods own) {
-        super(own.in(new ViewTopic()), "view.");
+        super(own.in(new ViewTopic()));
     }
 
     @Override

@@ -6,9 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.CommandInput;
 import rasterlab.app.canvas.GivenInput;
-import rasterlab.app.card.TopicCard.Place;
-import rasterlab.app.card.TopicTexts;
-import rasterlab.app.language.Language;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
@@ -23,23 +20,13 @@ import rasterlab.engine.transform.Images;
  */
 abstract class TrialKind<C, I, O> {
     private final Topic<C, I, O> topic;
-    private final Place texts;
 
-    /**
-     * @param texts where its methods and hazards are explained
-     */
-    TrialKind(Topic<C, I, O> topic, Place texts) {
+    TrialKind(Topic<C, I, O> topic) {
         this.topic = topic;
-        this.texts = texts;
     }
 
     final Topic<C, I, O> topic() {
         return topic;
-    }
-
-    final TopicTexts said(Language language) {
-        var labels = new Place("coordinates.list", topic.name() + ".");
-        return TopicTexts.of(texts, labels, language);
     }
 
     /** The points, and matrices that do what the topic's methods should. */

@@ -10,6 +10,7 @@ import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.Unlike;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -46,11 +47,10 @@ final class TrialReadings {
                 .trial()
                 .map(
                         trial -> {
-                            TrialKind<?, ?, ?> kind = model.trials().kind(trial.topic());
                             Hazard<?> hazard = model.trials().hazard(trial);
                             return GivenInput.is(hazard.name())
                                     ? GivenInput.said(texts.language())
-                                    : kind.said(texts.language()).hazard(hazard);
+                                    : TopicTexts.of(trial.topic(), texts.language()).hazard(hazard);
                         })
                 .orElse("");
     }

@@ -94,8 +94,8 @@ final class TrialRows {
         table.show(readings.headings(), readings.rows(), -1);
         Trial trial = model.choice().trial().orElseThrow();
         Method<?> method = model.trials().method(trial);
-        TopicTexts said = model.trials().kind(trial.topic()).said(texts.language());
-        about.show(said.texts(), said.key(method), "", refusal());
+        TopicTexts said = TopicTexts.of(trial.topic(), texts.language());
+        about.show(said.texts(), method.name(), "", refusal());
     }
 
     /** What the method says to the hazard, where it says that it cannot. */

@@ -10,7 +10,7 @@ import rasterlab.engine.transform.axis.AxisTurn;
 /** Points that turn about a line. */
 final class TurnTrial extends ImagesTrial<AxisRotation, AxisTurn> {
     TurnTrial(OwnMethods own) {
-        super(own.in(new AxisTopic()), "rotate-axis.");
+        super(own.in(new AxisTopic()));
     }
 
     @Override

@@ -5,6 +5,7 @@ import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.language.Language;
@@ -35,7 +36,7 @@ final class MeetingInspector {
     MeetingInspector(MeetingLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("coordinates.meeting", "topic", texts.language());
+        explanations = TopicTexts.of("line-plane", texts.language()).texts();
         readings = new MeetingReadings(model, texts);
         column = new Inspector(texts);
         var parts = new Parts(column, texts);

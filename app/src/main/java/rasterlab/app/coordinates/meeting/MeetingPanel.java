@@ -41,7 +41,7 @@ public final class MeetingPanel extends LabCard {
         arrange(
                 hazards(
                         texts,
-                        Texts.of("coordinates.meeting", "topic", language),
+                        "line-plane",
                         model.hazards(),
                         model.methods().stream().map(Method::name).toList(),
                         hazard -> model.show(hazard.input())),

@@ -16,6 +16,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NumberField;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.MatrixFormulas;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
@@ -55,7 +56,7 @@ final class TurnInspector {
     TurnInspector(TurnLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("coordinates.turn", "topic", texts.language());
+        explanations = TopicTexts.of("rotate", texts.language()).texts();
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
         mode.accept(column);

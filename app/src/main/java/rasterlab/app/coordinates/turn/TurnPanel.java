@@ -41,7 +41,7 @@ public final class TurnPanel extends LabCard {
         play(
                 hazards(
                         texts,
-                        Texts.of("coordinates.turn", "topic", language),
+                        "rotate",
                         model.hazards(),
                         model.methods().stream().map(Method::name).toList(),
                         model::show),

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.coordinates.figure.SliderField;
@@ -52,7 +53,7 @@ final class ViewInspector {
     ViewInspector(ViewLabModel model, Texts texts, Consumer<Inspector> mode) {
         this.model = model;
         this.texts = texts;
-        explanations = Texts.of("coordinates.view", "topic", texts.language());
+        explanations = TopicTexts.of("transform", texts.language()).texts();
         column = new Inspector(texts);
         parts = new Parts(column, texts);
         this.mode = mode;

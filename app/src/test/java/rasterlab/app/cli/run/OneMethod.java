@@ -21,6 +21,12 @@ record OneMethod<C, I, O>(C implementation, O answer) implements Topic<C, I, O> 
 
     /** The runner does not ask for it. */
     @Override
+    public String lab() {
+        throw new UnsupportedOperationException();
+    }
+
+    /** The runner does not ask for it. */
+    @Override
     public Class<C> contract() {
         throw new UnsupportedOperationException();
     }

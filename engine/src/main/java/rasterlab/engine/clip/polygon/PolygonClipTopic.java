@@ -37,6 +37,11 @@ public final class PolygonClipTopic
     }
 
     @Override
+    public String lab() {
+        return "clip";
+    }
+
+    @Override
     public Class<PolygonClipper> contract() {
         return PolygonClipper.class;
     }

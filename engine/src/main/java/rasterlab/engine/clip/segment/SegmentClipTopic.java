@@ -41,6 +41,11 @@ public final class SegmentClipTopic
     }
 
     @Override
+    public String lab() {
+        return "clip";
+    }
+
+    @Override
     public Class<SegmentClipper> contract() {
         return SegmentClipper.class;
     }

@@ -37,6 +37,11 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
     }
 
     @Override
+    public String lab() {
+        return "clip";
+    }
+
+    @Override
     public Class<VolumeClipper> contract() {
         return VolumeClipper.class;
     }

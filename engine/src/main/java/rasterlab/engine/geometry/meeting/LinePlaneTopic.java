@@ -30,6 +30,11 @@ public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Mee
     }
 
     @Override
+    public String lab() {
+        return "coordinates";
+    }
+
+    @Override
     public Class<LinePlane> contract() {
         return LinePlane.class;
     }

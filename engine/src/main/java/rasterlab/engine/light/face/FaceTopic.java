@@ -31,6 +31,11 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     }
 
     @Override
+    public String lab() {
+        return "light";
+    }
+
+    @Override
     public Class<FaceShader> contract() {
         return FaceShader.class;
     }

@@ -32,6 +32,11 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
+    public String lab() {
+        return "light";
+    }
+
+    @Override
     public Class<VertexNormals> contract() {
         return VertexNormals.class;
     }

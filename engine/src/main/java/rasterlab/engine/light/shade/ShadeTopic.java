@@ -32,6 +32,11 @@ public final class ShadeTopic implements Topic<PointShader, LitPoints, Shades> {
     }
 
     @Override
+    public String lab() {
+        return "light";
+    }
+
+    @Override
     public Class<PointShader> contract() {
         return PointShader.class;
     }

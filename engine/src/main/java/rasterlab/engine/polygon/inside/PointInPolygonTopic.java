@@ -33,6 +33,11 @@ public final class PointInPolygonTopic
     }
 
     @Override
+    public String lab() {
+        return "polygon";
+    }
+
+    @Override
     public Class<PointInPolygon> contract() {
         return PointInPolygon.class;
     }

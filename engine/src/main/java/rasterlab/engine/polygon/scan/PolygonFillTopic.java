@@ -29,6 +29,11 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     }
 
     @Override
+    public String lab() {
+        return "polygon";
+    }
+
+    @Override
     public Class<PolygonFiller> contract() {
         return PolygonFiller.class;
     }

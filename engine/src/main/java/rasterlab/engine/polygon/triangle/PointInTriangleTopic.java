@@ -34,6 +34,11 @@ public final class PointInTriangleTopic
     }
 
     @Override
+    public String lab() {
+        return "polygon";
+    }
+
+    @Override
     public Class<PointInTriangle> contract() {
         return PointInTriangle.class;
     }

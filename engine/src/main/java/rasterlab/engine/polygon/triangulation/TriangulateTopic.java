@@ -23,6 +23,11 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
     }
 
     @Override
+    public String lab() {
+        return "polygon";
+    }
+
+    @Override
     public Class<Triangulator> contract() {
         return Triangulator.class;
     }

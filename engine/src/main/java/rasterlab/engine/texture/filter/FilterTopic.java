@@ -33,6 +33,11 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     }
 
     @Override
+    public String lab() {
+        return "light";
+    }
+
+    @Override
     public Class<TextureFilter> contract() {
         return TextureFilter.class;
     }

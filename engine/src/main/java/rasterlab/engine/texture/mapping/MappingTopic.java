@@ -35,6 +35,11 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     }
 
     @Override
+    public String lab() {
+        return "light";
+    }
+
+    @Override
     public Class<TextureMapper> contract() {
         return TextureMapper.class;
     }

@@ -32,6 +32,11 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
     }
 
     @Override
+    public String lab() {
+        return "coordinates";
+    }
+
+    @Override
     public Class<AxisRotation> contract() {
         return AxisRotation.class;
     }

@@ -38,6 +38,11 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     }
 
     @Override
+    public String lab() {
+        return "coordinates";
+    }
+
+    @Override
     public Class<PointTransformer> contract() {
         return PointTransformer.class;
     }

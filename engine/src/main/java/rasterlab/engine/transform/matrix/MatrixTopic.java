@@ -31,6 +31,11 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     }
 
     @Override
+    public String lab() {
+        return "coordinates";
+    }
+
+    @Override
     public Class<MatrixFormula> contract() {
         return MatrixFormula.class;
     }

@@ -31,6 +31,11 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     }
 
     @Override
+    public String lab() {
+        return "coordinates";
+    }
+
+    @Override
     public Class<PlaneRotation> contract() {
         return PlaneRotation.class;
     }

@@ -35,6 +35,11 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
+    public String lab() {
+        return "coordinates";
+    }
+
+    @Override
     public Class<EyeView> contract() {
         return EyeView.class;
     }

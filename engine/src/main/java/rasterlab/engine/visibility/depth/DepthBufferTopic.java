@@ -28,6 +28,11 @@ public final class DepthBufferTopic implements Topic<DepthFormat, DepthRows, Sto
     }
 
     @Override
+    public String lab() {
+        return "visibility";
+    }
+
+    @Override
     public Class<DepthFormat> contract() {
         return DepthFormat.class;
     }

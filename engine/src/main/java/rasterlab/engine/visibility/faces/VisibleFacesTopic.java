@@ -21,6 +21,11 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     }
 
     @Override
+    public String lab() {
+        return "visibility";
+    }
+
+    @Override
     public Class<VisibleFaces> contract() {
         return VisibleFaces.class;
     }

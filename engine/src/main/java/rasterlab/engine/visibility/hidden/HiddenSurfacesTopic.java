@@ -33,6 +33,11 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
     }
 
     @Override
+    public String lab() {
+        return "visibility";
+    }
+
+    @Override
     public Class<Visibility> contract() {
         return Visibility.class;
     }

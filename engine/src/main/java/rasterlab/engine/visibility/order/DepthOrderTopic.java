@@ -32,6 +32,11 @@ public final class DepthOrderTopic implements Topic<DepthOrder, Sight, Painting>
     }
 
     @Override
+    public String lab() {
+        return "visibility";
+    }
+
+    @Override
     public Class<DepthOrder> contract() {
         return DepthOrder.class;
     }

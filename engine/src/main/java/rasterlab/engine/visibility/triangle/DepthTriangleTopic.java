@@ -33,6 +33,11 @@ public final class DepthTriangleTopic
     }
 
     @Override
+    public String lab() {
+        return "visibility";
+    }
+
+    @Override
     public Class<DepthTriangleFiller> contract() {
         return DepthTriangleFiller.class;
     }
