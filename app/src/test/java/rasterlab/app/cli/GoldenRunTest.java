@@ -1,12 +1,9 @@
 package rasterlab.app.cli;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -17,6 +14,7 @@ import java.util.zip.CRC32;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -25,16 +23,12 @@ import rasterlab.engine.study.Topic;
  * Holds every answer of {@code ./lab run} to the one that was published: each topic's inputs by all
  * of its methods, with steps and without.
  *
- * <p>Where an answer is meant to change, {@code -Drasterlab.golden=write} writes the files anew;
- * the change of each line is then reviewed as any other.
+ * @see GoldenFile
  */
 @EnabledOnOs(
         architectures = {"amd64", "x86_64"},
         disabledReason = "the last bits of sines and cosines differ between processors")
 class GoldenRunTest {
-    private static final Path FOLDER =
-            Path.of("src", "test", "resources", "rasterlab", "app", "golden");
-
     /** A longer answer is kept by its beginning and a checksum. */
     private static final int LONGEST = 600;
 
@@ -49,31 +43,19 @@ class GoldenRunTest {
     @ParameterizedTest
     @MethodSource("topics")
     void everyMethodAnswersAsPublished(String topic) throws IOException {
-        List<String> answers = answers(topic);
-        Path file = FOLDER.resolve(topic + ".txt");
-        if ("write".equals(System.getProperty("rasterlab.golden"))) Files.write(file, answers);
-        List<String> golden = Files.readAllLines(file);
-        for (int i = 0; i < Math.min(golden.size(), answers.size()); i++)
-            assertEquals(
-                    sameInAllVersions(golden.get(i)),
-                    sameInAllVersions(answers.get(i)),
-                    file + ", line " + (i + 1));
-        assertEquals(golden.size(), answers.size(), file + ": number of lines");
+        GoldenFile.of(topic)
+                .assertKept("answers", answers(topic), GoldenRunTest::sameInAllVersions);
     }
 
     private static List<String> answers(String topic) throws IOException {
         var lines = new ArrayList<String>();
-        for (String input : GoldenInputs.of(topic))
-            for (Method<?> method : topicNamed(topic).methods()) {
+        for (String input : GoldenFile.inputs(topic))
+            for (Method<?> method : Topics.named(topic).methods()) {
                 lines.add(line(input, topic, method.name()));
                 lines.add(line(input, topic, method.name(), "--steps"));
             }
-        assertTrue(!lines.isEmpty(), "inputs.txt has no input of topic " + topic);
+        assertTrue(!lines.isEmpty(), "no input of topic " + topic + " is held");
         return lines;
-    }
-
-    private static Topic<?, ?, ?> topicNamed(String name) {
-        return Topics.all().stream().filter(t -> t.name().equals(name)).findFirst().orElseThrow();
     }
 
     private static String line(String input, String topic, String method, String... options) {

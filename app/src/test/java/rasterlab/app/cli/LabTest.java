@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
@@ -134,7 +135,7 @@ class LabTest {
     void methodsNamesEveryFieldOfTheExample(String topic) {
         String said = Ran.lab("methods", topic).out();
         Pattern.compile("\"[a-z]+\":")
-                .matcher(RunExamples.of(topic))
+                .matcher(GoldenFile.example(topic))
                 .results()
                 .map(field -> field.group().replace(":", ""))
                 .forEach(field -> assertTrue(said.contains(field), field + " in " + said));

@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -18,6 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.run.TopicRunner;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.RussianWords;
@@ -31,9 +30,6 @@ import rasterlab.engine.study.Topic;
  */
 @Tag("slow")
 class NumberWordsTest {
-    private static final Path INPUTS =
-            Path.of("src", "test", "resources", "rasterlab", "app", "golden", "inputs.txt");
-
     /** A double with Java's capital E, or a record with the names of its parts. */
     private static final Pattern JAVA = Pattern.compile("\\dE-?\\d|\\p{L}\\[\\p{L}+=|@[0-9a-f]{5}");
 
@@ -52,7 +48,7 @@ class NumberWordsTest {
     void noComplaintOfATopicHasThem(String topic) throws IOException {
         TopicRunner<?> run = TopicRunner.named(topic);
         Set<String> complaints = new TreeSet<>();
-        for (String input : inputs(topic))
+        for (String input : GoldenFile.inputs(topic))
             for (String bad : badInputs(input))
                 for (String method : List.of(first(run), last(run)))
                     complaints.addAll(complaint(run, method, bad));
@@ -84,13 +80,6 @@ class NumberWordsTest {
 
     private static String last(TopicRunner<?> run) {
         return run.format().topic().methods().get(run.format().topic().methods().size() - 1).name();
-    }
-
-    private static List<String> inputs(String topic) throws IOException {
-        return Files.readAllLines(INPUTS).stream()
-                .filter(line -> line.startsWith(topic + " "))
-                .map(line -> line.substring(topic.length() + 1))
-                .toList();
     }
 
     /** The input with each of its numbers in turn replaced by each bad one. */

@@ -21,6 +21,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.Tag;
 import net.jqwik.api.Tuple;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -72,7 +73,7 @@ class RunPropertyTest {
                                             new Input(
                                                     topic.name(),
                                                     method.name(),
-                                                    RunExamples.of(topic.name()),
+                                                    GoldenFile.example(topic.name()),
                                                     List.of()))
                             .anyMatch(input -> input.run().exitCode() == 0),
                     topic.name());
@@ -212,7 +213,7 @@ class RunPropertyTest {
                                                                 topic.name(),
                                                                 method,
                                                                 damage.of(
-                                                                        RunExamples.of(
+                                                                        GoldenFile.example(
                                                                                 topic.name())),
                                                                 option)));
     }

@@ -8,6 +8,8 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -16,10 +18,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.golden.GoldenFile;
+import rasterlab.engine.Topics;
 
 /** Commands that speak Russian say in Russian, too, what is wrong with their arguments. */
 @Tag("slow")
@@ -173,16 +176,22 @@ class RussianComplaintsTest {
         Ran.labReading(input.replace("X", asked.group(1)), call).assertDone();
     }
 
+    static List<GoldenFile.Refused> refused() {
+        var all = new ArrayList<GoldenFile.Refused>();
+        for (String topic : Topics.names()) GoldenFile.refused(topic).forEach(all::add);
+        return all;
+    }
+
     private static void assertRussian(String said) {
         assertTrue(Pattern.compile("[а-яё]{3}").matcher(said).find(), said);
         assertFalse(ENGLISH.matcher(said.replaceAll("`[^`]*`|\\./lab [a-z]+", "")).find(), said);
     }
 
-    @ParameterizedTest(name = "./lab run {0} is answered in English: {1}")
-    @CsvFileSource(resources = "refused-inputs.txt", delimiter = '|', quoteCharacter = '\'')
-    void aRefusedInputIsToldInRussian(String names, String input, int code) {
-        Ran ran = Ran.labReading(input, ("run " + names + " --lang ru").split(" "));
-        assertEquals(code, ran.exitCode(), ran.err());
+    @ParameterizedTest(name = "an input is refused in English: {0}")
+    @MethodSource("refused")
+    void aRefusedInputIsToldInRussian(GoldenFile.Refused one) {
+        Ran ran = Ran.labReading(one.input(), "run", one.topic(), one.method(), "--lang", "ru");
+        assertEquals(one.code(), ran.exitCode(), ran.err());
         assertRussian(ran.err());
     }
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
@@ -52,7 +53,7 @@ class TopicSchemaTest {
     void fitsInputsThatAreReadAndTheirAnswers(Topic<?, ?, ?> topic) throws IOException {
         TopicSchemas schemas = TopicSchemas.of(topic.name());
         int answered = 0;
-        for (String input : GoldenInputs.of(topic.name()))
+        for (String input : GoldenFile.inputs(topic.name()))
             for (Method<?> method : topic.methods())
                 for (boolean steps : List.of(false, true)) {
                     Optional<String> answer = answer(topic, method, input, steps);
@@ -82,7 +83,7 @@ class TopicSchemaTest {
     void refusesWhatTheReaderRefuses(Topic<?, ?, ?> topic) throws IOException {
         TopicSchemas schemas = TopicSchemas.of(topic.name());
         int refused = 0;
-        for (String input : GoldenInputs.of(topic.name()))
+        for (String input : GoldenFile.inputs(topic.name()))
             for (Spoilt spoilt : Spoilt.all(TopicSchemas.tree(input))) {
                 boolean fits = schemas.input().validate(spoilt.value()).isEmpty();
                 Optional<String> refusal = refusal(topic.format(), spoilt.value());

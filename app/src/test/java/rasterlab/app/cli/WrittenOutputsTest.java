@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.run.ProgramJson;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.line.CoverageLine;
@@ -38,7 +39,7 @@ class WrittenOutputsTest {
 
     private static <C, I, O> int compared(Topic<C, I, O> topic) throws IOException {
         int compared = 0;
-        for (String json : GoldenInputs.of(topic.name()))
+        for (String json : GoldenFile.inputs(topic.name()))
             for (Method<C> method : topic.methods()) {
                 Ran ran = Ran.labReading(json, "run", topic.name(), method.name());
                 if (ran.exitCode() != 0 || !isRead(topic.format(), json)) continue;

@@ -6,8 +6,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.awt.Color;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -25,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.TopicColours;
 import rasterlab.app.card.TopicTexts;
+import rasterlab.app.golden.GoldenFile;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.KeptJson;
 import rasterlab.app.rooms.LabRooms;
@@ -39,17 +38,13 @@ import rasterlab.engine.study.Topic;
  * its sentences and the colours of its methods, and what the tab shows of each hazard by each
  * method. Sentences and what tabs show are kept by their checksums.
  *
- * <p>Where that is meant to change, {@code -Drasterlab.golden=write} writes the files anew; the
- * change of each line is then reviewed as any other.
+ * @see GoldenFile
  */
 @EnabledOnOs(
         architectures = {"amd64", "x86_64"},
         disabledReason = "the last bits of sines and cosines differ between processors")
 @Tag("slow")
 class ShownTopicsTest {
-    private static final Path FOLDER =
-            Path.of("src", "test", "resources", "rasterlab", "app", "golden", "shown");
-
     /** A number that is not whole, since its digits differ between versions of Java. */
     private static final Pattern FRACTION = Pattern.compile("-?\\d+\\.\\d+(?:E-?\\d+)?");
 
@@ -75,16 +70,7 @@ class ShownTopicsTest {
     @ParameterizedTest
     @MethodSource("topics")
     void everyTopicIsShownAsPublished(String topic) throws IOException {
-        List<String> shown = shown(Topics.named(topic));
-        Path file = FOLDER.resolve(topic + ".txt");
-        if ("write".equals(System.getProperty("rasterlab.golden"))) {
-            Files.createDirectories(FOLDER);
-            Files.write(file, shown);
-        }
-        List<String> golden = Files.readAllLines(file);
-        for (int i = 0; i < Math.min(golden.size(), shown.size()); i++)
-            assertEquals(golden.get(i), shown.get(i), file + ", line " + (i + 1));
-        assertEquals(golden.size(), shown.size(), file + ": number of lines");
+        GoldenFile.of(topic).assertKept("shown", shown(Topics.named(topic)));
     }
 
     private List<String> shown(Topic<?, ?, ?> topic) {
