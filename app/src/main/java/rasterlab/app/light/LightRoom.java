@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
@@ -16,6 +17,7 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
+import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.light.face.FaceTopic;
 import rasterlab.engine.light.normals.NormalsTopic;
@@ -54,16 +56,18 @@ public final class LightRoom implements LabRoom<LightLabModel> {
 
     @Override
     public List<TopicCard<LightLabModel>> cards() {
-        return List.of(
+        return Stream.concat(lit(), RowLabModel.textureTopics().stream().map(this::row)).toList();
+    }
+
+    private Stream<TopicCard<LightLabModel>> lit() {
+        return Stream.of(
                 card("color", colours()),
                 lit(new ShadeTopic(), Set.of("phong", "blinn-phong"), LitInputs::point),
                 lit(new FaceTopic(), Set.of("flat", "gouraud", "phong"), LitInputs::face),
                 lit(
                         new NormalsTopic(),
                         Set.of("plain-textbook", "plain", "area", "angle"),
-                        state -> Optional.of(LitInputs.body(state.choice()))),
-                row("texture-mapping"),
-                row("texture-filter"));
+                        state -> Optional.of(LitInputs.body(state.choice()))));
     }
 
     private TopicWay<LightLabModel> colours() {

@@ -1,30 +1,47 @@
 package rasterlab.app.practice;
 
-import java.util.Map;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import rasterlab.engine.Topics;
+import rasterlab.engine.format.Field;
+import rasterlab.engine.study.Topic;
 
-/** The sketch of each topic whose questions have a picture; the others are asked in words. */
-final class Sketches {
-    private static final Map<String, Sketch> ALL =
-            Map.ofEntries(
-                    Map.entry("line", PixelSketches::line),
-                    Map.entry("circle", PixelSketches::circle),
-                    Map.entry("ellipse", PixelSketches::ellipse),
-                    Map.entry("fill", RowSketches::fill),
-                    Map.entry("polygon-fill", RowSketches::polygon),
-                    Map.entry("triangulate", PlaneSketches::triangulate),
-                    Map.entry("point-in-polygon", PlaneSketches::inPolygon),
-                    Map.entry("point-in-triangle", PlaneSketches::inTriangle),
-                    Map.entry("curve", PlaneSketches::curve),
-                    Map.entry("clip-segment", ClipSketches::segment),
-                    Map.entry("clip-polygon", ClipSketches::polygon),
-                    Map.entry("depth-triangle", PixelSketches::depths),
-                    Map.entry("depth-order", DepthSketches::order),
-                    Map.entry("hidden-surfaces", DepthSketches::spans));
-
-    private Sketches() {}
+/**
+ * Finds the sketch of a topic by the fields of its inputs: the one that draws most of them. Topics
+ * whose fields none draws are asked in words.
+ *
+ * @param fields names of those that the sketch draws, which an input must have all
+ */
+record Sketches(Set<String> fields, Sketch sketch) {
+    static final List<Sketches> ALL =
+            List.of(
+                    new Sketches(Set.of("from", "to", "window"), PixelSketches::line),
+                    new Sketches(Set.of("center", "radius"), PixelSketches::circle),
+                    new Sketches(Set.of("center", "rx", "ry"), PixelSketches::ellipse),
+                    new Sketches(Set.of("picture", "seed"), RowSketches::fill),
+                    new Sketches(Set.of("polygon", "rule", "size"), RowSketches::polygon),
+                    new Sketches(Set.of("polygon"), PlaneSketches::triangulate),
+                    new Sketches(Set.of("polygon", "points"), PlaneSketches::inPolygon),
+                    new Sketches(Set.of("triangle", "points"), PlaneSketches::inTriangle),
+                    new Sketches(Set.of("kind", "points", "flatness"), PlaneSketches::curve),
+                    new Sketches(Set.of("window", "segments"), ClipSketches::segment),
+                    new Sketches(Set.of("window", "polygon"), ClipSketches::polygon),
+                    new Sketches(Set.of("triangles", "size"), PixelSketches::depths),
+                    new Sketches(Set.of("polygons", "eye"), DepthSketches::order),
+                    new Sketches(Set.of("vertices", "faces", "size"), DepthSketches::spans));
 
     static Optional<Sketch> of(String topic) {
-        return Optional.ofNullable(ALL.get(topic));
+        return drawing(Topics.named(topic)).map(Sketches::sketch);
+    }
+
+    static Optional<Sketches> drawing(Topic<?, ?, ?> topic) {
+        Set<String> given =
+                topic.format().input().stream().map(Field::name).collect(Collectors.toSet());
+        return ALL.stream()
+                .filter(one -> given.containsAll(one.fields))
+                .max(Comparator.comparingInt(one -> one.fields.size()));
     }
 }

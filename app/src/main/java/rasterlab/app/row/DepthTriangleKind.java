@@ -26,6 +26,11 @@ final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangle
     }
 
     @Override
+    boolean asksSteps() {
+        return true;
+    }
+
+    @Override
     int pixels(DepthTriangles input) {
         return input.width() * input.height();
     }

@@ -27,6 +27,11 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
     }
 
     @Override
+    boolean asksSteps() {
+        return true;
+    }
+
+    @Override
     int pixels(FilteredPixels pixels) {
         return pixels.count();
     }

@@ -28,6 +28,11 @@ abstract class RowKind<C, I, O> {
         return topic;
     }
 
+    /** Whether the questions of an exercise ask for steps of its methods. */
+    boolean asksSteps() {
+        return false;
+    }
+
     abstract int pixels(I input);
 
     abstract List<RowScene.Band> right(I input, O exact);

@@ -68,10 +68,16 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
      */
     public static RowLabModel ofDepths(
             OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
-        return new RowLabModel(
-                List.of(new DepthKind(own.in(new DepthBufferTopic())), new DepthTriangleKind(own)),
-                events,
-                onFailure);
+        return new RowLabModel(depths(own), events, onFailure);
+    }
+
+    private static List<RowKind<?, ?, ?>> depths(OwnMethods own) {
+        return List.of(new DepthKind(own.in(new DepthBufferTopic())), new DepthTriangleKind(own));
+    }
+
+    /** Names of the topics that {@link #ofDepths} has. */
+    public static List<String> depthTopics() {
+        return names(depths(new OwnMethods()));
     }
 
     /**
@@ -83,8 +89,20 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
      */
     public static RowLabModel ofTextures(
             OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
-        return new RowLabModel(
-                List.of(new MappingKind(own), new FilterKind(own)), events, onFailure);
+        return new RowLabModel(textures(own), events, onFailure);
+    }
+
+    private static List<RowKind<?, ?, ?>> textures(OwnMethods own) {
+        return List.of(new MappingKind(own), new FilterKind(own));
+    }
+
+    /** Names of the topics that {@link #ofTextures} has. */
+    public static List<String> textureTopics() {
+        return names(textures(new OwnMethods()));
+    }
+
+    private static List<String> names(List<RowKind<?, ?, ?>> kinds) {
+        return kinds.stream().map(kind -> kind.topic().name()).toList();
     }
 
     private static RowChoice first(Topic<?, ?, ?> topic) {
@@ -94,7 +112,12 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
 
     /** Names of the topics whose rows can be shown. */
     public List<String> topics() {
-        return kinds.stream().map(kind -> kind.topic().name()).toList();
+        return names(kinds);
+    }
+
+    /** Whether there are questions on steps of the topic that is shown. */
+    boolean asksSteps() {
+        return kind(choice().topic()).asksSteps();
     }
 
     /** Whether the tab shows rows rather than its other lab. */

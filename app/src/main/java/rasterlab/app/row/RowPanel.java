@@ -2,7 +2,6 @@ package rasterlab.app.row;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -18,9 +17,6 @@ import rasterlab.engine.study.Method;
 /** The lab of rows as its tab shows it, in one language. */
 public final class RowPanel extends LabCard {
     private static final long serialVersionUID = 1L;
-
-    /** The topics whose methods record steps. */
-    private static final Set<String> ASKED = Set.of("texture-filter", "depth-triangle");
 
     private final transient RowLabModel model;
     private final transient Texts texts;
@@ -114,7 +110,7 @@ public final class RowPanel extends LabCard {
     protected void refreshParts() {
         stage.repaint();
         inspector.refresh();
-        actions().enable(Actions.QUESTIONS, ASKED.contains(model.choice().topic()));
+        actions().enable(Actions.QUESTIONS, model.asksSteps());
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LabPanel;
@@ -18,6 +19,7 @@ import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
+import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.faces.Body;
@@ -68,7 +70,11 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
 
     @Override
     public List<TopicCard<VisibilityLabModel>> cards() {
-        return List.of(
+        return Stream.concat(scenes(), RowLabModel.depthTopics().stream().map(this::row)).toList();
+    }
+
+    private Stream<TopicCard<VisibilityLabModel>> scenes() {
+        return Stream.of(
                 card(
                         new HiddenSurfacesTopic(),
                         (in, method) -> TopicView.of(in.name(), (SurfaceView) in.input(), method),
@@ -83,9 +89,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                         (in, method) ->
                                 TopicView.of(
                                         in.name(), (Sight) in.input(), method, drawnBy(method)),
-                        choice -> Optional.of(SceneInputs.sight(choice))),
-                row("depth-buffer"),
-                row("depth-triangle"));
+                        choice -> Optional.of(SceneInputs.sight(choice))));
     }
 
     private TopicCard<VisibilityLabModel> row(String topic) {

@@ -14,7 +14,11 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.StageColours;
@@ -24,6 +28,7 @@ import rasterlab.app.practice.Board.Named;
 import rasterlab.app.practice.Board.Pixel;
 import rasterlab.app.practice.Board.Run;
 import rasterlab.app.practice.Sketch.Walked;
+import rasterlab.engine.Topics;
 import rasterlab.exercises.predicting.Question;
 
 /** Each picture of each question of some seeds. */
@@ -31,24 +36,21 @@ class SketchesTest {
     private static final long SEEDS = 6;
     private static final Dimension VIEW = new Dimension(800, 560);
 
-    private final PracticeExercises exercises = new PracticeExercises();
+    private static final PracticeExercises PRACTISED = new PracticeExercises();
 
     static Stream<String> drawn() {
-        return Stream.of(
-                "line",
-                "circle",
-                "ellipse",
-                "fill",
-                "polygon-fill",
-                "triangulate",
-                "point-in-polygon",
-                "point-in-triangle",
-                "curve",
-                "clip-segment",
-                "clip-polygon",
-                "depth-triangle",
-                "depth-order",
-                "hidden-surfaces");
+        return Topics.names().stream()
+                .filter(topic -> Sketches.drawing(Topics.named(topic)).isPresent())
+                .filter(topic -> PRACTISED.of(topic).isPresent());
+    }
+
+    @Test
+    @DisplayName("a sketch draws no topic's questions, or another one draws them in its place")
+    void everySketchDrawsItsTopic() {
+        assertEquals(
+                Set.copyOf(Sketches.ALL),
+                drawn().map(topic -> Sketches.drawing(Topics.named(topic)).orElseThrow())
+                        .collect(Collectors.toSet()));
     }
 
     private interface Check {
@@ -57,7 +59,7 @@ class SketchesTest {
 
     private void each(String topic, Check check) {
         for (long seed = 1; seed <= SEEDS; seed++)
-            for (Question question : exercises.sheet(topic, seed).sheet().questions()) {
+            for (Question question : PRACTISED.sheet(topic, seed).sheet().questions()) {
                 Walked walked =
                         new Walked(
                                 WalkText.input(question.input()),

@@ -3,7 +3,7 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
-import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
@@ -34,53 +35,52 @@ class HazardUndoTest {
     /** What shows a topic's hazards, and what can be undone there. */
     private record Lab(Kept<?> shown, History<?> history) {}
 
-    private static Lab of(RowLabModel rows) {
-        return new Lab(rows, rows.history());
+    private static Lab of(String topic) {
+        return switch (Topics.named(topic).lab()) {
+            case "line" -> topic.equals("line") ? line() : figures();
+            case "polygon" -> new Lab(MODELS.polygon(), MODELS.polygon().history());
+            case "clip" -> new Lab(MODELS.clip(), MODELS.clip().history());
+            case "visibility" ->
+                    rows(topic, MODELS.visibility().rows())
+                            .orElse(new Lab(MODELS.visibility(), MODELS.visibility().history()));
+            case "light" ->
+                    rows(topic, MODELS.light().rows())
+                            .orElse(new Lab(MODELS.light(), MODELS.light().history()));
+            case "spline" -> topic.equals("curve") ? curve() : function();
+            case "coordinates" -> coordinates(topic);
+            default -> throw new AssertionError("what can be undone in the lab of " + topic + "?");
+        };
     }
 
-    private static Map<String, Lab> labs() {
-        var line = new Lab(MODELS.line(), MODELS.line().history());
-        var figures = new Lab(MODELS.line().figures(), MODELS.line().figures().history());
-        var polygon = new Lab(MODELS.polygon(), MODELS.polygon().history());
-        var clip = new Lab(MODELS.clip(), MODELS.clip().history());
-        var seen = new Lab(MODELS.visibility(), MODELS.visibility().history());
-        var light = new Lab(MODELS.light(), MODELS.light().history());
-        var curve = new Lab(MODELS.spline().curve(), MODELS.spline().curve().history());
-        var function = new Lab(MODELS.spline().function(), MODELS.spline().function().history());
-        var lists = MODELS.coordinates().transformations();
-        var turn = MODELS.coordinates().rotation();
-        var meeting = MODELS.coordinates().meeting();
-        return Map.ofEntries(
-                Map.entry("line", line),
-                Map.entry("circle", figures),
-                Map.entry("ellipse", figures),
-                Map.entry("point-in-triangle", polygon),
-                Map.entry("point-in-polygon", polygon),
-                Map.entry("triangulate", polygon),
-                Map.entry("polygon-fill", polygon),
-                Map.entry("fill", polygon),
-                Map.entry("clip-segment", clip),
-                Map.entry("clip-polygon", clip),
-                Map.entry("clip-volume", clip),
-                Map.entry("hidden-surfaces", seen),
-                Map.entry("visible-faces", seen),
-                Map.entry("depth-order", seen),
-                Map.entry("depth-buffer", of(MODELS.visibility().rows())),
-                Map.entry("depth-triangle", of(MODELS.visibility().rows())),
-                Map.entry("texture-mapping", of(MODELS.light().rows())),
-                Map.entry("texture-filter", of(MODELS.light().rows())),
-                Map.entry("shade", light),
-                Map.entry("shade-face", light),
-                Map.entry("vertex-normals", light),
-                Map.entry("color", light),
-                Map.entry("curve", curve),
-                Map.entry("spline-function", function),
-                Map.entry("matrix", new Lab(lists, lists.history())),
-                Map.entry("transform", new Lab(lists, lists.history())),
-                Map.entry("view", new Lab(lists, lists.history())),
-                Map.entry("rotate-axis", new Lab(lists, lists.history())),
-                Map.entry("rotate", new Lab(turn, turn.history())),
-                Map.entry("line-plane", new Lab(meeting, meeting.history())));
+    private static Lab line() {
+        return new Lab(MODELS.line(), MODELS.line().history());
+    }
+
+    private static Lab figures() {
+        return new Lab(MODELS.line().figures(), MODELS.line().figures().history());
+    }
+
+    private static Lab curve() {
+        return new Lab(MODELS.spline().curve(), MODELS.spline().curve().history());
+    }
+
+    private static Lab function() {
+        return new Lab(MODELS.spline().function(), MODELS.spline().function().history());
+    }
+
+    private static Optional<Lab> rows(String topic, RowLabModel rows) {
+        return rows.topics().contains(topic)
+                ? Optional.of(new Lab(rows, rows.history()))
+                : Optional.empty();
+    }
+
+    private static Lab coordinates(String topic) {
+        CoordinatesLabModel lab = MODELS.coordinates();
+        return switch (topic) {
+            case "rotate" -> new Lab(lab.rotation(), lab.rotation().history());
+            case "line-plane" -> new Lab(lab.meeting(), lab.meeting().history());
+            default -> new Lab(lab.transformations(), lab.transformations().history());
+        };
     }
 
     @AfterAll
@@ -100,7 +100,7 @@ class HazardUndoTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("topics")
     void oneUndoBringsBackWhatWasThere(Topic<?, ?, ?> topic) {
-        Lab lab = labs().get(topic.name());
+        Lab lab = of(topic.name());
         String other = topic.methods().get(topic.methods().size() - 1).name();
         String usual = topic.methods().get(0).name();
         String last = topic.hazards().get(topic.hazards().size() - 1).name();
@@ -117,21 +117,17 @@ class HazardUndoTest {
     }
 
     static Stream<Arguments> neighbours() {
-        Map<String, Lab> labs = labs();
         return Topics.all().stream()
-                .filter(topic -> labs.containsKey(topic.name()))
                 .flatMap(
                         topic ->
                                 Topics.all().stream()
                                         .filter(other -> !other.name().equals(topic.name()))
-                                        .filter(other -> areOne(labs, topic, other))
+                                        .filter(other -> areOne(topic, other))
                                         .map(other -> leaving(topic, other)));
     }
 
-    private static boolean areOne(
-            Map<String, Lab> labs, Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
-        return labs.containsKey(other.name())
-                && labs.get(topic.name()).history() == labs.get(other.name()).history();
+    private static boolean areOne(Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
+        return of(topic.name()).history() == of(other.name()).history();
     }
 
     private static Arguments leaving(Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
@@ -144,7 +140,7 @@ class HazardUndoTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("neighbours")
     void undoBringsBackWhatTheHazardHid(Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
-        Lab lab = labs().get(topic.name());
+        Lab lab = of(topic.name());
         String method = topic.methods().get(0).name();
         String last = topic.hazards().get(topic.hazards().size() - 1).name();
         opening.showHazard(topic.name(), last, method);
