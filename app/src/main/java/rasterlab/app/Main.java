@@ -18,7 +18,9 @@ public final class Main {
     public static void main(String[] arguments) {
         Optional<Language> asked = Lab.windowIn(arguments);
         if (arguments.length > 0 && asked.isEmpty()) {
-            System.exit(run(arguments));
+            int code = run(arguments);
+            // A window that was opened ends its process itself, as its last thread ends.
+            if (code != ExitCode.DONE || !Lab.mayHaveOpened(arguments)) System.exit(code);
         } else if (GraphicsEnvironment.isHeadless()) {
             System.exit(run(Lab.instead(arguments)));
         } else {

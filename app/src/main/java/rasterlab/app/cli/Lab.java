@@ -18,6 +18,8 @@ import rasterlab.app.language.Language;
 public final class Lab {
     private static final String HELP = "help";
 
+    private static final String OPEN = "open";
+
     /** The names of all commands, in the order of the help. */
     private static final List<String> COMMANDS =
             List.of(
@@ -31,6 +33,7 @@ public final class Lab {
                     "exercises",
                     "check",
                     "submit",
+                    OPEN,
                     "tour",
                     "grader",
                     "bench",
@@ -70,6 +73,11 @@ public final class Lab {
                 .filter(each -> words.equals("--lang=" + each.code()))
                 .map(ReportLanguage::inWindow)
                 .findFirst();
+    }
+
+    /** Whether a command of these arguments may have opened a window, which goes on without it. */
+    public static boolean mayHaveOpened(String[] args) {
+        return wanted(args).equals(List.of(OPEN));
     }
 
     /** Where the window tells what is wrong while there is none yet. */
@@ -119,6 +127,7 @@ public final class Lab {
             case "exercises" -> ExercisesCommand.commandLine(console);
             case "check" -> new CheckCommand(console);
             case "submit" -> new SubmitCommand(console);
+            case OPEN -> new OpenCommand(console);
             case "tour" -> new TourCommand(console);
             case "grader" -> new GraderCommand(console);
             case "bench" -> new BenchCommand();
@@ -134,7 +143,7 @@ public final class Lab {
         return Path.of(name);
     }
 
-    private static CommandLine configured(CommandLine lab, Console console) {
+    static CommandLine configured(CommandLine lab, Console console) {
         var failures = new Failures(console.err(), console.language());
         console.language().help().ifPresent(lab::setResourceBundle);
         ITypeConverter<Double> number = NumberText::number;

@@ -133,6 +133,11 @@ public final class LabFrame extends JFrame {
         content.show(name);
     }
 
+    /** Shows a case in the tab of its topic. */
+    void show(FirstCase one) {
+        tabs.opening().showCase(one);
+    }
+
     /**
      * Speaks and looks otherwise from now on: makes the tabs again; tab, focus and what plays stay.
      * A focus that was still on its way goes to the picture.

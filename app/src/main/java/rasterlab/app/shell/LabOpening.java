@@ -29,6 +29,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.scene.MethodCase;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
 final class LabOpening implements OpenInLab {
@@ -215,6 +216,18 @@ final class LabOpening implements OpenInLab {
                 .showIn(card.lab().name(), topic)
                 .ifPresent(mine -> tellOwn.accept(card.lab().name(), mine));
         showTab.accept(card.lab().name());
+    }
+
+    /** Has the program of a case run in the lab, where that can; else shows what is recorded. */
+    void showCase(FirstCase one) {
+        MethodCase scene = one.scene();
+        String right = scene.method().orElse("");
+        Optional<FirstCase.Program> program =
+                one.program().filter(own -> obstacleToOwn(scene.topic()).isEmpty());
+        if (program.isPresent()) {
+            models.own().bring(program.get().exercise(), program.get().source());
+            showOwn(scene.topic(), scene.input(), right);
+        } else showInput(scene.topic(), scene.input(), right, scene.plotted());
     }
 
     /** The method to hold a program against where nobody says which. */

@@ -29,14 +29,17 @@ public final class WindowStart {
     private final SettingsFile file;
     private final LabSettings kept;
     private final LabSettings settings;
+    private final Optional<FirstCase> first;
     private LabTabs tabs;
     private LabFrame frame;
 
-    private WindowStart(Path place, Optional<Language> asked, PrintStream err) {
-        Language first = Language.of(Locale.getDefault());
-        problems = new Problems(err, asked.orElse(first));
+    private WindowStart(
+            Path place, Optional<Language> asked, PrintStream err, Optional<FirstCase> first) {
+        this.first = first;
+        Language usual = Language.of(Locale.getDefault());
+        problems = new Problems(err, asked.orElse(usual));
         file = new SettingsFile(place, problems);
-        kept = file.load(LabSettings.first(first));
+        kept = file.load(LabSettings.first(usual));
         settings = kept.with(kept.look().with(asked.orElse(kept.look().language())));
         problems.speak(settings.look().language());
     }
@@ -46,8 +49,17 @@ public final class WindowStart {
      * @param err told what is wrong with the files of the user's
      */
     public static void open(Optional<Language> asked, PrintStream err) {
+        open(asked, err, Optional.empty());
+    }
+
+    /**
+     * The same with a case, shown in the lab of its topic once all labs are there.
+     *
+     * @param first what the window opens with; empty for what it was left with
+     */
+    public static void open(Optional<Language> asked, PrintStream err, Optional<FirstCase> first) {
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
-        new WindowStart(place, asked, err).open(place);
+        new WindowStart(place, asked, err, first).open(place);
     }
 
     private void open(Path place) {
@@ -101,6 +113,7 @@ public final class WindowStart {
     private void makeRest(LabModels models) {
         try {
             models.makeAll();
+            EventQueue.invokeLater(() -> first.ifPresent(this::show));
         } finally {
             problems.showIn(frame);
         }
@@ -129,6 +142,14 @@ public final class WindowStart {
             problem.accept(Problem.of("window.unknown", String.valueOf(e.getMessage())));
         }
         if (first) file.save(settings);
+    }
+
+    private void show(FirstCase one) {
+        try {
+            frame.show(one);
+        } catch (IllegalArgumentException e) {
+            reports.accept(e);
+        }
     }
 
     private void show(Throwable failure) {

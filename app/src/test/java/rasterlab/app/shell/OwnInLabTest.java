@@ -97,6 +97,24 @@ class OwnInLabTest {
     }
 
     @Test
+    void aCaseThatTheWindowOpensWithHasTheProgramBesideTheRightMethod()
+            throws InterruptedException {
+        var scene = new MethodCase("line", Optional.of("dda"), "{\"from\":[1,2],\"to\":[2,2]}");
+        String source = line("out.plot(x0, y0); out.plot(9, 9);");
+        var own = new FirstCase.Program(LINE, source);
+        opening.showCase(new FirstCase(scene, Optional.of(own)));
+        settle();
+        assertEquals(
+                new LineChoice(new Segment(1, 2, 2, 2), OwnMethods.NAME, "dda"),
+                models.line().state().choice());
+        assertEquals(1, models.line().state().drawing().difference().extra().size());
+        assertEquals(List.of("line"), tabs);
+        opening.showCase(new FirstCase(scene, Optional.empty()));
+        settle();
+        assertEquals("dda", models.line().state().choice().method());
+    }
+
+    @Test
     void aWrongPixelIsMarked() throws InterruptedException {
         show(line("out.plot(x0, y0); out.plot(9, 9);"), "{\"from\":[1,2],\"to\":[2,2]}");
         var difference = models.line().state().drawing().difference();
