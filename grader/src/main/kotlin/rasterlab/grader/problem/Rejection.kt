@@ -56,6 +56,11 @@ sealed class Rejection(
         picture: String,
     ) : Rejection("no picture '$picture' of '$of'", "unknown-picture")
 
+    /** Also for a case that is hidden. */
+    class UnknownScene(
+        case: String,
+    ) : Rejection("no scene of a case '$case'", "unknown-scene")
+
     class UnknownCourse(
         code: String,
     ) : Rejection("no course with the code '$code'", "unknown-course")
@@ -190,7 +195,8 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.NotSignedIn -> Unauthorized
         is Rejection.WrongRole, is Rejection.ForeignOrigin -> Forbidden
         is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
-        is Rejection.UnknownPicture, is Rejection.UnknownCourse, is Rejection.UnknownStudent -> NotFound
+        is Rejection.UnknownPicture, is Rejection.UnknownScene -> NotFound
+        is Rejection.UnknownCourse, is Rejection.UnknownStudent -> NotFound
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity

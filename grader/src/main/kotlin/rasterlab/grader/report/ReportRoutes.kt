@@ -1,14 +1,18 @@
 package rasterlab.grader.report
 
+import io.ktor.http.ContentDisposition
 import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
+import io.ktor.http.withCharset
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.header
 import io.ktor.server.response.respondBytes
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
+import rasterlab.exercises.Exercise
 import rasterlab.exercises.score.CasePicture
+import rasterlab.exercises.score.CaseReport
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
@@ -17,6 +21,7 @@ import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
+import rasterlab.grader.submission.Submission
 import rasterlab.grader.submission.Submissions
 import kotlin.jvm.optionals.getOrNull
 
@@ -53,16 +58,48 @@ class Results(
         case: String,
         picture: String,
     ): ByteArray {
-        submissions.seenBy(who, id)
-        val cases =
-            reports
-                .of(id)
-                ?.report
-                ?.seenBy(who)
-                ?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
-        val pictures = cases.firstOrNull { it.name() == case && it.pictures().isNotEmpty() }?.pictures().orEmpty()
+        val pictures =
+            seen(
+                who,
+                id,
+            ).firstOrNull { it.name() == case && it.pictures().isNotEmpty() }?.pictures().orEmpty()
         val found = CasePicture.of(pictures, picture.removeSuffix(PNG)).getOrNull()
         return found?.png()?.takeIf { picture.endsWith(PNG) } ?: throw Rejection.UnknownPicture(case, picture)
+    }
+
+    /** A case that [who] may see, as a file that the lab opens. */
+    fun scene(
+        who: Identity,
+        id: String,
+        case: String,
+    ): SavedFile {
+        val found = seen(who, id).firstOrNull { it.name() == case && it.scene().isNotEmpty() }
+        val scene = found?.scene() ?: throw Rejection.UnknownScene(case)
+        return SavedFile(files(submissions.seenBy(who, id)).scene(case), "application/json", scene)
+    }
+
+    /** What was handed in, as a file. */
+    fun source(
+        who: Identity,
+        id: String,
+    ): SavedFile {
+        val submission = submissions.seenBy(who, id)
+        return SavedFile(files(submission).source, form(submission).mediaType(), submission.source)
+    }
+
+    /** Names of files that lead from the submission to the lab. */
+    fun files(submission: Submission) = LabFiles(submission.exercise, submission.attempt, form(submission))
+
+    private fun form(submission: Submission) = exercises.find(submission.exercise)?.form() ?: Exercise.Form.WRITE
+
+    /** The judged cases with what [who] may not see taken out. */
+    private fun seen(
+        who: Identity,
+        id: String,
+    ): List<CaseReport> {
+        submissions.seenBy(who, id)
+        val recorded = reports.of(id)?.report?.seenBy(who)
+        return recorded?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
     }
 }
 
@@ -80,6 +117,13 @@ fun Route.results(
         results.view(who, id)
         call.respondEvents { follow(live, id) { results.view(who, id) } }
     }
+    get("/submissions/{id}/source") {
+        call.respondFile(results.source(call.identity(), call.submissionId()))
+    }
+    get("/submissions/{id}/cases/{case}/scene.json") {
+        val case = call.parameters.getOrFail("case")
+        call.respondFile(results.scene(call.identity(), call.submissionId(), case))
+    }
     get("/submissions/{id}/cases/{case}/{picture}") {
         val picture =
             results.picture(
@@ -94,3 +138,10 @@ fun Route.results(
 }
 
 fun ApplicationCall.submissionId(): String = parameters.getOrFail("id")
+
+private suspend fun ApplicationCall.respondFile(file: SavedFile) {
+    val saved = ContentDisposition.Attachment.withParameter(ContentDisposition.Parameters.FileName, file.name)
+    response.header(HttpHeaders.ContentDisposition, saved.toString())
+    response.header(HttpHeaders.CacheControl, "private, no-store")
+    respondBytes(file.text.encodeToByteArray(), ContentType.parse(file.mediaType).withCharset(Charsets.UTF_8))
+}

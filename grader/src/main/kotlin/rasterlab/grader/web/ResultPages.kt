@@ -40,7 +40,12 @@ fun Route.resultPages(
         val texts = call.texts()
         call.respondFragment(
             createHTML(prettyPrint = false).div {
-                result(texts, results.view(who, submission.id, texts.language), submission.source)
+                result(
+                    texts,
+                    results.view(who, submission.id, texts.language),
+                    submission.source,
+                    results.files(submission),
+                )
             },
         )
     }
@@ -67,7 +72,7 @@ private suspend fun ApplicationCall.respondResult(
                 attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
                 attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
             }
-            result(texts, view, submission.source)
+            result(texts, view, submission.source, results.files(submission))
         }
         details {
             summary { +texts.say("result.source") }

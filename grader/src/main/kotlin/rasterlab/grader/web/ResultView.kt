@@ -1,9 +1,11 @@
 package rasterlab.grader.web
 
+import kotlinx.html.ButtonType
 import kotlinx.html.DIV
 import kotlinx.html.FlowContent
 import kotlinx.html.a
 import kotlinx.html.article
+import kotlinx.html.button
 import kotlinx.html.code
 import kotlinx.html.details
 import kotlinx.html.div
@@ -28,15 +30,22 @@ import rasterlab.exercises.published.PublishedPoints
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
+import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Report
+import rasterlab.grader.report.LabFiles
 import rasterlab.grader.report.SubmissionView
 import kotlin.jvm.optionals.getOrNull
 
-/** Everything that is known of a submission by now. */
+/**
+ * Everything that is known of a submission by now.
+ *
+ * @param files that show failed cases in the lab
+ */
 fun DIV.result(
     texts: Texts,
     view: SubmissionView,
     source: String,
+    files: LabFiles,
 ) {
     div("verdict card") {
         status(texts, view.verdict, view.state)
@@ -50,7 +59,7 @@ fun DIV.result(
     if (view.verdict != null && view.cases.isNotEmpty()) {
         h2 { +texts.say("result.cases") }
         if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
-        view.cases.forEach { case(texts, it) }
+        view.cases.forEach { case(texts, it, files, "/api/v1/submissions/${view.id}") }
     }
     view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
         p("isolation") {
@@ -125,6 +134,8 @@ private fun place(
 private fun FlowContent.case(
     texts: Texts,
     case: PublishedCase,
+    files: LabFiles,
+    address: String,
 ) = article("case card") {
     div("row") {
         status(texts, case.verdict.told(case.points, case.of), "")
@@ -132,8 +143,37 @@ private fun FlowContent.case(
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +earned(texts, case) }
     }
-    if (case.message.isNotEmpty()) p { +case.message }
+    if (case.message.isNotEmpty()) message(texts, case.message)
     if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
+    val passed = case.verdict.told(case.points, case.of) == GradingVerdict.OK.code()
+    if (case.scene.isNotEmpty() && !passed) inLab(texts, case.name, files, address)
+}
+
+/** The way from a failed case to the lab, where both methods draw it side by side. */
+private fun FlowContent.inLab(
+    texts: Texts,
+    case: String,
+    files: LabFiles,
+    address: String,
+) = details {
+    summary { +texts.say("result.lab") }
+    p { +texts.say(if (files.asksForPrograms) "result.lab.both" else "result.lab.one") }
+    ul {
+        li {
+            +"${texts.say("result.lab.case")} "
+            a("$address/cases/$case/scene.json") { +files.scene(case) }
+        }
+        if (files.asksForPrograms) {
+            li {
+                +"${texts.say("result.lab.source")} "
+                a("$address/source") { +files.source }
+            }
+        }
+    }
+    pre("command") {
+        code { +files.command(case) }
+    }
+    button(classes = "plain copy", type = ButtonType.button) { +texts.say("result.lab.copy") }
 }
 
 private fun earned(

@@ -12,7 +12,8 @@ import rasterlab.exercises.formula.Formulas
 private val EXTENSIONS = listOf(TablesExtension.create(), FormulaMarkdown())
 
 /**
- * Markdown, with tables and formulas, as HTML in which nothing but Markdown's own elements survives.
+ * Markdown, with tables and formulas, as HTML in which nothing but Markdown's own elements survives: so every table
+ * there is one of Markdown's, and scrolls by itself where the page is too narrow for it.
  *
  * @param language of notes about formulas
  * @param address where a picture is, by its name
@@ -35,6 +36,8 @@ fun markdownAsHtml(
         }.nodeRendererFactory { FormulaPictures(it, formulas, language) }
         .build()
         .render(statementTree(markdown))
+        .replace("<table>", "<div class=\"scroll\"><table>")
+        .replace("</table>", "</table></div>")
 
 internal fun statementTree(markdown: String): Node =
     Parser

@@ -27,6 +27,13 @@ class StatementTest {
     }
 
     @Test
+    fun `a table that is too wide scrolls the page`() {
+        val html = markdownAsHtml("| a |\n|---|\n| `<table>` |", Formulas(), "en") { it }
+        assertEquals(1, Regex("""<div class="scroll"><table>""").findAll(html).count(), html)
+        assertEquals(1, Regex("""</table></div>""").findAll(html).count(), html)
+    }
+
+    @Test
     fun `a picture is looked for beside the page`() {
         val html = markdownAsHtml("![a line](segment.svg)", Formulas(), "en") { "/pictures/$it" }
         assertTrue("""src="/pictures/segment.svg"""" in html && """alt="a line"""" in html, html)

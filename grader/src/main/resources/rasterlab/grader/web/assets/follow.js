@@ -1,5 +1,6 @@
 // Keeps the part of the page that is marked `data-events` up to date: whenever the server reports
-// something new, the part is fetched again as HTML that the server has escaped.
+// something new, the part is fetched again as HTML that the server has escaped. Copies the command before a
+// button "copy" where the browser lets it; elsewhere there is no such button.
 "use strict";
 
 const live = document.querySelector("[data-events]");
@@ -39,5 +40,12 @@ if (live) {
   events.addEventListener("done", () => {
     events.close();
     refresh();
+  });
+}
+
+if (navigator.clipboard) {
+  document.documentElement.classList.add("copies");
+  document.addEventListener("click", (event) => {
+    if (event.target.matches(".copy")) navigator.clipboard.writeText(event.target.previousElementSibling.innerText);
   });
 }
