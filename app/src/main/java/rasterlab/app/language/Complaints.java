@@ -1,5 +1,7 @@
 package rasterlab.app.language;
 
+import rasterlab.engine.Topics;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
@@ -9,6 +11,7 @@ import java.util.Set;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * What readers and writers of files say in English, in the window's language: the sentences, and in
@@ -26,6 +29,9 @@ public final class Complaints {
     /** A place in JSON, or a file, in front of what is wrong there. */
     private static final Pattern POINTED = Pattern.compile("(/[^ :]*: )(.+)", Pattern.DOTALL);
 
+    /** Where a topic has sentences of its own among its words. */
+    private static final String OWN = "complaint.";
+
     /** Compiled once: they are also asked for while a picture is painted. */
     private static final List<Sentence> SENTENCES = sentences();
 
@@ -34,6 +40,7 @@ public final class Complaints {
     private final UnaryOperator<String> computed;
 
     /**
+     * @param topic whose words have it; "" for those that topics share
      * @param pattern with a group for each place, in the order of {@code places}
      * @param names numbers of the places that stay as they are
      * @param computed numbers of the places whose number is rounded
@@ -41,6 +48,7 @@ public final class Complaints {
      * @param ownLength letters outside the places
      */
     private record Sentence(
+            String topic,
             String key,
             Pattern pattern,
             List<Integer> places,
@@ -53,7 +61,7 @@ public final class Complaints {
             return key.equals("run.refuses");
         }
 
-        static Sentence of(String key, String english) {
+        static Sentence of(String topic, String key, String english) {
             var pattern = new StringBuilder();
             var places = new ArrayList<Integer>();
             var names = new HashSet<Integer>();
@@ -73,6 +81,7 @@ public final class Complaints {
             }
             pattern.append(Pattern.quote(english.substring(end)));
             return new Sentence(
+                    topic,
                     key,
                     Pattern.compile(pattern.toString(), Pattern.DOTALL),
                     places,
@@ -91,15 +100,23 @@ public final class Complaints {
     }
 
     private static List<Sentence> sentences() {
-        Texts english = Texts.of("language", "complaints", Language.ENGLISH);
-        return english.keys().stream()
-                .map(key -> Sentence.of(key, english.text(key)))
+        Texts shared = Texts.of("language", "complaints", Language.ENGLISH);
+        return Stream.concat(
+                        shared.keys().stream().map(key -> Sentence.of("", key, shared.text(key))),
+                        Topics.names().stream().flatMap(Complaints::sentences))
                 .sorted(
                         Comparator.comparing(Sentence::frame)
                                 .thenComparing(Sentence::ownLength)
                                 .reversed()
                                 .thenComparing(Sentence::key))
                 .toList();
+    }
+
+    private static Stream<Sentence> sentences(String topic) {
+        Texts own = Texts.ofTopic(topic, Language.ENGLISH);
+        return own.keys().stream()
+                .filter(key -> key.startsWith(OWN))
+                .map(key -> Sentence.of(topic, key.substring(OWN.length()), own.text(key)));
     }
 
     /** The sentence in that language. */
@@ -161,7 +178,11 @@ public final class Complaints {
     }
 
     private String said(Sentence sentence, Matcher found) {
-        String text = translations.text(sentence.key);
+        String text =
+                sentence.topic.isEmpty()
+                        ? translations.text(sentence.key)
+                        : Texts.ofTopic(sentence.topic, translations.language())
+                                .text(OWN + sentence.key);
         return PLACE.matcher(text)
                 .replaceAll(
                         place -> {

@@ -2,6 +2,12 @@ package rasterlab.tests.rules;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+
+import rasterlab.engine.Topics;
+import rasterlab.tests.Repository;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,10 +17,6 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.DisplayName;
-import org.junit.jupiter.api.Test;
-import rasterlab.engine.Topics;
-import rasterlab.tests.Repository;
 
 /**
  * One list of topics is kept by hand. A file is a list where it names more than three topics that
