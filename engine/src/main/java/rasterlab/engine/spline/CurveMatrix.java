@@ -14,12 +14,22 @@ public final class CurveMatrix {
 
     /** M_h, for G = [P1, P4, R1, R4]. */
     public static double[][] hermite() {
-        return new double[][] {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
+        return new double[][] {
+            {2, -2, 1, 1},
+            {-3, 3, -2, -1},
+            {0, 0, 1, 0},
+            {1, 0, 0, 0}
+        };
     }
 
     /** M_hb, which makes Hermite's [P1, P4, R1, R4] of Bézier's [P1, P2, P3, P4]. */
     public static double[][] hermiteOfBezier() {
-        return new double[][] {{1, 0, 0, 0}, {0, 0, 0, 1}, {-3, 3, 0, 0}, {0, 0, -3, 3}};
+        return new double[][] {
+            {1, 0, 0, 0},
+            {0, 0, 0, 1},
+            {-3, 3, 0, 0},
+            {0, 0, -3, 3}
+        };
     }
 
     /** M_b of any degree n: (−1)^(j−i)·C(n, j)·C(j, i) at power j and point i ≤ j. */
@@ -39,12 +49,22 @@ public final class CurveMatrix {
 
     /** Twice the Catmull–Rom matrix. */
     static double[][] twiceCatmullRom() {
-        return new double[][] {{-1, 3, -3, 1}, {2, -5, 4, -1}, {-1, 0, 1, 0}, {0, 2, 0, 0}};
+        return new double[][] {
+            {-1, 3, -3, 1},
+            {2, -5, 4, -1},
+            {-1, 0, 1, 0},
+            {0, 2, 0, 0}
+        };
     }
 
     /** Six times the matrix of the uniform B-spline. */
     static double[][] sixBSpline() {
-        return new double[][] {{-1, 3, -3, 1}, {3, -6, 3, 0}, {-3, 0, 3, 0}, {1, 4, 1, 0}};
+        return new double[][] {
+            {-1, 3, -3, 1},
+            {3, -6, 3, 0},
+            {-3, 0, 3, 0},
+            {1, 4, 1, 0}
+        };
     }
 
     /** The matrix of the curve's kind, times {@link #divisor}. */

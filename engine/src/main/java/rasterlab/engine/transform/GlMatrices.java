@@ -24,23 +24,17 @@ public final class GlMatrices {
         requireDiffer("right", right, "left", left);
         requireDiffer("top", top, "bottom", bottom);
         requireDiffer("far", far, "near", near);
+        double a = twice(1, right, left);
+        double b = twice(1, top, bottom);
+        double c = -twice(1, far, near);
+        double x = -middle(right, left);
+        double y = -middle(top, bottom);
+        double z = -middle(far, near);
         return new Matrix4d(
-                twice(1, right, left),
-                0,
-                0,
-                0,
-                0,
-                twice(1, top, bottom),
-                0,
-                0,
-                0,
-                0,
-                -twice(1, far, near),
-                0,
-                -middle(right, left),
-                -middle(top, bottom),
-                -middle(far, near),
-                1);
+                a, 0, 0, 0, //
+                0, b, 0, 0, //
+                0, 0, c, 0, //
+                x, y, z, 1);
     }
 
     /**
@@ -86,23 +80,13 @@ public final class GlMatrices {
     private static Matrix4d projection(
             double scaleX, double scaleY, double shearX, double shearY, double near, double far) {
         double deep = far - near;
+        double c = -middle(far, near);
+        double d = -2 * Math.min(near, far) * (Math.max(near, far) / deep);
         return new Matrix4d(
-                scaleX,
-                0,
-                0,
-                0,
-                0,
-                scaleY,
-                0,
-                0,
-                shearX,
-                shearY,
-                -middle(far, near),
-                -1,
-                0,
-                0,
-                -2 * Math.min(near, far) * (Math.max(near, far) / deep),
-                0);
+                scaleX, 0, 0, 0, //
+                0, scaleY, 0, 0, //
+                shearX, shearY, c, -1, //
+                0, 0, d, 0);
     }
 
     /**
@@ -113,23 +97,15 @@ public final class GlMatrices {
      */
     public static Matrix4d viewport(
             double x, double y, double width, double height, double n, double f) {
+        double a = width / 2;
+        double b = height / 2;
+        double c = Double.isFinite(f - n) ? (f - n) / 2 : f / 2 - n / 2;
+        double z = Double.isFinite(n + f) ? (n + f) / 2 : n / 2 + f / 2;
         return new Matrix4d(
-                width / 2,
-                0,
-                0,
-                0,
-                0,
-                height / 2,
-                0,
-                0,
-                0,
-                0,
-                Double.isFinite(f - n) ? (f - n) / 2 : f / 2 - n / 2,
-                0,
-                x + width / 2,
-                y + height / 2,
-                Double.isFinite(n + f) ? (n + f) / 2 : n / 2 + f / 2,
-                1);
+                a, 0, 0, 0, //
+                0, b, 0, 0, //
+                0, 0, c, 0, //
+                x + a, y + b, z, 1);
     }
 
     /** 2·factor/(high − low), halved before where a double is too small for it. */

@@ -28,11 +28,17 @@ public final class PlaneMatrices {
 
     /** TRANSL2D. */
     public static Matrix3d translation(double m, double n) {
-        return new Matrix3d(1, 0, 0, 0, 1, 0, m, n, 1);
+        return new Matrix3d(
+                1, 0, 0, //
+                0, 1, 0, //
+                m, n, 1);
     }
 
     /** The 2×2 matrix [a b; c d] in the corner. */
     public static Matrix3d of(double a, double b, double c, double d) {
-        return new Matrix3d(a, b, 0, c, d, 0, 0, 0, 1);
+        return new Matrix3d(
+                a, b, 0, //
+                c, d, 0, //
+                0, 0, 1);
     }
 }

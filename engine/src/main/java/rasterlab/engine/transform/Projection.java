@@ -77,7 +77,12 @@ public enum Projection {
     /** World → eye space (x right, y up, z forward, the world's origin at z = ρ). */
     Matrix4d worldToView(SphericalView camera) {
         if (turnsWithCamera()) return camera.matrix();
-        var zUpToYUp = new Matrix4d(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);
+        var zUpToYUp =
+                new Matrix4d(
+                        1, 0, 0, 0, //
+                        0, 0, -1, 0, //
+                        0, 1, 0, 0, //
+                        0, 0, 0, 1);
         return TextbookMatrices.translation(0, 0, camera.rho())
                 .mul(TextbookMatrices.scale(1, 1, -1))
                 .mul(turned())

@@ -19,17 +19,29 @@ public final class ProjectionMatrices {
 
     /** ORTHOX(l): onto the plane x = l. */
     public static Matrix4d orthoX(double l) {
-        return new Matrix4d(0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, l, 0, 0, 1);
+        return new Matrix4d(
+                0, 0, 0, 0, //
+                0, 1, 0, 0, //
+                0, 0, 1, 0, //
+                l, 0, 0, 1);
     }
 
     /** ORTHOY(t): onto the plane y = t. */
     public static Matrix4d orthoY(double t) {
-        return new Matrix4d(1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, t, 0, 1);
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 0, 0, 0, //
+                0, 0, 1, 0, //
+                0, t, 0, 1);
     }
 
     /** ORTHOZ(n): onto the plane z = n. */
     public static Matrix4d orthoZ(double n) {
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, n, 1);
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 1, 0, 0, //
+                0, 0, 0, 0, //
+                0, 0, n, 1);
     }
 
     /** TRIMETRIC: α about y, then β about x; the axes' images stand in the rows. */
@@ -39,7 +51,10 @@ public final class ProjectionMatrices {
         double sb = beta.sin();
         double cb = beta.cos();
         return new Matrix4d(
-                ca, sa * sb, -sa * cb, 0, 0, cb, sb, 0, sa, -ca * sb, ca * cb, 0, 0, 0, 0, 1);
+                ca, sa * sb, -sa * cb, 0, //
+                0, cb, sb, 0, //
+                sa, -ca * sb, ca * cb, 0, //
+                0, 0, 0, 1);
     }
 
     /** DIMETRIC: x and y shortened alike, z to a half: sin²α = 1/7, sin²β = 1/8. */
@@ -62,22 +77,38 @@ public final class ProjectionMatrices {
      * @param a what one unit of z moves x and y by
      */
     public static Matrix4d oblique(double a) {
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, -a, -a, 1, 0, 0, 0, 0, 1);
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 1, 0, 0, //
+                -a, -a, 1, 0, //
+                0, 0, 0, 1);
     }
 
     /** PERSPECTIVE(p, q, r): H = p·x + q·y + r·z + 1. */
     public static Matrix4d perspective(double p, double q, double r) {
-        return new Matrix4d(1, 0, 0, p, 0, 1, 0, q, 0, 0, 1, r, 0, 0, 0, 1);
+        return new Matrix4d(
+                1, 0, 0, p, //
+                0, 1, 0, q, //
+                0, 0, 1, r, //
+                0, 0, 0, 1);
     }
 
     /** CENTRAL(k): x' = k·x / (z + k), y' = k·y / (z + k), z' = 0; the eye is at z = −k. */
     public static Matrix4d central(double k) {
-        return new Matrix4d(k, 0, 0, 0, 0, k, 0, 0, 0, 0, 0, 1, 0, 0, 0, k);
+        return new Matrix4d(
+                k, 0, 0, 0, //
+                0, k, 0, 0, //
+                0, 0, 0, 1, //
+                0, 0, 0, k);
     }
 
     /** CENTRAL_ORIGIN(k): x' = k·x / z, y' = k·y / z, z' = 0; the eye is at the origin. */
     public static Matrix4d centralFromOrigin(double k) {
-        return new Matrix4d(k, 0, 0, 0, 0, k, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0);
+        return new Matrix4d(
+                k, 0, 0, 0, //
+                0, k, 0, 0, //
+                0, 0, 0, 1, //
+                0, 0, 0, 0);
     }
 
     /**
@@ -104,6 +135,12 @@ public final class ProjectionMatrices {
     /** CANONICAL(z_min): |x| ≤ z, |y| ≤ z, z_min ≤ z ≤ 1 becomes a box with 0 ≤ z ≤ 1. */
     public static Matrix4d canonical(double zMin) {
         double deep = 1 - zMin;
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 / deep, 1, 0, 0, -zMin / deep, 0);
+        double c = 1 / deep;
+        double z = -zMin / deep;
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 1, 0, 0, //
+                0, 0, c, 1, //
+                0, 0, z, 0);
     }
 }

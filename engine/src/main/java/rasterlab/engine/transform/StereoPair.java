@@ -40,7 +40,12 @@ public record StereoPair(SphericalView middle, double separation) {
      */
     private Matrix4d eye(double toOrigin) {
         double rho = middle.rho();
-        var divide = new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1 / rho, 0, 0, 0, 0);
+        var divide =
+                new Matrix4d(
+                        1, 0, 0, 0, //
+                        0, 1, 0, 0, //
+                        0, 0, 1, 1 / rho, //
+                        0, 0, 0, 0);
         return TextbookMatrices.translation(-toOrigin, 0, 0)
                 .mul(divide)
                 .mul(TextbookMatrices.translation(toOrigin, 0, 0))

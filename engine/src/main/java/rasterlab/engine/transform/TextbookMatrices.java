@@ -29,7 +29,10 @@ public final class TextbookMatrices {
     /** ROT3DX. */
     public static Matrix4d rotationX(Angle a) {
         return new Matrix4d(
-                1, 0, 0, 0, 0, a.cos(), a.sin(), 0, 0, -a.sin(), a.cos(), 0, 0, 0, 0, 1);
+                1, 0, 0, 0, //
+                0, a.cos(), a.sin(), 0, //
+                0, -a.sin(), a.cos(), 0, //
+                0, 0, 0, 1);
     }
 
     /** ROT3DY, the angle in radians. */
@@ -40,13 +43,19 @@ public final class TextbookMatrices {
     /** ROT3DY. */
     public static Matrix4d rotationY(Angle a) {
         return new Matrix4d(
-                a.cos(), 0, -a.sin(), 0, 0, 1, 0, 0, a.sin(), 0, a.cos(), 0, 0, 0, 0, 1);
+                a.cos(), 0, -a.sin(), 0, //
+                0, 1, 0, 0, //
+                a.sin(), 0, a.cos(), 0, //
+                0, 0, 0, 1);
     }
 
     /** ROT3DZ. */
     public static Matrix4d rotationZ(Angle a) {
         return new Matrix4d(
-                a.cos(), a.sin(), 0, 0, -a.sin(), a.cos(), 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+                a.cos(), a.sin(), 0, 0, //
+                -a.sin(), a.cos(), 0, 0, //
+                0, 0, 1, 0, //
+                0, 0, 0, 1);
     }
 
     /**
@@ -92,17 +101,29 @@ public final class TextbookMatrices {
 
     /** SCALE3DX(a), SCALE3DY(e), SCALE3DZ(j) in one: the cells a, e, j of the general matrix. */
     public static Matrix4d scale(double a, double e, double j) {
-        return new Matrix4d(a, 0, 0, 0, 0, e, 0, 0, 0, 0, j, 0, 0, 0, 0, 1);
+        return new Matrix4d(
+                a, 0, 0, 0, //
+                0, e, 0, 0, //
+                0, 0, j, 0, //
+                0, 0, 0, 1);
     }
 
     /** SCALE3D(s): H = s, so that all coordinates become 1/s as large. */
     public static Matrix4d uniformScale(double s) {
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, s);
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 1, 0, 0, //
+                0, 0, 1, 0, //
+                0, 0, 0, s);
     }
 
     /** TRANSL3D: the shifts stand in the textbook's last row. */
     public static Matrix4d translation(double x, double y, double z) {
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1);
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 1, 0, 0, //
+                0, 0, 1, 0, //
+                x, y, z, 1);
     }
 
     /** One-point perspective along z: H = r·z + 1, the observer stands at z = −1/r. */

@@ -26,7 +26,10 @@ public final class ViewMatrices {
         double sp = phi.sin();
         double cp = phi.cos();
         return new Matrix4d(
-                -st, -ct * cp, -ct * sp, 0, ct, -st * cp, -st * sp, 0, 0, sp, -cp, 0, 0, 0, rho, 1);
+                -st, -ct * cp, -ct * sp, 0, //
+                ct, -st * cp, -st * sp, 0, //
+                0, sp, -cp, 0, //
+                0, 0, rho, 1);
     }
 
     /** VIEW_RIGHT, VP_R: the same with y down as on a screen, which makes it right-handed. */
@@ -58,23 +61,15 @@ public final class ViewMatrices {
                             + text(forward));
         side.normalize();
         Vector3d top = new Vector3d(side).cross(forward);
+        double x = -side.dot(eye);
+        double y = -top.dot(eye);
+        double z = forward.dot(eye);
+        Vector3d back = forward.negate(new Vector3d());
         return new Matrix4d(
-                side.x,
-                top.x,
-                -forward.x,
-                0,
-                side.y,
-                top.y,
-                -forward.y,
-                0,
-                side.z,
-                top.z,
-                -forward.z,
-                0,
-                -side.dot(eye),
-                -top.dot(eye),
-                forward.dot(eye),
-                1);
+                side.x, top.x, back.x, 0, //
+                side.y, top.y, back.y, 0, //
+                side.z, top.z, back.z, 0, //
+                x, y, z, 1);
     }
 
     private static String text(Vector3d v) {

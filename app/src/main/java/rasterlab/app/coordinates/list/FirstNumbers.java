@@ -28,8 +28,18 @@ final class FirstNumbers {
                     Map.entry("GL_PERSPECTIVE", new double[] {40, 1.5, 1, 100}),
                     Map.entry("VIEWPORT", new double[] {0, 0, 800, 600, 0, 1}));
 
-    private static final double[] IDENTITY_2D = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    private static final double[] IDENTITY_3D = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    private static final double[] IDENTITY_2D = {
+        1, 0, 0, //
+        0, 1, 0, //
+        0, 0, 1
+    };
+
+    private static final double[] IDENTITY_3D = {
+        1, 0, 0, 0, //
+        0, 1, 0, 0, //
+        0, 0, 1, 0, //
+        0, 0, 0, 1
+    };
 
     private FirstNumbers() {}
 

@@ -58,7 +58,12 @@ public final class AppendixFormula implements MatrixFormula {
     }
 
     private static double[][] diagonal(double a, double e, double j, double s) {
-        return new double[][] {{a, 0, 0, 0}, {0, e, 0, 0}, {0, 0, j, 0}, {0, 0, 0, s}};
+        return new double[][] {
+            {a, 0, 0, 0},
+            {0, e, 0, 0},
+            {0, 0, j, 0},
+            {0, 0, 0, s}
+        };
     }
 
     /** The images of the origin and of the three axes' ends tell the whole matrix. */

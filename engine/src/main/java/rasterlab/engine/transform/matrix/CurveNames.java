@@ -26,7 +26,11 @@ final class CurveNames {
                         inverse(
                                 "rows [t³ t² t 1] for P1, P4 and its derivative for R1, R4: 0 0 0 1,"
                                         + " 1 1 1 1, 0 0 1 0, 3 2 1 0",
-                                new Matrix4d(0, 0, 0, 1, 1, 1, 1, 1, 0, 0, 1, 0, 3, 2, 1, 0)),
+                                new Matrix4d(
+                                        0, 0, 0, 1, //
+                                        1, 1, 1, 1, //
+                                        0, 0, 1, 0, //
+                                        3, 2, 1, 0)),
                         p -> matrix(CurveMatrix.hermite())),
                 space(
                         "BEZIER",
@@ -34,8 +38,10 @@ final class CurveNames {
                         inverse(
                                 "rows for P1 to P4: 0 0 0 1, 0 0 1/3 1, 0 1/3 2/3 1, 1 1 1 1",
                                 new Matrix4d(
-                                        0, 0, 0, 1, 0, 0, THIRD, 1, 0, THIRD, 2 * THIRD, 1, 1, 1, 1,
-                                        1)),
+                                        0, 0, 0, 1, //
+                                        0, 0, THIRD, 1, //
+                                        0, THIRD, 2 * THIRD, 1, //
+                                        1, 1, 1, 1)),
                         p -> matrix(CurveMatrix.bezier(3))),
                 space(
                         "HERMITE_BEZIER",
@@ -44,7 +50,10 @@ final class CurveNames {
                                 "P1, P1 + R1/3, P4 − R4/3, P4: rows 1 0 0 0, 1 0 1/3 0, 0 1 0 −1/3,"
                                         + " 0 1 0 0",
                                 new Matrix4d(
-                                        1, 0, 0, 0, 1, 0, THIRD, 0, 0, 1, 0, -THIRD, 0, 1, 0, 0)),
+                                        1, 0, 0, 0, //
+                                        1, 0, THIRD, 0, //
+                                        0, 1, 0, -THIRD, //
+                                        0, 1, 0, 0)),
                         p -> matrix(CurveMatrix.hermiteOfBezier())));
     }
 

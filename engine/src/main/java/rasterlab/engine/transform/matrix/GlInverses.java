@@ -60,7 +60,11 @@ final class GlInverses {
             double wide, double high, double left, double low, double near, double far) {
         double differ = (1 / far - 1 / near) / 2;
         double mean = (1 / far + 1 / near) / 2;
-        return new Matrix4d(wide, 0, 0, 0, 0, high, 0, 0, 0, 0, 0, differ, left, low, -1, mean);
+        return new Matrix4d(
+                wide, 0, 0, 0, //
+                0, high, 0, 0, //
+                0, 0, 0, differ, //
+                left, low, -1, mean);
     }
 
     private static Matrix4d viewport(double[] p) {

@@ -155,6 +155,11 @@ final class ProjectionNames {
     }
 
     private static Matrix4d backToThePyramid(double zMin) {
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, -(1 - zMin) / zMin, 0, 0, 1, 1 / zMin);
+        double h = -(1 - zMin) / zMin;
+        return new Matrix4d(
+                1, 0, 0, 0, //
+                0, 1, 0, 0, //
+                0, 0, 0, h, //
+                0, 0, 1, 1 / zMin);
     }
 }
