@@ -14,8 +14,7 @@ import rasterlab.engine.raster.Work;
  *
  * <p>At every pixel 2·b − 2·n ≤ d &lt; 2·b where n ≥ 1 (d = −1 for a single point), and n &lt; 2³²
  * for int ends, so a long never overflows (an int would from n = 2³⁰ on). The walk begins one step
- * before its first pixel and beside it, so with d = r − 2·n, r being the {@link
- * LineSection#remainder}; for the whole line that is −n − t.
+ * along before its first pixel, where i = −1 and j = 0, so with d = −n − t.
  *
  * <p>Source: J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM Systems
  * Journal 4(1), 1965, pp. 25–30.
@@ -23,18 +22,18 @@ import rasterlab.engine.raster.Work;
 public final class BresenhamLine implements WindowedLine {
     @Override
     public void draw(int x0, int y0, int x1, int y1, Pixels out) {
-        var walk = new Walk(x0, y0, LineSection.whole(x0, y0, x1, y1));
+        var walk = new Walk(x0, y0, x1, y1);
         while (walk.advance()) out.plot(walk.x, walk.y);
     }
 
     @Override
     public LineWalk walk(int x0, int y0, int x1, int y1) {
-        return new Walk(x0, y0, LineSection.whole(x0, y0, x1, y1));
+        return new Walk(x0, y0, x1, y1);
     }
 
     @Override
     public LineWalk walk(int x0, int y0, int x1, int y1, PixelWindow window) {
-        return new Walk(x0, y0, LineSection.within(window, x0, y0, x1, y1));
+        return new BresenhamSection(x0, y0, LineSection.within(window, x0, y0, x1, y1));
     }
 
     @Override
@@ -52,7 +51,7 @@ public final class BresenhamLine implements WindowedLine {
         return new LineWork(new Work(8, 0, 0, 0, 4), new Work(1, 0, 0, 0, 1), Work.NONE);
     }
 
-    static final class Walk implements LineWalk {
+    private static final class Walk implements LineWalk {
         private final int alongX;
         private final int alongY;
         private final int acrossX;
@@ -64,17 +63,25 @@ public final class BresenhamLine implements WindowedLine {
         private long d;
         private long left;
 
-        Walk(int x0, int y0, LineSection section) {
-            alongX = section.steep() ? 0 : section.signX();
-            alongY = section.steep() ? section.signY() : 0;
-            acrossX = section.signX() - alongX;
-            acrossY = section.signY() - alongY;
-            straight = 2 * section.b();
-            diagonal = straight - 2 * section.n();
-            x = section.x(x0) - alongX;
-            y = section.y(y0) - alongY;
-            d = section.remainder() - 2 * section.n();
-            left = section.count();
+        Walk(int x0, int y0, int x1, int y1) {
+            long dx = Math.abs((long) x1 - x0);
+            long dy = Math.abs((long) y1 - y0);
+            int signX = x1 < x0 ? -1 : 1;
+            int signY = y1 < y0 ? -1 : 1;
+            boolean steep = dy > dx;
+            alongX = steep ? 0 : signX;
+            alongY = steep ? signY : 0;
+            acrossX = signX - alongX;
+            acrossY = signY - alongY;
+            long n = Math.max(dx, dy);
+            long b = Math.min(dx, dy);
+            int t = acrossX + acrossY > 0 ? 1 : 0;
+            straight = 2 * b;
+            diagonal = straight - 2 * n;
+            x = x0 - alongX;
+            y = y0 - alongY;
+            d = -n - t;
+            left = n + 1;
         }
 
         @Override

@@ -33,7 +33,7 @@ public final class ClipFirstTextbookLine implements WindowedLine {
 
     @Override
     public LineWalk walk(int x0, int y0, int x1, int y1, PixelWindow w) {
-        LineWalk[] walk = {new BresenhamLine.Walk(x0, y0, LineSection.none())};
+        LineWalk[] walk = {new BresenhamSection(x0, y0, LineSection.none())};
         clipper.clip(
                 w.xmin(),
                 w.ymin(),

@@ -98,7 +98,7 @@ public final class RasterLine {
     private static void drawWalk(int x0, int y0, LineSection section, int argb, Raster out) {
         int[] cells = out.argb();
         int width = out.width();
-        var walk = new BresenhamLine.Walk(x0, y0, section);
+        var walk = new BresenhamSection(x0, y0, section);
         while (walk.advance()) cells[walk.y() * width + walk.x()] = argb;
     }
 }
