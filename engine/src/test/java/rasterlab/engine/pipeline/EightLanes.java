@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.triangle.DepthRaster;
+import rasterlab.engine.pipeline.fast.DepthRaster;
 
 /** What tests of both kinds of lanes share. */
 public final class EightLanes {

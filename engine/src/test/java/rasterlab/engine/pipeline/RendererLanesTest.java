@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 

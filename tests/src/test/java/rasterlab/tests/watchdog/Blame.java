@@ -75,7 +75,7 @@ enum Blame {
                     "rasterlab.engine.pipeline.direct",
                     "rasterlab.engine.pipeline.paint",
                     "rasterlab.engine.pipeline.surface",
-                    "rasterlab.engine.pipeline.triangle",
+                    "rasterlab.engine.pipeline.fast",
                     "rasterlab.engine.pipeline.wire",
                     "rasterlab.engine.visibility",
                     "rasterlab.exercises.child",

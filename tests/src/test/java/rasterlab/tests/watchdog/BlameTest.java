@@ -74,7 +74,7 @@ class BlameTest {
                 argumentSet(
                         "a picture is made unseen",
                         State.RUNNABLE,
-                        new String[] {"rasterlab.engine.pipeline.triangle.TrianglePipeline", OURS},
+                        new String[] {"rasterlab.engine.pipeline.fast.TrianglePipeline", OURS},
                         Optional.of(Blame.WORKS)),
                 argumentSet(
                         "grading goes unseen",

@@ -2,8 +2,8 @@ package rasterlab.engine.pipeline.direct;
 
 import java.util.List;
 import org.joml.Matrix4d;
-import rasterlab.engine.pipeline.triangle.Culling;
-import rasterlab.engine.pipeline.triangle.TriangleView;
+import rasterlab.engine.pipeline.fast.Culling;
+import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;

@@ -7,8 +7,8 @@ import static rasterlab.engine.scene.VertexQuantity.RED;
 
 import java.util.EnumSet;
 import java.util.Set;
-import rasterlab.engine.pipeline.triangle.PixelBatch;
-import rasterlab.engine.pipeline.triangle.PixelColors;
+import rasterlab.engine.pipeline.fast.PixelBatch;
+import rasterlab.engine.pipeline.fast.PixelColors;
 import rasterlab.engine.scene.VertexQuantity;
 
 /** Pixels have the colours and alpha of the surface under them, to the nearest level. */

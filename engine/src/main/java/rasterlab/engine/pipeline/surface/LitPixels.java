@@ -15,8 +15,8 @@ import java.util.EnumSet;
 import java.util.Set;
 import rasterlab.engine.color.Levels;
 import rasterlab.engine.light.PointLighting;
-import rasterlab.engine.pipeline.triangle.PixelBatch;
-import rasterlab.engine.pipeline.triangle.PixelColors;
+import rasterlab.engine.pipeline.fast.PixelBatch;
+import rasterlab.engine.pipeline.fast.PixelColors;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**

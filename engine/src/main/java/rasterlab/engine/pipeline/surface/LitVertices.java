@@ -1,8 +1,8 @@
 package rasterlab.engine.pipeline.surface;
 
 import rasterlab.engine.light.PointLighting;
-import rasterlab.engine.pipeline.triangle.VertexBlock;
-import rasterlab.engine.pipeline.triangle.VertexColors;
+import rasterlab.engine.pipeline.fast.VertexBlock;
+import rasterlab.engine.pipeline.fast.VertexColors;
 
 /**
  * The light of a whole scene on vertices, for flat and Gouraud shading.

@@ -5,8 +5,8 @@ import static rasterlab.engine.scene.VertexQuantity.TEXTURE_T;
 
 import java.util.EnumSet;
 import java.util.Set;
-import rasterlab.engine.pipeline.triangle.PixelBatch;
-import rasterlab.engine.pipeline.triangle.PixelColors;
+import rasterlab.engine.pipeline.fast.PixelBatch;
+import rasterlab.engine.pipeline.fast.PixelColors;
 import rasterlab.engine.scene.VertexQuantity;
 import rasterlab.engine.texture.DetailLevel;
 import rasterlab.engine.texture.TextureEnvironment;

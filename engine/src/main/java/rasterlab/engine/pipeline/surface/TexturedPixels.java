@@ -2,8 +2,8 @@ package rasterlab.engine.pipeline.surface;
 
 import java.util.EnumSet;
 import java.util.Set;
-import rasterlab.engine.pipeline.triangle.PixelBatch;
-import rasterlab.engine.pipeline.triangle.PixelColors;
+import rasterlab.engine.pipeline.fast.PixelBatch;
+import rasterlab.engine.pipeline.fast.PixelColors;
 import rasterlab.engine.scene.VertexQuantity;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.TextureMatrix;

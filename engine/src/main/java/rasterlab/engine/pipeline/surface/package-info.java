@@ -5,7 +5,7 @@
  * <p>{@code new LitVertices(lighting, meshColors)}, {@code new LitPixels(lighting, meshColors)},
  * {@code new ColoredPixels()}, {@code new TexturedPixels(sampler, filter, environment, under)}, its
  * {@code moved(matrix)}, and {@code new TexelPixels(sampler, filter)} for the texture alone. Light
- * is reckoned in the space that {@link rasterlab.engine.pipeline.triangle.TriangleView} calls the
+ * is reckoned in the space that {@link rasterlab.engine.pipeline.fast.TriangleView} calls the
  * eye's; texture coordinates as in {@code engine.texture}. Start with {@link
  * rasterlab.engine.pipeline.surface.TexturedPixels}.
  */

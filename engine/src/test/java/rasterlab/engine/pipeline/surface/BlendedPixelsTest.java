@@ -6,11 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
-import rasterlab.engine.pipeline.triangle.Blending;
-import rasterlab.engine.pipeline.triangle.DepthRaster;
-import rasterlab.engine.pipeline.triangle.Surface;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
-import rasterlab.engine.pipeline.triangle.TriangleView;
+import rasterlab.engine.pipeline.fast.Blending;
+import rasterlab.engine.pipeline.fast.DepthRaster;
+import rasterlab.engine.pipeline.fast.Surface;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
+import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.transform.GlMatrices;
 

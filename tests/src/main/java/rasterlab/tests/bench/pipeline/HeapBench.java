@@ -1,9 +1,9 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.util.List;
-import rasterlab.engine.pipeline.triangle.DepthRaster;
-import rasterlab.engine.pipeline.triangle.Surface;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.fast.DepthRaster;
+import rasterlab.engine.pipeline.fast.Surface;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
 
 /** A million triangles in a process whose heap is small. */
 final class HeapBench {

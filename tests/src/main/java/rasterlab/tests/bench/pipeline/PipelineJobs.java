@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
 
 /** What there is to measure, in the table's order. */
 final class PipelineJobs {

@@ -2,7 +2,7 @@ package rasterlab.tests.bench.pipeline;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.pipeline.triangle.Surface;
+import rasterlab.engine.pipeline.fast.Surface;
 import rasterlab.engine.raster.Raster;
 
 /**

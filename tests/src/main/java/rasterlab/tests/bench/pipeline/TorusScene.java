@@ -1,8 +1,8 @@
 package rasterlab.tests.bench.pipeline;
 
 import org.joml.Matrix4d;
-import rasterlab.engine.pipeline.triangle.DistantLight;
-import rasterlab.engine.pipeline.triangle.TriangleView;
+import rasterlab.engine.pipeline.fast.DistantLight;
+import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.transform.GlMatrices;

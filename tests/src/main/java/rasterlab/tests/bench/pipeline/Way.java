@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.language.Complaints;
 import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.tests.bench.BenchWords;
 
 /** A pipeline that computes so many pixels at a time. */

@@ -10,8 +10,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
-import rasterlab.engine.pipeline.triangle.DepthRaster;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.fast.DepthRaster;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.tests.bench.BenchWords;
 
 /** The pipeline's pictures beside OpenGL's; skipped where there is no OpenGL. */

@@ -1,0 +1,149 @@
+package rasterlab.engine.pipeline.fast;
+
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.Map;
+import java.util.Set;
+import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.scene.VertexQuantity;
+
+/**
+ * Pixels that wait for their colours; cells [0, count) are used. Who gets a batch may overwrite its
+ * values.
+ */
+public final class PixelBatch {
+    /**
+     * The most pixels of a batch: as many as the largest {@linkplain RowDepth compact} box has.
+     * Batches of half as many are slower by a twentieth where triangles have some fifty pixels.
+     */
+    public static final int SIZE = RowDepth.WIDEST * TriangleScan.ROWS;
+
+    private final RowLoops loops;
+    private final Map<VertexQuantity, float[]> values = new EnumMap<>(VertexQuantity.class);
+    private final Map<VertexQuantity, float[]> right = new EnumMap<>(VertexQuantity.class);
+    private final Map<VertexQuantity, float[]> down = new EnumMap<>(VertexQuantity.class);
+    private final Set<VertexQuantity> wanted = EnumSet.noneOf(VertexQuantity.class);
+    private final Set<VertexQuantity> sloping = EnumSet.noneOf(VertexQuantity.class);
+
+    /** Loops in lanes may write beyond the last pixel. */
+    static final int ROOM = SIZE + RowLoops.MOST_LANES;
+
+    /** The cell of the picture. */
+    final int[] cell = new int[ROOM];
+
+    /** The weights of the triangle's corners b and c. */
+    final float[] weightB = new float[ROOM];
+
+    final float[] weightC = new float[ROOM];
+
+    /** Depth, 0 to 1. */
+    final float[] depth = new float[ROOM];
+
+    /** 1/w, linear on the picture; w while colours are found. */
+    final float[] nearness = new float[ROOM];
+
+    final PixelSlopes slopes = new PixelSlopes();
+
+    private final float[] squaredSteps = new float[ROOM];
+
+    /** Whether alpha counts for nothing. */
+    boolean opaque;
+
+    /** Pixels in use. */
+    public int count;
+
+    /** Whether the pixel's triangle turns its inner side to the eye. */
+    public final boolean[] fromBehind = new boolean[SIZE];
+
+    /** Out: the colours, 0xAARRGGBB. */
+    public final int[] argb = new int[SIZE];
+
+    /**
+     * @param loops those of the thread whose batch this is
+     */
+    PixelBatch(RowLoops loops) {
+        this.loops = loops;
+    }
+
+    /** How many numbers are computed at a time. */
+    public Lanes lanes() {
+        return loops.lanes();
+    }
+
+    /** Forgets what waits and makes room for what those colours want. */
+    void begin(PixelColors colors) {
+        count = 0;
+        prepare(wanted, colors.wants(), values);
+        prepare(sloping, colors.wantsSlopes(), right);
+        prepare(sloping, colors.wantsSlopes(), down);
+    }
+
+    private static void prepare(
+            Set<VertexQuantity> now, Set<VertexQuantity> next, Map<VertexQuantity, float[]> room) {
+        for (VertexQuantity quantity : Frame.QUANTITIES)
+            if (next.contains(quantity)) {
+                now.add(quantity);
+                if (!room.containsKey(quantity)) room.put(quantity, new float[ROOM]);
+            } else now.remove(quantity);
+    }
+
+    /** One number for each pixel, perspective-correct: not a copy. */
+    public float[] values(VertexQuantity quantity) {
+        if (!wanted.contains(quantity))
+            throw new IllegalArgumentException(quantity + " was not asked for by wants()");
+        return values.get(quantity);
+    }
+
+    /**
+     * Finds how fast the value, as it is now, grows to the right at the pixels' centres, per pixel;
+     * the numbers may be overwritten.
+     */
+    public float[] right(VertexQuantity quantity) {
+        requireSlope(quantity);
+        slopes.findRight(quantity, values(quantity), nearness, right.get(quantity));
+        return right.get(quantity);
+    }
+
+    /** How fast it grows downward. */
+    public float[] down(VertexQuantity quantity) {
+        requireSlope(quantity);
+        slopes.findDown(quantity, values(quantity), nearness, down.get(quantity));
+        return down.get(quantity);
+    }
+
+    /**
+     * Finds ρ² of the texture coordinates as they are now, see {@link
+     * rasterlab.engine.texture.DetailLevel}; they must not be affine.
+     *
+     * @param width of the texture in texels
+     * @param height of the texture in texels
+     */
+    public float[] squaredSteps(int width, int height) {
+        requireSlope(VertexQuantity.TEXTURE_S);
+        requireSlope(VertexQuantity.TEXTURE_T);
+        loops.squareSteps(this, width, height, squaredSteps);
+        return squaredSteps;
+    }
+
+    private void requireSlope(VertexQuantity quantity) {
+        if (!sloping.contains(quantity))
+            throw new IllegalArgumentException(
+                    "the slope of " + quantity + " was not asked for by wantsSlopes()");
+    }
+
+    /**
+     * Makes the pixels' colours of shares, each channel's nearest level, opaque.
+     *
+     * @param red 0 to 1, or beyond by no more than some ulps, as the others; one of the batch's own
+     *     arrays, as the others
+     */
+    public void pack(float[] red, float[] green, float[] blue) {
+        loops.pack(this, red, green, blue);
+    }
+
+    /** The same with an alpha where it counts. */
+    public void pack(float[] red, float[] green, float[] blue, float[] alpha) {
+        loops.pack(this, red, green, blue);
+        if (!opaque) PixelLevels.setAlpha(count, alpha, argb);
+    }
+}

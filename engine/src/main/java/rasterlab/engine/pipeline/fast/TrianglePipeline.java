@@ -1,0 +1,164 @@
+package rasterlab.engine.pipeline.fast;
+
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.TriangleMesh;
+
+/**
+ * Draws triangle meshes by depth, on several threads, the same picture bit for bit on any number.
+ *
+ * <p>One frame at a time: vertices by blocks, triangles by chunks, what triangles in sight want of
+ * their vertices by blocks, pixels by bands of 32 rows, the fullest first; each stage begins when
+ * the one before has ended; where a triangle may be clipped, which needs all of its vertices, the
+ * second comes third. A chunk is sorted into bands by one thread and a band drawn by one thread in
+ * the mesh's order, so no result depends on which thread was first. Once each thread has drawn a
+ * band nothing is allocated until a larger mesh or picture comes.
+ */
+public final class TrianglePipeline implements AutoCloseable {
+    private static final float[] NOT_KEPT = {};
+
+    private final WorkerTeam team;
+    private final Worker[] workers;
+    private final Frame frame = new Frame();
+    private final WorkerTeam.Task vertexTask = this::vertices;
+    private final WorkerTeam.Task attributeTask = this::attributes;
+    private final WorkerTeam.Task binTask = this::bin;
+    private final WorkerTeam.Task bandTask = this::band;
+    private final BandOrder order = new BandOrder();
+    private TriangleChunk[] chunks = new TriangleChunk[0];
+    private int chunkCount;
+    private BooleanSupplier cancelled;
+
+    /** What each thread has for itself. */
+    private record Worker(VertexStage vertices, Binner binner, BandStage bands) {}
+
+    /** On all cores. */
+    public TrianglePipeline() {
+        this(Math.min(WorkerTeam.MOST, Runtime.getRuntime().availableProcessors()));
+    }
+
+    /**
+     * @param threads 1 to 256, the caller's included
+     */
+    public TrianglePipeline(int threads) {
+        this(threads, Lanes.best());
+    }
+
+    /**
+     * @param threads 1 to 256, the caller's included
+     * @param lanes how many vertices or pixels are computed at a time
+     * @throws IllegalStateException where there are not so many lanes
+     */
+    public TrianglePipeline(int threads, Lanes lanes) {
+        WorkerTeam.checkSize(threads);
+        workers = new Worker[threads];
+        for (int k = 0; k < threads; k++)
+            workers[k] = new Worker(new VertexStage(lanes), new Binner(), new BandStage(lanes));
+        team = new WorkerTeam(threads);
+    }
+
+    /** Number of threads, the caller's included. */
+    public int threads() {
+        return team.size();
+    }
+
+    /**
+     * Draws over what the picture holds.
+     *
+     * @param cancelled asked by all threads, often; a picture then is half drawn
+     * @throws CancellationException soon after {@code cancelled} says true
+     * @throws IllegalArgumentException where the surface wants what the mesh has not
+     */
+    public void draw(
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            DepthRaster out,
+            BooleanSupplier cancelled) {
+        run(false, 0, mesh, view, surface, out.raster(), out.depth(), cancelled);
+    }
+
+    /** The same on a picture that is given one colour 0xAARRGGBB at the far plane first. */
+    public void drawOn(
+            int background,
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            DepthRaster out,
+            BooleanSupplier cancelled) {
+        run(true, background, mesh, view, surface, out.raster(), out.depth(), cancelled);
+    }
+
+    /** The same where nobody asks for depths afterwards: they last as long as their band. */
+    public void drawOn(
+            int background,
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            Raster out,
+            BooleanSupplier cancelled) {
+        run(true, background, mesh, view, surface, out, NOT_KEPT, cancelled);
+    }
+
+    private synchronized void run(
+            boolean clears,
+            int background,
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            Raster out,
+            float[] depth,
+            BooleanSupplier cancelled) {
+        this.cancelled = cancelled;
+        frame.clears = clears;
+        frame.background = background;
+        frame.begin(mesh, view, surface, out, depth);
+        chunkCount = Binner.chunks(mesh.triangleCount());
+        int had = chunks.length;
+        if (had < chunkCount) {
+            chunks = Arrays.copyOf(chunks, chunkCount);
+            for (int k = had; k < chunkCount; k++) chunks[k] = new TriangleChunk();
+        }
+        int blocks = VertexStage.blocks(mesh);
+        team.run(vertexTask, blocks);
+        Arrays.fill(frame.vertices.needed, frame.clips);
+        if (frame.clips) team.run(attributeTask, blocks);
+        team.run(binTask, chunkCount);
+        if (!frame.clips) team.run(attributeTask, blocks);
+        order.find(chunks, chunkCount, frame.bands);
+        team.run(bandTask, frame.bands);
+    }
+
+    private void vertices(int block, int worker) {
+        checkCancelled();
+        workers[worker].vertices.place(frame, block);
+    }
+
+    private void attributes(int block, int worker) {
+        checkCancelled();
+        workers[worker].vertices.fill(frame, block);
+    }
+
+    private void bin(int chunk, int worker) {
+        checkCancelled();
+        workers[worker].binner.run(frame, chunk, chunks[chunk]);
+    }
+
+    private void band(int before, int worker) {
+        checkCancelled();
+        workers[worker].bands.run(frame, order.band(before), chunks, chunkCount);
+    }
+
+    private void checkCancelled() {
+        if (cancelled.getAsBoolean()) throw new CancellationException("the picture is cancelled");
+    }
+
+    /** Ends the threads; nothing can be drawn afterwards. */
+    @Override
+    public void close() {
+        team.close();
+    }
+}
