@@ -39,7 +39,7 @@ public final class MethodColours {
     public static final Color ROSE = new Color(0xFFAABB);
 
     /**
-     * This and the next three are of no published palette, whose like-named colours are too near to
+     * This and the next four are of no published palette, whose like-named colours are too near to
      * those above: they were found by measuring, as the class's tests do.
      */
     public static final Color BROWN = new Color(0x692B04);
@@ -47,6 +47,7 @@ public final class MethodColours {
     public static final Color SLATE = new Color(0x4F5769);
     public static final Color TEAL = new Color(0x49C796);
     public static final Color SAND = new Color(0xCFCB9A);
+    public static final Color VIOLET = new Color(0xA000F0);
 
     /**
      * For lines on a dark ground, in which these drown; merely paler, they would be others. No
@@ -82,7 +83,8 @@ public final class MethodColours {
                     BROWN,
                     MAGENTA,
                     SLATE,
-                    SAND);
+                    SAND,
+                    VIOLET);
 
     private MethodColours() {}
 

@@ -15,6 +15,7 @@ import static rasterlab.app.canvas.MethodColours.SAND;
 import static rasterlab.app.canvas.MethodColours.SKY_BLUE;
 import static rasterlab.app.canvas.MethodColours.SLATE;
 import static rasterlab.app.canvas.MethodColours.TEAL;
+import static rasterlab.app.canvas.MethodColours.VIOLET;
 import static rasterlab.app.canvas.MethodColours.WINE;
 import static rasterlab.app.canvas.MethodColours.YELLOW;
 
@@ -41,6 +42,7 @@ final class VisibilityColours {
                             Map.entry("zfloat", BLUE),
                             Map.entry("reversed-z", MAGENTA),
                             Map.entry("raycast", GREEN),
+                            Map.entry("plain", VIOLET),
                             Map.entry("pipeline", SLATE),
                             Map.entry("auto", SAND)));
 

@@ -50,7 +50,9 @@ class MethodColoursTest {
         /** Makes as many methods without colours of their own as the palette has colours. */
         static Together palette() {
             return new Together(
-                    IntStream.range(0, 17).mapToObj(i -> "method " + i).toList(),
+                    IntStream.range(0, MethodColours.PALETTE.size())
+                            .mapToObj(i -> "method " + i)
+                            .toList(),
                     new TopicColours(Map.of()));
         }
 

@@ -16,6 +16,7 @@ import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
 import rasterlab.engine.pipeline.paint.SurfacePicture;
 import rasterlab.engine.pipeline.paint.Veil;
+import rasterlab.engine.pipeline.plain.PlainPipeline;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.raster.Raster;
@@ -44,6 +45,9 @@ public final class Renderer implements AutoCloseable {
     /** The method that hides nothing, so that wires are seen whole. */
     private static final String HIDES_NOTHING = "none";
 
+    /** The triangle pipeline on one page, for a lecture. */
+    public static final String PLAIN = "plain";
+
     /** The triangle pipeline, on all cores. */
     public static final String PIPELINE = "pipeline";
 
@@ -70,6 +74,7 @@ public final class Renderer implements AutoCloseable {
 
     private static List<Method<Visibility>> methods() {
         List<Method<Visibility>> methods = new ArrayList<>(new Visibilities().methods());
+        methods.add(Method.failing(PLAIN, PlainPipeline::draw));
         methods.add(Method.failing(PIPELINE, new NumberedFaces()));
         return List.copyOf(methods);
     }

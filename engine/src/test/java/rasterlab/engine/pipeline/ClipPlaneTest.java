@@ -82,7 +82,16 @@ class ClipPlaneTest {
             name =
                     "{0}: a plane that cuts nothing changes the picture, or one that"
                             + " cuts all leaves something")
-    @ValueSource(strings = {"zfloat", "pipeline", "painter", "raycast", "raycast-surface", "wire"})
+    @ValueSource(
+            strings = {
+                "zfloat",
+                "plain",
+                "pipeline",
+                "painter",
+                "raycast",
+                "raycast-surface",
+                "wire"
+            })
     void planesBesideTheScene(String method) {
         boolean wire = method.equals("wire");
         RenderRequest request = request("torus", wire ? "zfloat" : method, "perspective");

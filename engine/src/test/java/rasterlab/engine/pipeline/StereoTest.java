@@ -38,7 +38,7 @@ class StereoTest {
     }
 
     static Stream<Arguments> depths() {
-        return Stream.of("painter", "zfloat", "raycast")
+        return Stream.of("painter", "zfloat", "raycast", "plain")
                 .flatMap(
                         method ->
                                 Stream.of(-5.0, 0.0, 4.0)

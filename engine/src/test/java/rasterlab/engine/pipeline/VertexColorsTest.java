@@ -59,7 +59,7 @@ class VertexColorsTest {
     }
 
     static Stream<Arguments> ways() {
-        return Stream.of("zfloat", "painter", "raycast", Renderer.PIPELINE)
+        return Stream.of("zfloat", "painter", "raycast", Renderer.PLAIN, Renderer.PIPELINE)
                 .flatMap(
                         visibility ->
                                 Stream.of(ShadingMethod.GOURAUD, ShadingMethod.PHONG)

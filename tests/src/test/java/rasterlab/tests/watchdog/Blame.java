@@ -74,6 +74,7 @@ enum Blame {
                     "rasterlab.engine.pipeline",
                     "rasterlab.engine.pipeline.direct",
                     "rasterlab.engine.pipeline.paint",
+                    "rasterlab.engine.pipeline.plain",
                     "rasterlab.engine.pipeline.surface",
                     "rasterlab.engine.pipeline.fast",
                     "rasterlab.engine.pipeline.wire",

@@ -5,17 +5,24 @@ import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import org.joml.Vector4d;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.fast.DepthRaster;
 import rasterlab.engine.pipeline.fast.Surface;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.pipeline.fast.VertexColors;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
+import rasterlab.engine.scene.catalogue.Scenes;
 
 /** What needs no OpenGL: Java2D, the memory's limit, and the pipeline beside itself. */
 final class OwnBench {
     private static final TorusScene SCENE = new TorusScene(100_000, 1280, 720);
+
+    /** Faces round the torus that the page of the course draws: 10,000 or so in all. */
+    private static final int DETAIL = 140;
 
     private final Turns.Length length;
 
@@ -119,6 +126,41 @@ final class OwnBench {
                     pipeline.threads() == 2 ? 1.85 : 0,
                     words -> words.text(same ? "note.same" : "note.differ"));
         }
+    }
+
+    /** What the course reads beside what is fast, both as a user's picture is made. */
+    Row page() {
+        Scene scene = Scenes.named("torus", DETAIL);
+        var fast = request(scene, Renderer.PIPELINE);
+        var plain = request(scene, Renderer.PLAIN);
+        var out = new Raster(SCENE.width(), SCENE.height());
+        var read = new Raster(SCENE.width(), SCENE.height());
+        try (var renderer = new Renderer()) {
+            var times =
+                    new Turns(
+                            length,
+                            () -> renderer.render(fast, out, () -> false),
+                            () -> renderer.render(plain, read, () -> false));
+            return new Row(
+                    "torus of %,d faces, %d×%d, Gouraud"
+                            .formatted(scene.mesh().faceCount(), out.width(), out.height()),
+                    times.text(0),
+                    "the page of the course " + times.text(1),
+                    times.ratio(1, 0),
+                    0,
+                    Difference.of(out.argb(), read.argb())::text);
+        }
+    }
+
+    private static RenderRequest request(Scene scene, String visibility) {
+        return new RenderRequest(
+                scene,
+                visibility,
+                "gouraud",
+                "perspective",
+                scene.defaultCamera(),
+                SCENE.width(),
+                SCENE.height());
     }
 
     /** Java2D gets the corners on the picture and no depth: it does a part of the work only. */

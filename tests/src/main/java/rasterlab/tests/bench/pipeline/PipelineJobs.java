@@ -70,6 +70,7 @@ final class PipelineJobs {
         Supplier<List<Row>> million = () -> List.of(HeapBench.draw(pipeline.get()));
         all.add(new Job("heap", false, HeapBench.OPTIONS, million));
         add("Java2D", () -> own.java2d(pipeline.get()));
+        add("the page of the course", own::page);
     }
 
     private void addOpenGl(String work, Supplier<List<Row>> rows) {
