@@ -6,7 +6,9 @@ import java.awt.Font;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -53,6 +55,9 @@ final class ResultPane extends JPanel {
 
     /** The exercise that is shown; "" before one is. */
     private String exercise = "";
+
+    /** Names of its cases that tell a counterexample in words of their own. */
+    private transient Set<String> telling = Set.of();
 
     /**
      * @param kept which case was chosen in an earlier pane; takes what is chosen here
@@ -153,6 +158,7 @@ final class ResultPane extends JPanel {
         if (another) showGuide(state.exercise().form());
         form = state.exercise().form();
         exercise = state.exercise().id();
+        telling = telling(state.exercise());
         shown = outcome;
         Optional<String> chosen = toChoose(begins);
         List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
@@ -237,6 +243,7 @@ final class ResultPane extends JPanel {
         boolean smallest =
                 shown.flatMap(Outcome::smallestCounterexample)
                         .filter(one -> chosen.filter(one::equals).isPresent())
+                        .filter(one -> !telling.contains(one.name()))
                         .isPresent();
         String words = smallest ? texts.text("smallest", said) : said;
         reason.setText(words.isEmpty() ? hint(chosen) : words);
@@ -248,6 +255,13 @@ final class ResultPane extends JPanel {
         Optional<String> obstacle = scene.flatMap(this::obstacle);
         open.setEnabled(scene.isPresent() && obstacle.isEmpty());
         open.setToolTipText(obstacle.orElse(texts.text("open.hint")));
+    }
+
+    private static Set<String> telling(Exercise exercise) {
+        return exercise.cases().stream()
+                .filter(one -> one.property().isPresent())
+                .map(Exercise.Case::name)
+                .collect(Collectors.toSet());
     }
 
     private String hint(Optional<TriedCase> chosen) {

@@ -19,11 +19,13 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.imageio.ImageIO;
 import javax.swing.JTable;
+import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
@@ -281,6 +283,29 @@ class CaseChoiceTest {
                 });
     }
 
+    @ParameterizedTest(name = "the reason of {0} names a counterexample twice, or none")
+    @CsvSource({"upward-goes-down, true", "backwards-other-pixels, false"})
+    void aCaseWithACounterexampleOfItsOwnIsNotCalledOneAgain(String smallest, boolean called)
+            throws Exception {
+        Outcome all = wrong();
+        var said = new Said("it is so", "это так");
+        List<TriedCase> cases =
+                all.cases().stream()
+                        .map(one -> drawn(one, one.name().equals(smallest) ? 1 : 4, said))
+                        .toList();
+        var outcome =
+                new Outcome("", 0, "wrong", all.points(), cases, List.of(), Said.NOTHING, 0, false);
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.RUSSIAN, kept, FAILURES::add);
+                    show(pane, Work.NONE, Optional.of(outcome));
+                    String reason = ((JTextArea) named(pane, "reason")).getText();
+                    assertEquals(called ? "Наименьший контрпример: это так" : "это так", reason);
+                    pane.close();
+                });
+    }
+
     private static Work judged(int cases) {
         List<TriedCase> all = wrong().cases();
         return new Work(Work.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
@@ -319,13 +344,17 @@ class CaseChoiceTest {
     }
 
     private static TriedCase drawn(TriedCase one, int pixels) {
+        return drawn(one, pixels, Said.NOTHING);
+    }
+
+    private static TriedCase drawn(TriedCase one, int pixels, Said said) {
         byte[] png = png(pixels);
         var rows = new Said("-".repeat(pixels), "-".repeat(pixels));
         List<TriedPicture> pictures =
                 CaseCanvas.USUAL.stream()
                         .map(kind -> new TriedPicture(kind, png, rows, Optional.empty()))
                         .toList();
-        return new TriedCase(one.name(), one.verdict(), 0, one.of(), Said.NOTHING, pictures, "");
+        return new TriedCase(one.name(), one.verdict(), 0, one.of(), said, pictures, "");
     }
 
     private static byte[] png(int width) {

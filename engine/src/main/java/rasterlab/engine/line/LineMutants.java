@@ -46,7 +46,40 @@ final class LineMutants {
                                         (int) (float) y0,
                                         (int) (float) x1,
                                         (int) (float) y1,
-                                        out)));
+                                        out)),
+                new Mutant<>(
+                        "slope-in-whole-numbers",
+                        "first-octant",
+                        stepped((start, difference, k, n) -> start + k * (difference / n))),
+                new Mutant<>(
+                        "quotient-truncated",
+                        "first-octant",
+                        stepped((start, difference, k, n) -> start + k * difference / n)),
+                new Mutant<>(
+                        "coordinate-truncated",
+                        "first-octant",
+                        stepped(
+                                (start, difference, k, n) ->
+                                        (long) (start + k * ((double) difference / n)))));
+    }
+
+    /** A coordinate of pixel k of 0 … n. */
+    private interface Coordinate {
+        long at(long start, long difference, long k, long n);
+    }
+
+    /**
+     * Right along the longer axis, whatever is lost of a fraction, as long as nothing overflows.
+     */
+    private static LineRasterizer stepped(Coordinate coordinate) {
+        return (x0, y0, x1, y1, out) -> {
+            long dx = (long) x1 - x0;
+            long dy = (long) y1 - y0;
+            long n = Math.max(1, Math.max(Math.abs(dx), Math.abs(dy)));
+            long last = dx == 0 && dy == 0 ? 0 : n;
+            for (long k = 0; k <= last; k++)
+                out.plot((int) coordinate.at(x0, dx, k, n), (int) coordinate.at(y0, dy, k, n));
+        };
     }
 
     private static void withoutLast(int x0, int y0, int x1, int y1, Pixels out) {

@@ -36,9 +36,9 @@ public interface Topic<C, I, O> {
     List<Workload<I>> workloads();
 
     /**
-     * Five to ten implementations with one likely mistake each, which no list of methods shows; an
-     * answer equal to that of one tells which mistake was made. They are made anew by each call and
-     * serve one thread: a mutant may keep what it should not.
+     * Five to fifteen implementations with one likely mistake each, which no list of methods shows;
+     * an answer equal to that of one tells which mistake was made. They are made anew by each call
+     * and serve one thread: a mutant may keep what it should not.
      */
     default List<Mutant<C>> mutants() {
         return List.of();

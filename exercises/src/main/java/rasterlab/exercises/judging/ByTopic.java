@@ -161,7 +161,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
 
     /** The first part of a wrong answer that differs, and how far all of it is from right. */
     protected Message difference(I input, O right, O actual) {
-        return Leaves.difference(topic, input, right, actual);
+        return AnswerDifference.of(topic, input, right, actual);
     }
 
     /**

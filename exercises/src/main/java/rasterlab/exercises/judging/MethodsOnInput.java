@@ -146,7 +146,7 @@ public final class MethodsOnInput<C, I, O> {
                             tried.made()
                                     .map(
                                             made ->
-                                                    Leaves.difference(
+                                                    AnswerDifference.of(
                                                             topic, input, tried.exact(), made))
                                     .orElseGet(() -> withoutAnswer(tried));
                 };

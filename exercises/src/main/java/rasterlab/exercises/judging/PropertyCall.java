@@ -183,26 +183,41 @@ final class PropertyCall<C, I, O> implements Call {
                         .and(property.rule())
                         .and(counterexample(other))
                         .and(
-                                wanted.map(one -> Leaves.unfit(topic(), other, one, output))
+                                wanted.map(one -> unfit(other, one, output))
                                         .orElse(broken.get().said()))
-                        .and(shown("property.wrong", mine))
+                        .and(whichIsWrong(mine, other))
                         .and(wrong.said());
         return new Finding(GradingVerdict.WRONG, said, wrong.pictures(), wrong.explanations());
     }
 
+    private Message unfit(I other, O wanted, O output) {
+        return AnswerDifference.unfit(topic(), other, wanted, output, grading.isInOrder());
+    }
+
+    /** The input whose answer is wrong, without its text where that has been told. */
+    private Message whichIsWrong(I mine, I other) {
+        if (mine.equals(input))
+            return other.equals(input) ? Message.NONE : Message.of("property.wrong-itself");
+        return mine.equals(other) && !isLong(input) && !isLong(other)
+                ? Message.of("property.wrong-beside")
+                : shown("property.wrong", mine);
+    }
+
     /** The input, and the one that breaks the property where that is another. */
     private Message counterexample(I other) {
-        String json = json(input);
-        if (json.length() > ByTopic.LONGEST_EXAMPLE) return Message.of("property.long", tries);
-        Message found =
-                Message.of(from.isPresent() ? "property.smallest" : "property.found", tries, json);
+        if (isLong(input)) return Message.of("property.long", tries);
+        String key = from.isPresent() ? "property.smallest" : "property.found";
+        Message found = Message.of(key, tries, json(input));
         return other.equals(input) ? found : found.and(shown("property.beside", other));
     }
 
     /** Nothing where it is long. */
     private Message shown(String key, I one) {
-        String json = json(one);
-        return json.length() > ByTopic.LONGEST_EXAMPLE ? Message.NONE : Message.of(key, json);
+        return isLong(one) ? Message.NONE : Message.of(key, json(one));
+    }
+
+    private boolean isLong(I one) {
+        return json(one).length() > ByTopic.LONGEST_EXAMPLE;
     }
 
     private String json(I one) {

@@ -7,14 +7,20 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.contract.CircleRasterizer;
+import rasterlab.contract.Pixels;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.engine.Topics;
+import rasterlab.engine.circle.MidpointCircle;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
@@ -27,6 +33,7 @@ import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.topic.TopicGradings;
@@ -102,6 +109,74 @@ class TopicExercisesTest {
         Finding shown = tried("clip-segment", twice, SEED).shown().orElseThrow();
         String said = shown.said().in("en");
         assertTrue(said.startsWith("what is right is sent again"), said);
+    }
+
+    @ParameterizedTest(name = "the order of pixels is told where any order is right: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "(3, -4) (-4, 3) | pixels missing: 2, the first is (3, -4)"
+                        + " | не хватает пикселей: 2, первый из них (3; −4)",
+                "(3, -4) | pixel (3, -4) is missing | нет пикселя (3; −4)"
+            })
+    void missingPixelsAreToldByTheirPlaces(String left, String english, String russian) {
+        CircleRasterizer without =
+                backwards(
+                        (x, y, out) -> {
+                            if (!left.contains("(" + x + ", " + y + ")")) out.plot(x, y);
+                        });
+        assertTold(without, english, russian);
+    }
+
+    @Test
+    @DisplayName("pixels that are drawn twice are told as a place in the order")
+    void repeatedPixelsAreToldAsRepeated() {
+        CircleRasterizer again =
+                backwards(
+                        (x, y, out) -> {
+                            out.plot(x, y);
+                            if (x == 0 && y < 0) out.plot(x, y);
+                        });
+        assertTold(again, "pixel (0, -5) is drawn again", "пиксель (0; −5) нарисован снова");
+    }
+
+    @Test
+    void extraPixelsAreToldBesideMissingOnes() {
+        CircleRasterizer moved = backwards((x, y, out) -> out.plot(x, x == 5 && y == 0 ? 1000 : y));
+        assertTold(
+                moved,
+                "pixel (5, 0) is missing; pixel (5, 1000) is extra",
+                "нет пикселя (5; 0); лишний пиксель (5; 1000)");
+    }
+
+    private interface Plot {
+        void at(int x, int y, Pixels out);
+    }
+
+    /** A right circle whose pixels come in the reverse order, each by way of that. */
+    private static CircleRasterizer backwards(Plot plot) {
+        return (centreX, centreY, radius, out) -> {
+            var all = new PixelRecording(Integer.MAX_VALUE);
+            new MidpointCircle().draw(centreX, centreY, radius, all);
+            for (int i = all.size() - 1; i >= 0; i--) plot.at(all.x(i), all.y(i), out);
+        };
+    }
+
+    private static void assertTold(CircleRasterizer method, String english, String russian) {
+        Case one =
+                new Case(
+                        "a-circle",
+                        Map.of(),
+                        Kind.ACCURACY,
+                        Disclosure.OPEN,
+                        1,
+                        "{\"given\": {\"center\": [0, 0], \"radius\": 5}}",
+                        false);
+        TopicGrading.Call call =
+                TopicGradings.named("circle").calls(one, new Tolerance(false), 1).get(0);
+        Finding told = call.judge(TriedMethod.answer(call, method));
+        assertEquals(english, told.said().in("en"));
+        assertEquals(russian, told.said().in("ru"));
     }
 
     /** What came of all cases. */

@@ -1,0 +1,32 @@
+package rasterlab.exercises.judging;
+
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Topic;
+import rasterlab.exercises.score.Message;
+
+/** Says how an answer differs from another one, in words that fit its kind. */
+final class AnswerDifference {
+    private AnswerDifference() {}
+
+    /** The first part of an answer that differs, and how far all of it is from right. */
+    static <C, I, O> Message of(Topic<C, I, O> topic, I input, O exact, O actual) {
+        return exact instanceof PixelRecording right && actual instanceof PixelRecording mine
+                ? new PixelsAmiss(right, mine).said()
+                : Leaves.difference(topic, input, exact, actual);
+    }
+
+    /**
+     * The first part of an answer that differs from what it would be if it fitted the others.
+     *
+     * @param wanted what it would be then
+     * @param ordered whether its items are told by their places in it
+     */
+    static <C, I, O> Message unfit(
+            Topic<C, I, O> topic, I input, O wanted, O actual, boolean ordered) {
+        return !ordered
+                        && wanted instanceof PixelRecording right
+                        && actual instanceof PixelRecording mine
+                ? new PixelsAmiss(right, mine).unfit()
+                : Leaves.unfit(topic, input, wanted, actual);
+    }
+}
