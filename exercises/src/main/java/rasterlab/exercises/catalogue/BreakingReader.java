@@ -62,7 +62,7 @@ final class BreakingReader {
                 topic.isPresent() && data.isPresent()
                         ? targets(data.get(), topic.get(), breaking)
                         : List.of();
-        var titles = faults.tried(() -> ExerciseReader.titles(fields.object("title", "en", "ru")));
+        var titles = ExerciseReader.titles(fields, faults);
         Map<String, String> statements = ExerciseReader.statements(folder, faults);
         var pictures =
                 topic.flatMap(

@@ -27,6 +27,18 @@ final class CaseReader {
 
     private static final List<String> ASKED = List.of("input", "generate", "property");
 
+    /** The fields of each. */
+    private static final Map<String, String[]> WITHIN =
+            Map.of(
+                    "input", new String[] {"given", "hazard", "mayRefuse", "strict", "first"},
+                    "generate", new String[] {"shape", "count", "let", "given", "strict"},
+                    "property", new String[] {"holds", "shape", "count", "let", "given", "seed"});
+
+    private static final List<String> KINDS = List.of("accuracy", "stability");
+
+    private static final List<String> VISIBILITIES =
+            List.of("open", "verdict-only", "after-deadline", "never");
+
     private final ExerciseFolder folder;
     private final Faults faults;
     private final Optional<TopicGrading> topic;
@@ -58,52 +70,74 @@ final class CaseReader {
                     faults.tried(() -> JsonFields.parseArray(folder.place(file), folder.text(file)))
                             .orElse(List.of())) {
                 faults.checkKnown(fields, FIELDS);
-                faults.tried(() -> checked(fields, oneCase(fields))).ifPresent(cases::add);
+                oneCase(fields.keeping(faults::keep)).ifPresent(cases::add);
             }
         checkNames(cases);
         return cases;
     }
 
-    private Case oneCase(JsonFields fields) {
-        String name = ExerciseReader.name(fields);
-        String asked = asked(fields);
-        Optional<JsonFields> property =
-                asked.equals("property")
-                        ? Optional.of(fields.object("property"))
-                        : Optional.empty();
-        boolean generated = property.map(one -> !one.has("seed")).orElse(asked.equals("generate"));
-        Disclosure visibility =
-                Disclosure.valueOf(
-                        constant(
-                                fields.word(
-                                        "visibility",
-                                        List.of(
-                                                "open",
-                                                "verdict-only",
-                                                "after-deadline",
-                                                "never"))));
-        if (generated && visibility == Disclosure.OPEN)
+    /** What a case asks for: its data, whether a seed draws it, and the property of it. */
+    private record Asked(String data, boolean generated, Optional<String> property) {}
+
+    /** A case; empty where something is wrong, all of which is kept. */
+    private Optional<Case> oneCase(JsonFields fields) {
+        int before = faults.all().size();
+        Optional<String> name = faults.tried(() -> ExerciseReader.name(fields));
+        var titles =
+                fields.has("title")
+                        ? ExerciseReader.titles(fields, faults)
+                        : Optional.of(Map.<String, String>of());
+        Optional<String> group =
+                fields.has("group") ? faults.tried(() -> fields.word("group", groups)) : name;
+        Optional<Kind> kind = faults.tried(() -> Kind.valueOf(word(fields, "kind", KINDS)));
+        Optional<Disclosure> visibility =
+                faults.tried(() -> Disclosure.valueOf(word(fields, "visibility", VISIBILITIES)));
+        Optional<Integer> points =
+                faults.tried(() -> fields.integer("points", 0, Exercise.MOST_POINTS));
+        Optional<Asked> asked = faults.tried(() -> asked(fields));
+        if (asked.isPresent() && visibility.isPresent())
+            faults.checked(() -> checkSeeded(fields, asked.get(), visibility.get()));
+        if (name.isEmpty() || asked.isEmpty()) return Optional.empty();
+        // what stands in for a fault here is in no exercise, but its inputs are looked at
+        Case one =
+                new Case(
+                        name.get(),
+                        titles.orElse(Map.of()),
+                        group.orElse(name.get()),
+                        kind.orElse(Kind.ACCURACY),
+                        visibility.orElse(Disclosure.NEVER),
+                        points.orElse(0),
+                        asked.get().data(),
+                        asked.get().generated(),
+                        asked.get().property());
+        faults.checked(() -> check(fields, one));
+        return faults.all().size() > before ? Optional.empty() : Optional.of(one);
+    }
+
+    private static String word(JsonFields fields, String field, List<String> allowed) {
+        return constant(fields.word(field, allowed));
+    }
+
+    /** An open case is the same for everybody. */
+    private static void checkSeeded(JsonFields fields, Asked asked, Disclosure visibility) {
+        if (asked.generated() && visibility == Disclosure.OPEN)
             throw fields.wrong(
                     "visibility",
-                    Phrase.of(property.isPresent() ? "field.unseeded" : "field.generated"));
-        return new Case(
-                name,
-                fields.has("title")
-                        ? ExerciseReader.titles(fields.object("title", "en", "ru"))
-                        : Map.of(),
-                fields.has("group") ? fields.word("group", groups) : name,
-                Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
-                visibility,
-                fields.integer("points", 0, Exercise.MOST_POINTS),
-                asked.equals("input")
-                        ? fields.json("input")
-                        : shapes.given(fields.object(asked), "holds"),
-                generated,
-                property.map(this::property));
+                    Phrase.of(asked.property().isPresent() ? "field.unseeded" : "field.generated"));
+    }
+
+    private Asked asked(JsonFields fields) {
+        String field = askedField(fields);
+        JsonFields all = fields.object(field, WITHIN.get(field));
+        if (field.equals("input")) return new Asked(all.tree().toString(), false, Optional.empty());
+        String data = shapes.given(all, "holds");
+        return field.equals("property")
+                ? new Asked(data, !all.has("seed"), Optional.of(property(all)))
+                : new Asked(data, true, Optional.empty());
     }
 
     /** The one field that says what a case asks for. */
-    private static String asked(JsonFields fields) {
+    private static String askedField(JsonFields fields) {
         List<String> given = ASKED.stream().filter(fields::has).toList();
         if (given.size() == 1) return given.get(0);
         throw fields.wrong("", Phrase.of("field.one-of", String.join(", ", ASKED)));
@@ -141,11 +175,10 @@ final class CaseReader {
     }
 
     /** Reads the input as the runner will, so that a mistake shows before anybody submits. */
-    private Case checked(JsonFields fields, Case one) {
-        if (folder.tested()) return one;
+    private void check(JsonFields fields, Case one) {
+        if (folder.tested()) return;
         try {
             topic.ifPresent(known -> known.calls(one, new Tolerance(false), 0));
-            return one;
         } catch (CatalogueException e) {
             throw fields.wrong("", Phrase.of("field.unusable", e.said()));
         }

@@ -112,7 +112,8 @@ final class ExerciseReader {
 
     private JsonFields fields() {
         String file = "exercise.json";
-        JsonFields fields = JsonFields.parse(folder.place(file), folder.text(file));
+        JsonFields fields =
+                JsonFields.parse(folder.place(file), folder.text(file)).keeping(faults::keep);
         faults.checkKnown(fields, FIELDS);
         return fields;
     }
@@ -129,16 +130,14 @@ final class ExerciseReader {
 
     private Optional<Exercise> written(String id, JsonFields fields) {
         Optional<TopicGrading> topic = faults.tried(() -> grading(fields));
-        Optional<PointPlan> points =
-                faults.tried(
-                        () -> points(fields.object("points", "accuracy", "stability", "speed")));
+        Optional<PointPlan> points = points(fields);
         List<Group> groups = new GroupReader(faults).read(fields, topic);
         int before = faults.all().size();
         List<Case> cases = cases(fields, topic, groups);
         // without a case that cannot be read the sums say nothing
         if (before == faults.all().size()) points.ifPresent(plan -> checkSums(cases, plan));
         Map<String, String> statements = statements(folder, faults);
-        var titles = faults.tried(() -> titles(fields.object("title", "en", "ru")));
+        var titles = titles(fields, faults);
         var pictures =
                 topic.flatMap(
                         one ->
@@ -155,7 +154,7 @@ final class ExerciseReader {
                 faults.tried(
                         () ->
                                 fields.has("timed")
-                                        ? Optional.of(fields.json("timed"))
+                                        ? Optional.of(timed(fields))
                                         : Optional.<String>empty());
         String revision = Revision.of(folder.read());
         List<Hint> hints = new HintReader(folder, fields, faults).read();
@@ -183,6 +182,10 @@ final class ExerciseReader {
                         hints);
         if (!folder.tested()) faults.checked(() -> checkTimings(fields, topic.orElseThrow(), read));
         return Optional.of(read);
+    }
+
+    private static String timed(JsonFields fields) {
+        return fields.object("timed", "count", "let", "given", "parts").tree().toString();
     }
 
     private static TopicGrading grading(JsonFields fields) {
@@ -286,10 +289,21 @@ final class ExerciseReader {
                 : OptionalInt.empty();
     }
 
+    /** A text in each language. */
     static Map<String, String> titles(JsonFields fields) {
         Map<String, String> titles = new LinkedHashMap<>();
         for (String language : LANGUAGES) titles.put(language, fields.text(language));
         return titles;
+    }
+
+    /** The title in each language; empty where one is missing, which is kept. */
+    static Optional<Map<String, String>> titles(JsonFields fields, Faults faults) {
+        Optional<JsonFields> title = faults.tried(() -> fields.object("title", "en", "ru"));
+        Map<String, String> titles = new LinkedHashMap<>();
+        for (String language : LANGUAGES)
+            title.flatMap(all -> faults.tried(() -> all.text(language)))
+                    .ifPresent(text -> titles.put(language, text));
+        return titles.size() == LANGUAGES.size() ? Optional.of(titles) : Optional.empty();
     }
 
     /** The statements; one that is missing is kept as a fault. */
@@ -301,12 +315,23 @@ final class ExerciseReader {
         return statements;
     }
 
-    private static PointPlan points(JsonFields fields) {
-        PointPlan plan =
-                new PointPlan(
-                        fields.integer("accuracy", 0, Exercise.MOST_POINTS),
-                        fields.integer("stability", 0, Exercise.MOST_POINTS),
-                        fields.integer("speed", 0, Exercise.MOST_POINTS));
+    private Optional<PointPlan> points(JsonFields fields) {
+        Optional<JsonFields> all =
+                faults.tried(() -> fields.object("points", "accuracy", "stability", "speed"));
+        if (all.isEmpty()) return Optional.empty();
+        Optional<Integer> accuracy = points(all.get(), "accuracy");
+        Optional<Integer> stability = points(all.get(), "stability");
+        Optional<Integer> speed = points(all.get(), "speed");
+        if (accuracy.isEmpty() || stability.isEmpty() || speed.isEmpty()) return Optional.empty();
+        var plan = new PointPlan(accuracy.get(), stability.get(), speed.get());
+        return faults.tried(() -> wholePlan(all.get(), plan));
+    }
+
+    private Optional<Integer> points(JsonFields all, String kind) {
+        return faults.tried(() -> all.integer(kind, 0, Exercise.MOST_POINTS));
+    }
+
+    private static PointPlan wholePlan(JsonFields fields, PointPlan plan) {
         if (plan.total() != 100)
             throw fields.wrong(
                     "", Phrase.of("field.sum", plan.accuracy(), plan.stability(), plan.speed()));

@@ -16,9 +16,14 @@ final class Faults {
         try {
             return Optional.of(reading.get());
         } catch (CatalogueException fault) {
-            found.add(fault);
+            keep(fault);
             return Optional.empty();
         }
+    }
+
+    /** Keeps a fault, which may be found twice where a field is read twice. */
+    void keep(CatalogueException fault) {
+        if (found.stream().noneMatch(one -> one.said().equals(fault.said()))) found.add(fault);
     }
 
     void checked(Runnable check) {
@@ -31,7 +36,7 @@ final class Faults {
 
     /** Keeps each field that is not among the known ones. */
     void checkKnown(JsonFields fields, String... known) {
-        for (String one : fields.unknown(known)) found.add(fields.refusal(one, known));
+        for (String one : fields.unknown(known)) keep(fields.refusal(one, known));
     }
 
     /** All, in the order in which they were found. */

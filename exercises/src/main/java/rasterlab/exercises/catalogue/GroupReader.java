@@ -28,18 +28,28 @@ final class GroupReader {
         List<JsonFields> objects =
                 faults.tried(() -> exercise.objects("groups", "name", "title", "mistakes"))
                         .orElse(List.of());
-        for (JsonFields fields : objects)
-            faults.tried(() -> group(fields, names, topic)).ifPresent(groups::add);
+        for (JsonFields fields : objects) group(fields, names, topic).ifPresent(groups::add);
         return groups;
     }
 
-    private static Group group(JsonFields fields, Set<String> names, Optional<TopicGrading> topic) {
+    /** A group; empty where something is wrong, all of which is kept. */
+    private Optional<Group> group(
+            JsonFields fields, Set<String> names, Optional<TopicGrading> topic) {
+        Optional<String> name = faults.tried(() -> name(fields, names));
+        var titles = ExerciseReader.titles(fields, faults);
+        Optional<Set<String>> mistakes =
+                topic.isEmpty()
+                        ? Optional.of(Set.of())
+                        : faults.tried(() -> mistakes(fields, topic.get()));
+        return name.isPresent() && titles.isPresent() && mistakes.isPresent()
+                ? Optional.of(new Group(name.get(), titles.get(), mistakes.get()))
+                : Optional.empty();
+    }
+
+    private static String name(JsonFields fields, Set<String> names) {
         String name = ExerciseReader.name(fields);
         if (!names.add(name)) throw fields.wrong("name", Phrase.of("field.group.twice", name));
-        return new Group(
-                name,
-                ExerciseReader.titles(fields.object("title", "en", "ru")),
-                topic.map(known -> mistakes(fields, known)).orElse(Set.of()));
+        return name;
     }
 
     private static Set<String> mistakes(JsonFields fields, TopicGrading topic) {

@@ -67,7 +67,7 @@ final class PredictingReader {
                             throw fields.wrong(field, Phrase.of("field.not-in-predict"));
                         });
         Optional<Drawn> drawn = faults.tried(this::drawn);
-        var titles = faults.tried(() -> ExerciseReader.titles(fields.object("title", "en", "ru")));
+        var titles = ExerciseReader.titles(fields, faults);
         Map<String, String> statements = ExerciseReader.statements(folder, faults);
         var pictures = drawn.flatMap(one -> faults.tried(() -> pictures(one.topic(), statements)));
         var minutes = faults.tried(() -> ExerciseReader.minutes(fields));

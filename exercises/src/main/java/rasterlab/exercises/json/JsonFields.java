@@ -1,9 +1,12 @@
 package rasterlab.exercises.json;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
@@ -18,9 +21,29 @@ import rasterlab.exercises.score.Phrase;
 public final class JsonFields {
     private final Value object;
 
+    /** Takes unknown fields, which are passed over then; empty where the first is thrown. */
+    private final Optional<Consumer<CatalogueException>> unknown;
+
+    private JsonFields(
+            Value object, Optional<Consumer<CatalogueException>> unknown, String... known) {
+        object.requireObject(unknown.isPresent() ? new String[0] : known);
+        this.unknown = unknown;
+        this.object = unknown.isPresent() && known.length > 0 ? object.only(known) : object;
+        if (this.object != object)
+            for (String name : object.names())
+                if (!this.object.has(name)) unknown.get().accept(refusal(name, known));
+    }
+
     private JsonFields(Value object, String... known) {
-        this.object = object;
-        object.requireObject(known);
+        this(object, Optional.empty(), known);
+    }
+
+    /**
+     * The same fields, of which each unknown one within an object of theirs is kept instead of
+     * thrown, so that reading goes on to what else is wrong there.
+     */
+    public JsonFields keeping(Consumer<CatalogueException> unknown) {
+        return new JsonFields(object, Optional.of(unknown));
     }
 
     /**
@@ -69,14 +92,14 @@ public final class JsonFields {
     }
 
     public JsonFields object(String field, String... known) {
-        return new JsonFields(required(field), known);
+        return new JsonFields(required(field), unknown, known);
     }
 
     /** An array of objects, each of which may have the known fields; none where it is missing. */
     public List<JsonFields> objects(String field, String... known) {
         if (!has(field)) return List.of();
         return object.at(field).members().stream()
-                .map(item -> new JsonFields(item, known))
+                .map(item -> new JsonFields(item, unknown, known))
                 .toList();
     }
 
@@ -182,6 +205,13 @@ public final class JsonFields {
             } catch (NotJson e) {
                 throw wrong(place, Phrase.of("json.not", e.said()), e);
             }
+        }
+
+        /** The same object without other fields; itself where it has none. */
+        Value only(String... known) {
+            ObjectNode left = node.deepCopy();
+            left.retain(known);
+            return left.size() == node.size() ? this : new Value(in, field, left);
         }
 
         Value called(Phrase name) {
