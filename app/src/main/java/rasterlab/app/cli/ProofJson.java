@@ -87,7 +87,8 @@ final class ProofJson {
         out.writeStringField("verdict", points.verdict().published().code());
         out.writeNumberField("accuracy", points.points().accuracy());
         out.writeNumberField("stability", points.points().stability());
-        out.writeNumberField("speed", points.points().speed());
+        if (points.timed()) out.writeNumberField("speed", points.points().speed());
+        else out.writeNullField("speed");
         out.writeEndObject();
     }
 }

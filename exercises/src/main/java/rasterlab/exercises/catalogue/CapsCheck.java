@@ -1,10 +1,5 @@
 package rasterlab.exercises.catalogue;
 
-import java.io.ByteArrayInputStream;
-import java.io.DataInputStream;
-import java.lang.reflect.InvocationHandler;
-import java.lang.reflect.Method;
-import java.lang.reflect.Proxy;
 import java.util.OptionalInt;
 import java.util.function.ToLongFunction;
 import rasterlab.engine.study.LimitReached;
@@ -12,9 +7,8 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
-import rasterlab.exercises.child.HeldArrays;
+import rasterlab.exercises.child.MeasuredMethod;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -64,36 +58,12 @@ final class CapsCheck {
 
     /** Counts the bytes of the longest right answer to one call of those that an input takes. */
     private long bytes(TopicGrading.Call call) {
-        var right = new Measured(call.caps().items());
-        Class<?> type = contract.contract();
+        var right = new MeasuredMethod(contract, topic.right(), call.caps().items());
         try {
-            call.recorded(
-                    Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, right),
-                    call.caps().items());
-            return right.most;
+            call.recorded(right.proxy(), call.caps().items());
+            return right.longest();
         } catch (LimitReached | IllegalArgumentException cutOrRefused) {
-            return right.most;
-        }
-    }
-
-    /** A right method, whose answers are written down as a child would. */
-    private final class Measured implements InvocationHandler {
-        private final int items;
-        private final HeldArrays arrays = new HeldArrays();
-        private int most;
-
-        Measured(int items) {
-            this.items = items;
-        }
-
-        @Override
-        public Object invoke(Object proxy, Method method, Object[] given) throws Throwable {
-            if (method.isDefault()) return InvocationHandler.invokeDefault(proxy, method, given);
-            ContractCall call = contract.of(method);
-            byte[] answer = call.answered(topic.right(), given, items + 1);
-            most = Math.max(most, answer.length);
-            var in = new DataInputStream(new ByteArrayInputStream(answer));
-            return call.replay(in, given, arrays).value();
+            return right.longest();
         }
     }
 }

@@ -12,6 +12,7 @@ import rasterlab.exercises.Picture;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.formula.FormulaFaults;
 import rasterlab.exercises.runner.SourceCheck;
+import rasterlab.exercises.runner.TimingCheck;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;
@@ -73,6 +74,8 @@ public final class FolderCheck {
         check.faults(exercise.starter()).forEach(one -> add("Starter.java", one));
         Optional<String> model = exercise.evidence().model();
         model.ifPresent(source -> check.faults(source).forEach(one -> add("Model.java", one)));
+        String file = folder.resolve("exercise.json").toString();
+        TimingCheck.fault(exercise, file).ifPresent(faults::add);
     }
 
     private void add(String file, Diagnostic one) {

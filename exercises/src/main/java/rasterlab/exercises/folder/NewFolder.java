@@ -1,5 +1,8 @@
 package rasterlab.exercises.folder;
 
+import static java.util.Comparator.comparing;
+import static java.util.stream.Collectors.toSet;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
@@ -8,9 +11,12 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
@@ -18,6 +24,7 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.judging.InputJson;
+import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -29,20 +36,66 @@ public final class NewFolder {
     private static final int ACCURACY = 75;
     private static final int STABILITY = 15;
     private static final int SPEED = 10;
-    private static final int MOST_OPEN = 3;
+    private static final int LEAST = 4;
     private static final int MOST_HIDDEN = 3;
+
+    private static final Set<Verdict.Kind> WRONG =
+            Set.of(Verdict.Kind.WRONG, Verdict.Kind.DEGRADED, Verdict.Kind.ENDLESS);
 
     /** The proof has every faulty method answer every case, which longer answers make slow. */
     private static final int LONGEST_ANSWER = 20_000;
 
     private final Topic<?, ?, ?> topic;
     private final TopicGrading grading;
+
+    /** The hazards with a short answer. */
     private final List<String> hazards;
+
+    /** Those that cases ask for, the ones that pay nothing first. */
+    private final List<String> chosen;
+
+    /** Those of them on which the starter, which does nothing, is right. */
+    private final Set<String> free;
 
     private NewFolder(String topic) {
         this.topic = Topics.named(topic);
         this.grading = TopicGradings.named(topic);
-        this.hazards = answered(this.topic).stream().filter(this::isShort).toList();
+        this.hazards =
+                answered(this.topic).stream().filter(this::isTold).filter(this::isShort).toList();
+        List<String> all = chosen(this.topic);
+        this.free =
+                all.stream()
+                        .filter(name -> calls(name).stream().allMatch(this::isRightForNothing))
+                        .collect(toSet());
+        this.chosen = all.stream().sorted(comparing(name -> !free.contains(name))).toList();
+    }
+
+    /** The hazards that are there for known mistakes, and others until there are enough. */
+    private <C, I> List<String> chosen(Topic<C, I, ?> known) {
+        Set<String> names = new HashSet<>();
+        for (Mutant<C> one : known.mutants())
+            if (hazards.contains(one.hazard())) names.add(one.hazard());
+        for (Method<C> one : known.methods())
+            if (one.faulty()) showing(known, one).ifPresent(names::add);
+        for (String one : hazards) if (names.size() < LEAST) names.add(one);
+        return hazards.stream().filter(names::contains).toList();
+    }
+
+    /** The first hazard to which a faulty method gives a wrong answer. */
+    private Optional<String> showing(Topic<?, ?, ?> known, Method<?> faulty) {
+        return known.hazards().stream()
+                .filter(one -> hazards.contains(one.name()))
+                .filter(one -> WRONG.contains(verdict(one, faulty)))
+                .map(Hazard::name)
+                .findFirst();
+    }
+
+    private static Verdict.Kind verdict(Hazard<?> hazard, Method<?> method) {
+        return hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
+    }
+
+    private boolean isRightForNothing(TopicGrading.Call call) {
+        return call.check(TriedMethod.answer(call, Nothing.of(grading.contract()))).right();
     }
 
     /**
@@ -76,9 +129,30 @@ public final class NewFolder {
                 .toList();
     }
 
+    /** Whether the input has a form outside, in which a lab opens it. */
+    private boolean isTold(String hazard) {
+        return !InputJson.singles(topic, hazard).isEmpty();
+    }
+
+    /** A hazard by its name, or where it is several inputs by all of them. */
+    private ObjectNode input(String hazard) {
+        ObjectNode input = JsonNodeFactory.instance.objectNode();
+        if (InputJson.isSingle(topic, hazard)) return input.put("hazard", hazard);
+        InputJson.singles(topic, hazard).forEach(input.putArray("given")::add);
+        return input;
+    }
+
     /** Whether a right answer to the hazard has few items. */
     private boolean isShort(String hazard) {
-        String input = JsonNodeFactory.instance.objectNode().put("hazard", hazard).toString();
+        try {
+            return calls(hazard).stream().allMatch(call -> call.items() <= LONGEST_ANSWER);
+        } catch (CatalogueException tooLong) {
+            return false;
+        }
+    }
+
+    private List<TopicGrading.Call> calls(String hazard) {
+        String input = input(hazard).toString();
         Exercise.Case asked =
                 new Exercise.Case(
                         hazard,
@@ -88,12 +162,7 @@ public final class NewFolder {
                         0,
                         input,
                         false);
-        try {
-            return grading.calls(asked, new Exercise.Tolerance(false), 0).stream()
-                    .allMatch(call -> call.items() <= LONGEST_ANSWER);
-        } catch (CatalogueException tooLong) {
-            return false;
-        }
+        return grading.calls(asked, new Exercise.Tolerance(false), 0);
     }
 
     private ObjectNode exercise() {
@@ -134,7 +203,8 @@ public final class NewFolder {
 
     /** An input as JSON, whose numbers are to be made ranges. */
     private JsonNode given() {
-        return hazards.stream()
+        return Stream.concat(chosen.stream(), hazards.stream())
+                .filter(name -> !free.contains(name))
                 .map(name -> InputJson.of(topic, name))
                 .filter(one -> !one.isEmpty())
                 .findFirst()
@@ -142,8 +212,17 @@ public final class NewFolder {
     }
 
     private ArrayNode open() {
-        List<String> names = hazards.subList(0, Math.min(MOST_OPEN, hazards.size()));
-        return cases(names, "accuracy", "open", ACCURACY - hiddenAccuracy());
+        return cases(
+                chosen.subList(0, chosen.size() - hiddenHazards()),
+                "accuracy",
+                "open",
+                ACCURACY - hiddenAccuracy());
+    }
+
+    /** The number of those at the end that are kept from students. */
+    private int hiddenHazards() {
+        int paying = chosen.size() - free.size();
+        return Math.max(1, Math.min(MOST_HIDDEN, paying / 2));
     }
 
     private int hiddenAccuracy() {
@@ -151,8 +230,7 @@ public final class NewFolder {
     }
 
     private ArrayNode hidden() {
-        int from = Math.min(MOST_OPEN, Math.max(0, hazards.size() - 1));
-        List<String> names = hazards.subList(from, Math.min(from + MOST_HIDDEN, hazards.size()));
+        List<String> names = chosen.subList(chosen.size() - hiddenHazards(), chosen.size());
         ArrayNode cases = JsonNodeFactory.instance.arrayNode();
         ObjectNode drawn = JsonNodeFactory.instance.objectNode();
         drawn.put("name", "random-inputs");
@@ -167,19 +245,20 @@ public final class NewFolder {
         return cases;
     }
 
-    private static ArrayNode cases(
-            List<String> hazards, String kind, String visibility, int points) {
+    /** Who does nothing earns nothing: of the points, cases have shares where that is wrong. */
+    private ArrayNode cases(List<String> hazards, String kind, String visibility, int points) {
         ArrayNode cases = JsonNodeFactory.instance.arrayNode();
         int left = points;
-        for (int i = 0; i < hazards.size(); i++) {
-            int share = left / (hazards.size() - i);
+        long paying = hazards.stream().filter(name -> !free.contains(name)).count();
+        for (String hazard : hazards) {
+            int share = free.contains(hazard) ? 0 : (int) (left / paying--);
             left -= share;
-            String name = visibility.equals("open") ? hazards.get(i) : "hidden-" + hazards.get(i);
+            String name = visibility.equals("open") ? hazard : "hidden-" + hazard;
             ObjectNode one = cases.addObject();
             one.put("name", name);
             one.set("title", both(name.replace('-', ' '), "ВХОД " + name));
             one.put("kind", kind).put("visibility", visibility).put("points", share);
-            one.putObject("input").put("hazard", hazards.get(i));
+            one.set("input", input(hazard));
         }
         return cases;
     }

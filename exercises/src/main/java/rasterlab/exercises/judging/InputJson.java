@@ -2,6 +2,7 @@ package rasterlab.exercises.judging;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
+import java.util.List;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
 
@@ -19,20 +20,50 @@ public final class InputJson {
         return Leaves.json(format, input);
     }
 
+    /**
+     * The inputs that make up a hazard, as {@code ./lab run} takes them, without those that have
+     * what is not told outside.
+     */
+    public static List<JsonNode> singles(Topic<?, ?, ?> topic, String hazard) {
+        return told(topic, hazard);
+    }
+
+    /** Whether a hazard as a whole is one such input. */
+    public static boolean isSingle(Topic<?, ?, ?> topic, String hazard) {
+        return isWhole(topic, hazard);
+    }
+
+    private static <C, I> boolean isWhole(Topic<C, I, ?> topic, String hazard) {
+        return topic.format().singles(input(topic, hazard)).size() == 1;
+    }
+
+    private static <C, I> List<JsonNode> told(Topic<C, I, ?> topic, String hazard) {
+        return topic.format().singles(input(topic, hazard)).stream()
+                .map(one -> written(topic.format(), one))
+                .filter(one -> !one.isMissingNode())
+                .toList();
+    }
+
     /** As {@code ./lab run} takes it; missing where it has what is not told outside. */
     public static JsonNode of(Topic<?, ?, ?> topic, String hazard) {
         return written(topic, hazard);
     }
 
     private static <C, I> JsonNode written(Topic<C, I, ?> topic, String hazard) {
-        I input =
-                topic.hazards().stream()
-                        .filter(one -> one.name().equals(hazard))
-                        .findFirst()
-                        .orElseThrow()
-                        .input();
+        return written(topic.format(), topic.format().singles(input(topic, hazard)).get(0));
+    }
+
+    private static <I> I input(Topic<?, I, ?> topic, String hazard) {
+        return topic.hazards().stream()
+                .filter(one -> one.name().equals(hazard))
+                .findFirst()
+                .orElseThrow()
+                .input();
+    }
+
+    private static <C, I> JsonNode written(Format<C, I, ?> format, I input) {
         try {
-            return Leaves.tree(topic.format(), topic.format().singles(input).get(0));
+            return Leaves.tree(format, input);
         } catch (IllegalArgumentException untold) {
             return MissingNode.getInstance();
         }

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.PointPlan;
+import rasterlab.exercises.runner.TimingCheck;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Phrase;
 
 /**
@@ -86,5 +88,13 @@ public record Proof(
                             plan.accuracy(),
                             model.points().stability(),
                             plan.stability()));
+        else if (plan.speed() > 0 && !model.untimed().isEmpty())
+            faults.add(TimingCheck.at("exercise.json", untimed(model.untimed())));
+    }
+
+    /** The first sentence tells what stands in the way. */
+    private static Phrase untimed(Message why) {
+        Message first = new Message(why.sentences().subList(0, 1));
+        return Phrase.of("proof.untimed", Phrase.of(first));
     }
 }

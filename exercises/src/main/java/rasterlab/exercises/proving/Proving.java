@@ -87,7 +87,8 @@ public final class Proving {
                                 .map(one -> one.line() + ": " + one.message("en"))
                                 .collect(joining("; "));
         GradingVerdict verdict = report.verdict();
-        return new SourcePoints(verdict, report.points(), why);
+        return new SourcePoints(
+                verdict, report.points(), why, report.speedObstacle(), !report.speedIsUnsettled());
     }
 
     private List<RightMethod> right() {

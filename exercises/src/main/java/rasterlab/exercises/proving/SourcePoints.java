@@ -1,6 +1,7 @@
 package rasterlab.exercises.proving;
 
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Points;
 
 /**
@@ -8,8 +9,11 @@ import rasterlab.exercises.score.Points;
  *
  * @param points 0 where the source is not accepted
  * @param why what the compiler or the checks say; empty where it is accepted
+ * @param untimed why its speed cannot be measured; nothing where it can, or nobody tried
+ * @param timed whether its speed was measured, or is worth nothing
  */
-public record SourcePoints(GradingVerdict verdict, Points points, String why) {
+public record SourcePoints(
+        GradingVerdict verdict, Points points, String why, Message untimed, boolean timed) {
     int withoutSpeed() {
         return points.accuracy() + points.stability();
     }

@@ -197,12 +197,15 @@ final class GradingRun {
             Student student, Children children, List<Call> before, Marking marking)
             throws ChildLost, InterruptedException {
         try {
-            if (!settings.speed()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
+            if (settings.speed() == JudgeSettings.Speed.OFF)
+                return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
+            if (settings.speed() == JudgeSettings.Speed.ONCE)
+                return trial(student, student, before, marking).once();
             Optional<Models.Model> model = models.of(exercise, topic, children, settings);
             if (model.isEmpty()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
             try (Student reference =
                     student(model.get().entry(), model.get().classes(), children)) {
-                return measured(student, reference, before, marking);
+                return trial(student, reference, before, marking).measure();
             }
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
@@ -213,19 +216,17 @@ final class GradingRun {
         }
     }
 
-    private SpeedTrial.Outcome measured(
-            Student student, Student reference, List<Call> before, Marking marking)
-            throws ChildLost, InterruptedException {
+    private SpeedTrial trial(
+            Student student, Student reference, List<Call> before, Marking marking) {
         return new SpeedTrial(
-                        contract,
-                        exercise.caps(),
-                        topic.timings(exercise, new SecureRandom(), marking.uncharged()),
-                        topic::inOwnWords,
-                        student,
-                        reference,
-                        before,
-                        marking.charged(),
-                        settings.patience())
-                .measure();
+                contract,
+                exercise.caps(),
+                topic.timings(exercise, new SecureRandom(), marking.uncharged()),
+                topic::inOwnWords,
+                student,
+                reference,
+                before,
+                marking.charged(),
+                settings.patience());
     }
 }

@@ -11,8 +11,7 @@ import java.time.Duration;
  *     asked once
  * @param spares whether started children wait in reserve, which hides their start-up; off for a
  *     program that grades once and ends
- * @param speed whether speed is measured; off where nobody asks for its points, it is told as one
- *     that the machine did not let be measured
+ * @param speed how speed is measured
  * @param box which protection to look for
  */
 public record JudgeSettings(
@@ -20,8 +19,20 @@ public record JudgeSettings(
         Duration callLimit,
         Duration runLimit,
         boolean spares,
-        boolean speed,
+        Speed speed,
         Box box) {
+    /** How speed is measured; where nobody asks for its points, that takes time for nothing. */
+    public enum Speed {
+        /** Until times are settled. */
+        MEASURED,
+        /**
+         * By one batch, to see that it could be; it is told as one that the machine did not let be.
+         */
+        ONCE,
+        /** Not at all; told as one that the machine did not let be measured. */
+        OFF
+    }
+
     /** Which protection to look for at start. */
     public enum Box {
         /** Bubblewrap where it works, else process limits only. */
@@ -48,7 +59,7 @@ public record JudgeSettings(
                 Duration.ofSeconds(2),
                 Duration.ofSeconds(8),
                 true,
-                true,
+                Speed.MEASURED,
                 Box.STRONGEST);
     }
 
@@ -62,7 +73,11 @@ public record JudgeSettings(
     }
 
     public JudgeSettings withoutSpeed() {
-        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, false, box);
+        return withSpeed(Speed.OFF);
+    }
+
+    public JudgeSettings withSpeed(Speed wanted) {
+        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, wanted, box);
     }
 
     public JudgeSettings withBox(Box wanted) {

@@ -119,6 +119,13 @@ final class SpeedTrial {
                 : new Outcome(theirs.wall(), ours.wall(), printed, Message.NONE);
     }
 
+    /** What one batch tells: why nothing could be measured, or no more than that it could. */
+    Outcome once() throws ChildLost, InterruptedException {
+        TopicGrading.Timing timing = timings.next();
+        StudentRun.Timed reply = student.run().time(new TimedBatch(contract, timing, caps));
+        return Outcome.none(obstacle(timing, reply).orElse(UNSETTLED));
+    }
+
     private boolean isSettled() {
         return ours.isRepeated() && theirs.isCredibleBeside(ours);
     }

@@ -39,6 +39,11 @@ public record Report(
         return speed().filter(SpeedPoints::isUnsettled).isPresent();
     }
 
+    /** Why the speed of a method that is accurate enough cannot be measured; else nothing. */
+    public Message speedObstacle() {
+        return speed().filter(SpeedPoints::isObstacle).map(CaseReport::said).orElse(Message.NONE);
+    }
+
     /** {@link #isolation} in that language. */
     public String isolation(String language) {
         return isolationIn(language, isolation);

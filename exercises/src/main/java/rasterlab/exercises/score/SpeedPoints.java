@@ -133,6 +133,11 @@ public final class SpeedPoints {
                         .anyMatch(said -> KEYS_UNSETTLED.contains(said.key()));
     }
 
+    /** Whether that is the line of a speed that no machine would let be measured. */
+    static boolean isObstacle(CaseReport one) {
+        return one.verdict() == GradingVerdict.NOT_MEASURED && !isUnsettled(one);
+    }
+
     private static int points(int band, int of) {
         return band < BANDS.size() ? (int) Math.round(BANDS.get(band).share() * of) : 0;
     }

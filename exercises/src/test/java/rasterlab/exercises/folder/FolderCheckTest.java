@@ -3,6 +3,9 @@ package rasterlab.exercises.folder;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,7 +56,7 @@ class FolderCheckTest {
                 "exercise.json | { | [ | is not JSON",
                 "cases.json | \"points\" : 12 | \"points\" : 11 | accuracy cases have 74",
                 "cases.json | \"points\" : 12 | \"points\" : 1.5 | 'points'",
-                "cases.json | no-corner-at-the-ray | last-edge | two cases are called 'last-edge'",
+                "cases.json | ray-through-a-corner | last-edge | two cases are called 'last-edge'",
                 "cases.json | \"hazard\" : \"last-edge\" | \"hazard\" : \"none\" | hazard",
                 "cases.json | \"kind\" : \"accuracy\" | \"kind\" : \"speed\" | 'kind'",
                 "hidden-cases.json | \"group\" : \"ordinary\" | \"group\" : \"other\" | 'group'",
@@ -101,6 +104,51 @@ class FolderCheckTest {
         for (String unknown : List.of("'colour'", "'size'", "'shade'"))
             assertTrue(faults.stream().anyMatch(one -> one.contains(unknown)), unknown);
         assertEquals(9, faults.size(), faults.toString());
+    }
+
+    @Test
+    @DisplayName("an unknown field within an object hides what else is wrong there")
+    void allFaultsOfAnObjectAreToldAtOnce() throws IOException {
+        change("exercise.json", "\"accuracy\" : 75", "\"depth\" : 1, \"accuracy\" : -75");
+        change("exercise.json", "\"speed\" : 10", "\"colour\" : 2, \"speed\" : 1000");
+        change("exercise.json", "\"ru\" : \"НАЗВАНИЕ\"", "\"de\" : \"TITEL\"");
+        change("exercise.json", "\"count\" : 20", "\"counts\" : 3, \"count\" : 0");
+        change("cases.json", "\"hazard\" : \"last-edge\"", "\"hazards\" : 1, \"hazard\" : \"x\"");
+        change("hidden-cases.json", "\"group\" : \"ordinary\"", "\"group\" : \"other\"");
+        change(
+                "hidden-cases.json",
+                "\"visibility\" : \"verdict-only\"",
+                "\"visibility\" : \"seldom\"");
+        List<String> faults = faults();
+        for (String told :
+                List.of(
+                        "'depth' is not",
+                        "'accuracy' must be",
+                        "'colour' is not",
+                        "'speed' must be",
+                        "'de' is not",
+                        "'title', field 'ru' is missing",
+                        "'counts' is not",
+                        "'hazards' is not",
+                        "'hazard' must be",
+                        "'group' must be",
+                        "'visibility' must be"))
+            assertTrue(faults.stream().anyMatch(one -> one.contains(told)), told + " " + faults);
+    }
+
+    @Test
+    @DisplayName("nobody is told that no speed can be measured")
+    void inputsThatAreTooLargeToBeTimedAreTold() throws IOException {
+        String points = "[0.5, 0.5], ".repeat(19_000) + "[0.25, 0.25]";
+        String file = "exercise.json";
+        JsonNode all = new JsonMapper().readTree(Files.readString(folder.resolve(file)));
+        ((ObjectNode) all.get("timed").get("given"))
+                .set("points", new JsonMapper().readTree("[" + points + "]"));
+        Files.writeString(folder.resolve(file), all.toString());
+        List<String> faults = faults();
+        assertEquals(1, faults.size(), faults.toString());
+        String told = folder.resolve(file) + ", field 'timed': the inputs that are timed at once";
+        assertTrue(faults.get(0).startsWith(told), faults.toString());
     }
 
     @Test

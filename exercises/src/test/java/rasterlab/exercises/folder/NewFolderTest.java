@@ -10,22 +10,35 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Grading;
+import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.proving.Proof;
+import rasterlab.exercises.proving.Proving;
+import rasterlab.exercises.proving.TriedMethod;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.Report;
 import rasterlab.exercises.topic.TopicGradings;
 
 /** The folder that an exercise begins with is one that the server takes, whatever the topic. */
 class NewFolderTest {
+    private static final long SEED = 20261127;
+
     @TempDir Path parent;
 
     static List<String> topics() {
-        return TopicGradings.names().stream().filter(topic -> !topic.equals("line")).toList();
+        return TopicGradings.names();
     }
 
     @ParameterizedTest(name = "a new folder of topic {0} is not valid")
@@ -48,6 +61,35 @@ class NewFolderTest {
     void aMistakeThatOnlyALongAnswerShowsIsNotAsked() throws IOException {
         assertEquals(Set.of("squares-in-int"), made("circle").evidence().notAsked());
         assertEquals(Set.of(), made("view").evidence().notAsked());
+    }
+
+    /** Only the model solution is left to be written. */
+    @Tag("slow")
+    @ParameterizedTest(name = "something but its model solution speaks against a new folder of {0}")
+    @MethodSource("topics")
+    void aNewFolderIsProvedButForItsModel(String topic) throws Exception {
+        Exercise made = made(topic);
+        Grading judge = (exercise, source, cases, progress) -> forNothing(exercise, cases);
+        Proof proof = Proving.of(made, SEED, judge);
+        List<String> told = proof.faults().stream().map(one -> one.in("en")).toList();
+        assertEquals(1, told.size(), told.toString());
+        assertTrue(told.get(0).startsWith("the model solution earns 0 of 75"), told.toString());
+    }
+
+    /** What a source earns that does nothing, as the new starter and the new model do. */
+    private static Report forNothing(Exercise exercise, CaseSelection cases) {
+        TopicGrading grading = TopicGradings.of(exercise);
+        Object nothing = Nothing.of(grading.contract());
+        Marking marking = TriedMethod.on(exercise, grading, nothing, cases.seed()).marking();
+        int earned = marking.reports().stream().mapToInt(CaseReport::points).sum();
+        assertEquals(0, earned, "points for nothing");
+        return new Report(
+                GradingVerdict.WRONG,
+                new Points(0, 0, 0, 100),
+                marking.reports(),
+                List.of(),
+                Report.PROCESS_LIMITS,
+                0);
     }
 
     private Exercise made(String topic) throws IOException {

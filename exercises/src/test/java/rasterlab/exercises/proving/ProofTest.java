@@ -19,6 +19,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Points;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.SpeedPoints;
 
 /** What speaks against an exercise is found. */
 class ProofTest {
@@ -104,6 +105,39 @@ class ProofTest {
                         SEED,
                         (exercise, source, cases, progress) -> report(GradingVerdict.WRONG, none));
         assertEquals(List.of("proof.model"), keys(proof));
+    }
+
+    @Test
+    @DisplayName("a model solution whose speed is not measured is passed over")
+    void aModelThatCannotBeTimedIsTold() throws InterruptedException {
+        Exercise own =
+                with(
+                        TRIANGLE.cases().stream(),
+                        new Evidence(Optional.of("public class Model {}"), Set.of()));
+        Points slow = new Points(75, 15, 0, 100);
+        Proof proof =
+                Proving.of(
+                        own,
+                        SEED,
+                        (exercise, source, cases, progress) ->
+                                source.startsWith("public class Model")
+                                        ? timed(slow, Message.of("speed.too-long"))
+                                        : timed(new Points(0, 0, 0, 100), Message.NONE));
+        assertEquals(
+                List.of(
+                        "exercise.json, field 'timed': the speed of the model solution cannot be"
+                                + " measured: an answer is longer than what is taken while speed is"
+                                + " measured"),
+                proof.faults().stream().map(one -> one.in("en")).toList());
+    }
+
+    /** A report whose line on speed says why it was not measured. */
+    private static Report timed(Points points, Message obstacle) {
+        List<CaseReport> cases =
+                List.of(
+                        report(GradingVerdict.OK, points).cases().get(0),
+                        SpeedPoints.none(10, obstacle));
+        return new Report(GradingVerdict.WRONG, points, cases, List.of(), Report.PROCESS_LIMITS, 0);
     }
 
     private static Report report(GradingVerdict verdict, Points points) {
