@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
@@ -77,7 +78,7 @@ final class ExercisesNewCommand implements Callable<Integer> {
         WholeFile.requireFolder(made);
         files.forEach((name, content) -> WholeFile.write(made.resolve(name), content));
         String key = form == Form.WRITE ? "new" : "new.copy";
-        String prove = "./lab exercises prove " + id + " --exercises " + parent();
+        String prove = "./lab exercises prove " + id + " --exercises " + ShellPath.quoted(parent());
         console.out().println(console.language().texts().text(key, folder, prove));
         return ExitCode.DONE;
     }

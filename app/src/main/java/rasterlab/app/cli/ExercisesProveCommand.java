@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -13,9 +15,9 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.proving.Proof;
-import rasterlab.exercises.proving.Proving;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
+import rasterlab.exercises.runner.JudgeSettings.Speed;
 
 /** Proves exercises. */
 @Command(
@@ -24,7 +26,8 @@ import rasterlab.exercises.runner.JudgeSettings;
         description = {
             "Tries on each exercise the right methods of its topic, which must keep all points, its",
             "faulty methods and mutants, each of which a case must reject and name, the starter, which",
-            "must earn next to nothing, and the model solution. Prints who was rejected by what.",
+            "must earn next to nothing, and the model solution. Prints who was rejected by what; of",
+            "several, which are proved in parallel, the speed of the model solution is not measured.",
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -73,17 +76,36 @@ final class ExercisesProveCommand implements Callable<Integer> {
     }
 
     private List<Proof> proofs(List<Exercise> chosen) {
-        List<Proof> proofs = new ArrayList<>();
-        try (Judge judge = Judge.start(JudgeSettings.once())) {
-            for (Exercise one : chosen) {
-                console.tell("proving", one.id(), proofs.size() + 1, chosen.size());
-                proofs.add(Proving.of(one, seed, judge));
+        try (Judge judge = Judge.start(settings(chosen.size()));
+                var pool = new ProofPool(judge, seed, this::begun)) {
+            List<Proof> proofs = new ArrayList<>();
+            for (Future<Proof> one : pool.proofs(chosen)) {
+                proofs.add(one.get());
                 if (!json) ProofText.print(proofs.get(proofs.size() - 1), console);
             }
             return proofs;
+        } catch (ExecutionException failed) {
+            throw cause(failed);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw Complaint.gaveUp("interrupted");
         }
+    }
+
+    /** Returns or throws what ended a proof, as if it had been tried here. */
+    private static RuntimeException cause(ExecutionException failed) {
+        if (failed.getCause() instanceof Error error) throw error;
+        return failed.getCause() instanceof RuntimeException cause
+                ? cause
+                : new IllegalStateException(failed.getCause());
+    }
+
+    /** One exercise has the machine to itself; beside others no speed could be settled. */
+    private static JudgeSettings settings(int exercises) {
+        return JudgeSettings.once().withSpeed(exercises == 1 ? Speed.MEASURED : Speed.ONCE);
+    }
+
+    private synchronized void begun(Exercise one, int place, int of) {
+        console.tell("proving", one.id(), place, of);
     }
 }

@@ -26,11 +26,31 @@ final class ProofText {
         new ProofText(proof, console).print();
     }
 
-    /** How many of several are proved. */
+    /** Who was rejected in each of several, and how many are proved. */
     static void printSummary(List<Proof> proofs, Console console) {
+        Texts texts = console.language().texts();
+        var table =
+                new TextTable(
+                        texts.text("exercise"),
+                        texts.text("proof.mistakes"),
+                        texts.text("proof.rejected"),
+                        texts.text("proof.told"),
+                        texts.text("proof.faults"));
+        for (Proof one : proofs) table.add(summary(one));
+        table.lines().forEach(console.out()::println);
+        console.out().println();
         long proved = proofs.stream().filter(one -> one.faults().isEmpty()).count();
-        console.out()
-                .println(console.language().texts().text("proof.summary", proved, proofs.size()));
+        console.out().println(texts.text("proof.summary", proved, proofs.size()));
+    }
+
+    private static List<String> summary(Proof proof) {
+        List<Kill> asked = proof.kills().stream().filter(Kill::asked).toList();
+        return List.of(
+                proof.exercise().id(),
+                "" + asked.size(),
+                "" + asked.stream().filter(Kill::isRejected).count(),
+                "" + asked.stream().filter(one -> one.isRejected() && one.isNamed()).count(),
+                proof.faults().isEmpty() ? NONE : "" + proof.faults().size());
     }
 
     private void print() {
@@ -61,7 +81,7 @@ final class ProofText {
                                         key,
                                         points.points().accuracy(),
                                         points.points().stability(),
-                                        points.points().speed()));
+                                        points.timed() ? points.points().speed() : NONE));
     }
 
     private TextTable right() {
