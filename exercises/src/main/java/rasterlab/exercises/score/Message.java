@@ -43,6 +43,9 @@ public record Message(List<Sentence> sentences) {
             Pattern.compile(
                     "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|property\\.areas|answer\\.(?:at.*|worst.*)|drawing\\..*");
 
+    /** The texts whose places hold values of steps. */
+    private static final Pattern STEPS = Pattern.compile("predict\\.(?:right|wrong|open|why)");
+
     /** The texts whose places may hold keys of others, on a mistake or a property. */
     private static final Set<String> WITHIN =
             Set.of("known-mistake", "property.broken", "property.held", "property.assumes");
@@ -76,6 +79,9 @@ public record Message(List<Sentence> sentences) {
          */
         private String said(String argument, ReportTexts texts) {
             if (WITHIN.contains(key) && texts.has(argument)) return texts.text(argument);
+            if (STEPS.matcher(key).matches())
+                return StepValue.in(
+                        argument, texts.text("minus"), point(texts), texts.text("apart"));
             return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
         }
 

@@ -74,6 +74,27 @@ class MessageTest {
         assertEquals("строка 0: (−0,5; 1,5·10⁻⁷; NaN; −∞)", row.in("ru"));
     }
 
+    @ParameterizedTest(
+            name =
+                    "a step''s value keeps its English signs in Russian, or a text loses its own: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "x = 3, y = -0.5 | x = 3; y = −0,5",
+                "corner = (0.5, 2) | corner = (0,5; 2)",
+                "points = ((1, 2.5), (-3, 4)), t = 1.5E+12 | points = ((1; 2,5); (−3; 4)); t = 1,5E+12",
+                "verdict = left-half | verdict = left-half",
+                "the sum of both, at 1.5 | the sum of both, at 1.5"
+            })
+    void writesValuesOfStepsInTheLanguageAskedFor(String english, String russian) {
+        assertEquals("ваш ответ " + russian + ", он верен", right(english, "ru"));
+        assertEquals("you answered " + english + ", which is right", right(english, "en"));
+    }
+
+    private static String right(String value, String language) {
+        return Message.of("predict.right", value).in(language);
+    }
+
     @ParameterizedTest(name = "a folder or field called 1.5 gets a Russian comma: {0}")
     @ValueSource(
             strings = {
