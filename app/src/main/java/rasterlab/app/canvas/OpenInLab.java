@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.util.Optional;
 import rasterlab.engine.raster.Plotted;
+import rasterlab.exercises.predicting.HandedAnswers;
 
 /** Shows an input in the tab of its topic, wherever in the window that is asked for. */
 public interface OpenInLab {
@@ -47,6 +48,18 @@ public interface OpenInLab {
      * @throws IllegalArgumentException naming the place where the input cannot be read
      */
     void showToHandIn(String exercise, String topic, String json);
+
+    /** Whether a tab can ask for steps of methods of that topic. */
+    boolean asksSteps(String topic);
+
+    /**
+     * Brings the topic's tab to the front, which asks for the steps of an exercise's sheet and from
+     * which it can be handed in.
+     *
+     * @param exercise its id
+     * @param begun the sheet with the answers so far
+     */
+    void answerSteps(String exercise, HandedAnswers begun);
 
     /** Why no tab can run the user's own program on that topic; empty where one can. */
     Optional<Unshown> obstacleToOwn(String topic);

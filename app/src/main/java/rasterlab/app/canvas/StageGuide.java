@@ -15,7 +15,7 @@ import rasterlab.engine.study.Verdict;
  * A stage with what is said to somebody who sees it first: over it what is special about a clicked
  * hazard, on it what to do there.
  */
-public final class StageGuide extends JPanel {
+public final class StageGuide extends JPanel implements Helped {
     private static final long serialVersionUID = 1L;
 
     /** View units between a stage and the sentence below it. */
@@ -85,11 +85,16 @@ public final class StageGuide extends JPanel {
         revalidate();
     }
 
+    @Override
+    public String helpKey() {
+        return key;
+    }
+
     /** The key of the stage that is seen there; "" where it has none. */
     public static String stageSeenIn(Container place) {
         for (Component child : place.getComponents()) {
             if (!child.isVisible()) continue;
-            if (child instanceof StageGuide guide) return guide.key;
+            if (child instanceof Helped helped) return helped.helpKey();
             String found = child instanceof Container inner ? stageSeenIn(inner) : "";
             if (!found.isEmpty()) return found;
         }

@@ -18,6 +18,7 @@ import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.predicting.HandedAnswers;
 
 /** The buttons above the editor: try, hand in, begin anew, undo. */
 final class EditorBar extends JPanel {
@@ -98,6 +99,10 @@ final class EditorBar extends JPanel {
     private void showInLab(Consumer<Throwable> onFailure) {
         ExerciseState state = model.state();
         try {
+            if (state.exercise().form() == Exercise.Form.PREDICT) {
+                answerSteps(state.exercise(), state.source());
+                return;
+            }
             if (state.exercise().form() == Exercise.Form.BREAK) {
                 String input = HandedInput.last(state.source());
                 lab.showToHandIn(state.exercise().id(), state.exercise().topic(), input);
@@ -110,13 +115,27 @@ final class EditorBar extends JPanel {
         }
     }
 
+    /** Reads the sheet as it is so far, and goes on with it in the tab of its topic. */
+    private void answerSteps(Exercise exercise, String source) {
+        model.begin(
+                Work.of(Work.Phase.CHECKING),
+                tell -> {
+                    HandedAnswers begun = UnreadableSheet.read(exercise, source);
+                    return () -> lab.answerSteps(exercise.id(), begun);
+                },
+                failure ->
+                        model.tell(
+                                failure instanceof UnreadableSheet sheet
+                                        ? sheet.notice()
+                                        : Notice.of("failed", failure.toString())));
+    }
+
     private void offerLab(Exercise exercise) {
-        boolean breaks = exercise.form() == Exercise.Form.BREAK;
-        inLab.setVisible(
-                breaks ? lab.handsIn(exercise.topic()) : exercise.form() == Exercise.Form.WRITE);
-        if (breaks) {
+        inLab.setVisible(isOffered(exercise));
+        if (exercise.form() != Exercise.Form.WRITE) {
             inLab.setEnabled(true);
-            inLab.setToolTipText(texts.text("inLab.break"));
+            boolean breaks = exercise.form() == Exercise.Form.BREAK;
+            inLab.setToolTipText(texts.text(breaks ? "inLab.break" : "inLab.predict"));
             return;
         }
         Optional<String> obstacle =
@@ -124,6 +143,14 @@ final class EditorBar extends JPanel {
                         .map(why -> why.in(Texts.of("canvas", texts.language()), exercise.topic()));
         inLab.setEnabled(obstacle.isEmpty());
         inLab.setToolTipText(obstacle.orElse(texts.text("inLab.hint")));
+    }
+
+    private boolean isOffered(Exercise exercise) {
+        return switch (exercise.form()) {
+            case WRITE -> true;
+            case BREAK -> lab.handsIn(exercise.topic());
+            case PREDICT -> lab.asksSteps(exercise.topic());
+        };
     }
 
     /** Both buttons for the type's size, in one row whatever the width. */

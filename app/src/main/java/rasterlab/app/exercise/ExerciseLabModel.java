@@ -284,11 +284,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     /**
-     * Hands in an input from a lab: to the server where a course was joined, else on this machine.
+     * Hands in an input or a sheet from a lab: to the server where a course was joined, else on
+     * this machine.
      */
     public void handIn(String id, String json) {
         choose(id);
-        type(HandedInput.added(state().exercise(), state.source(), json));
+        type(HandedInput.taken(state().exercise(), state.source(), json));
         if (state.account().isPresent()) submit();
         else check();
     }

@@ -31,6 +31,11 @@ final class HandedInput {
                 : last.stream().collect(Collectors.joining(",\n  ", "[\n  ", "\n]"));
     }
 
+    /** What is handed in of a lab: an input beside those before, or a whole sheet of answers. */
+    static String taken(Exercise exercise, String source, String json) {
+        return exercise.form() == Exercise.Form.BREAK ? added(exercise, source, json) : json;
+    }
+
     private static List<String> inputs(String source) {
         try {
             JsonNode told = KeptJson.MAPPER.readTree(source);

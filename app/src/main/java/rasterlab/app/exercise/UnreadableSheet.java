@@ -25,9 +25,17 @@ final class UnreadableSheet extends IOException {
      * @throws UnreadableSheet if it is none
      */
     static void check(Exercise exercise, String text) throws UnreadableSheet {
-        if (exercise.form() != Form.PREDICT) return;
+        if (exercise.form() == Form.PREDICT) read(exercise, text);
+    }
+
+    /**
+     * Reads a sheet.
+     *
+     * @throws UnreadableSheet if it is none
+     */
+    static HandedAnswers read(Exercise exercise, String text) throws UnreadableSheet {
         try {
-            HandedAnswers.of(exercise, text.replaceFirst("^\uFEFF", ""));
+            return HandedAnswers.of(exercise, text.replaceFirst("^\uFEFF", ""));
         } catch (CatalogueException misfit) {
             throw new UnreadableSheet(misfit);
         }

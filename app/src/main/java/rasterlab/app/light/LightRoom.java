@@ -95,9 +95,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
      * @param lit what is lit as an input of the topic; empty where it is none
      */
     private <I> TopicCard<LightLabModel> lit(
-            Topic<?, I, ?> topic,
-            Set<String> drawnBy,
-            Function<LightLabState, Optional<I>> lit) {
+            Topic<?, I, ?> topic, Set<String> drawnBy, Function<LightLabState, Optional<I>> lit) {
         TopicWay<LightLabModel> way =
                 lit(topic.name(), drawnBy)
                         .writing(

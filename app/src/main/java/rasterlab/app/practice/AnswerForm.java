@@ -54,11 +54,14 @@ final class AnswerForm extends JPanel {
         repaint();
     }
 
-    /** What a field of a step is called: a word before the name that it has on a sheet. */
+    /**
+     * What a field of a step or of the data is called: a word before the name that it has on a
+     * sheet, unless that is the word.
+     */
     static String label(Texts texts, String topic, String field) {
-        Texts own = Texts.ofTopic(topic, texts.language());
         String key = "field." + field;
-        return own.has(key) ? own.text(key) + " (" + field + ")" : field;
+        String word = Texts.ofTopic(topic, texts.language()).textOr(key, texts.textOr(key, field));
+        return word.equalsIgnoreCase(field) ? word : word + " (" + field + ")";
     }
 
     /** A value that is a word, in the window's language. */
@@ -117,9 +120,9 @@ final class AnswerForm extends JPanel {
                 .ifPresent(AnswerPart::focus);
     }
 
-    /** Presses the button that a digit means. */
-    void digit(int digit) {
-        for (AnswerPart part : parts.values()) if (part.digit(digit)) return;
+    /** Presses the button that a digit means; false where none does. */
+    boolean digit(int digit) {
+        return parts.values().stream().anyMatch(part -> part.digit(digit));
     }
 
     /** Lets answers be given, or not. */

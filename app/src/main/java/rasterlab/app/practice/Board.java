@@ -23,7 +23,9 @@ record Board(Space space, List<Figure> figures, Picking picking) {
         /** A plane, with y up and both axes to one scale. */
         PLANE,
         /** A plane with depth in place of y, upward, each axis to its own scale. */
-        DEPTH
+        DEPTH,
+        /** Space as {@link SpaceView} draws it; its coordinates cannot be read off. */
+        SPACE
     }
 
     /** What a figure is there for. */

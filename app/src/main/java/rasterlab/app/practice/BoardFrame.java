@@ -41,10 +41,28 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
                 board.space(),
                 switch (board.space()) {
                     case PIXELS -> pixels(world, sight);
-                    case PLANE -> PlaneMap.fitting(world, sight, PlaneAxes.GEOMETRY);
+                    case PLANE, SPACE -> PlaneMap.fitting(world, sight, PlaneAxes.GEOMETRY);
                     case DEPTH -> PlaneMap.fitting(world, sight, PlaneAxes.GRAPH);
                 },
                 view);
+    }
+
+    /** The same board with another part of it in sight. */
+    BoardFrame by(PlaneMap other) {
+        return new BoardFrame(space, other, view);
+    }
+
+    /** Where all lies when it is nearer by a factor and a view point keeps its place. */
+    PlaneMap zoomed(double factor, Point2D at) {
+        return space == Space.PIXELS ? map(grid().zoomed(factor, at)) : map.zoomed(factor, at);
+    }
+
+    private static PlaneMap map(PixelGrid grid) {
+        return new PlaneMap(grid.originX(), grid.originY(), grid.cell(), grid.cell());
+    }
+
+    private PixelGrid grid() {
+        return new PixelGrid(map.originX(), map.originY(), map.scaleX());
     }
 
     private static PlaneMap pixels(Rectangle2D world, Rectangle sight) {
@@ -55,7 +73,7 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
         PixelGrid grid =
                 PixelGrid.fitting(
                         new Rectangle(left, top, right - left + 1, bottom - top + 1), sight);
-        return new PlaneMap(grid.originX(), grid.originY(), grid.cell(), grid.cell());
+        return map(grid);
     }
 
     private static Stream<Point2D> points(Figure figure) {
@@ -68,17 +86,16 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
 
     void paintGrid(Graphics2D g, Font font, Locale locale) {
         if (space == Space.PIXELS) rulers(font).paintGrid(g);
-        else planeRulers(font, locale).paintGrid(g);
+        else if (space != Space.SPACE) planeRulers(font, locale).paintGrid(g);
     }
 
     void paintMargins(Graphics2D g, Font font, Locale locale) {
         if (space == Space.PIXELS) rulers(font).paintMargins(g);
-        else planeRulers(font, locale).paintMargins(g);
+        else if (space != Space.SPACE) planeRulers(font, locale).paintMargins(g);
     }
 
     private Rulers rulers(Font font) {
-        var grid = new PixelGrid(map.originX(), map.originY(), map.scaleX());
-        return new Rulers(grid, view, StageColours.now(), font);
+        return new Rulers(grid(), view, StageColours.now(), font);
     }
 
     private PlaneRulers planeRulers(Font font, Locale locale) {
@@ -87,6 +104,6 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
 
     /** The pixel there. */
     Point pixelAt(Point view) {
-        return new PixelGrid(map.originX(), map.originY(), map.scaleX()).pixelAt(view.x, view.y);
+        return grid().pixelAt(view.x, view.y);
     }
 }

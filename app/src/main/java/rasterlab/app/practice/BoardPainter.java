@@ -111,7 +111,8 @@ final class BoardPainter {
 
     /** What is asked for is dashed, so that it is seen on what is given. */
     private static BasicStroke stroke(Look look) {
-        float wide = look == Look.GIVEN || look == Look.DONE ? THIN : THICK;
+        boolean thin = look == Look.GIVEN || look == Look.DONE || look == Look.WALL;
+        float wide = thin ? THIN : THICK;
         return look == Look.ASKED
                 ? new BasicStroke(
                         2 * THICK,

@@ -49,8 +49,8 @@ final class ChoicePart implements AnswerPart {
 
     @Override
     public void set(JsonNode value) {
-        int at = values.indexOf(value);
-        if (at >= 0) buttons.get(at).setSelected(true);
+        for (int i = 0; i < buttons.size(); i++)
+            if (values.get(i).asText().equals(value.asText())) buttons.get(i).setSelected(true);
     }
 
     @Override

@@ -82,7 +82,15 @@ final class NumbersPart implements AnswerPart {
 
     @Override
     public void set(JsonNode value) {
-        if (value.isNumber()) fields.get(0).setText(value.asText());
+        var numbers = new ArrayList<String>();
+        collect(value, numbers);
+        if (numbers.size() != fields.size()) return;
+        for (int i = 0; i < numbers.size(); i++) fields.get(i).setText(numbers.get(i));
+    }
+
+    private static void collect(JsonNode value, List<String> numbers) {
+        if (value.isNumber()) numbers.add(value.asText());
+        for (JsonNode one : value) collect(one, numbers);
     }
 
     @Override

@@ -11,6 +11,9 @@ import rasterlab.app.language.Language;
 public final class PracticeCards extends LabPanel implements StepQuestions {
     private static final long serialVersionUID = 1L;
 
+    /** Key of the help on the mode. */
+    public static final String HELP = "practice";
+
     private static final String LAB = "lab";
     private static final String MODE = "mode";
 

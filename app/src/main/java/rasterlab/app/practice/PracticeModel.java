@@ -1,12 +1,15 @@
 package rasterlab.app.practice;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.exercises.predicting.Question;
+import rasterlab.exercises.predicting.SheetText;
 
 /**
  * The mode "which is next?" of one lab, without its window: which questions, which answers. The
@@ -23,6 +26,7 @@ public final class PracticeModel implements AutoCloseable {
     private final Listeners<PracticeState> listeners = new Listeners<>();
     private final LongSupplier seeds;
     private PracticeState state = PracticeState.LEFT;
+    private Optional<GradedSheet> graded = Optional.empty();
 
     /**
      * @param seeds gives the seed of new data, in [0, {@link #SEEDS})
@@ -58,6 +62,35 @@ public final class PracticeModel implements AutoCloseable {
         draw(PracticeState.LEFT.drawing(topic, seeds.getAsLong()));
     }
 
+    /** Asks the questions of a sheet that is handed in; nothing is told of the answers. */
+    public void answer(GradedSheet sheet) {
+        graded = Optional.of(sheet);
+        var asked = new PracticeSheet(sheet.exercise(), sheet.begun().sheet());
+        publish(PracticeState.of(asked, new Graded(sheet.begun().answers())));
+    }
+
+    /** Goes to an earlier or a later question of a sheet that is handed in. */
+    void turn(int by) {
+        if (state.graded().isPresent()) publish(state.at(state.at() + by));
+    }
+
+    /** Hands the sheet in as it is, and goes back to the lab. */
+    void handIn() {
+        if (state.graded().isEmpty()) return;
+        String sheet = written();
+        GradedSheet handed = graded.orElseThrow();
+        publish(PracticeState.LEFT);
+        handed.handIn().accept(sheet);
+    }
+
+    /** The sheet with the answers so far. */
+    private String written() {
+        PracticeSheet sheet = state.asked().orElseThrow();
+        List<JsonNode> answers = state.graded().orElseThrow().answers();
+        return SheetText.written(
+                sheet.exercise().id(), sheet.sheet(), one -> answers.get(one.number() - 1));
+    }
+
     /** Asks on fresh data; what was answered still counts. */
     void newData() {
         dataOf(seeds.getAsLong());
@@ -65,6 +98,7 @@ public final class PracticeModel implements AutoCloseable {
 
     /** Asks on the data of a seed; what was answered still counts. */
     void dataOf(long seed) {
+        if (state.graded().isPresent()) return;
         state.topic().ifPresent(topic -> draw(state.drawing(topic, seed)));
     }
 
@@ -78,12 +112,18 @@ public final class PracticeModel implements AutoCloseable {
     }
 
     /**
-     * Judges an answer to the present question and goes on from the right one.
+     * Judges an answer to the present question and goes on from the right one; of a sheet that is
+     * handed in it takes the answer unjudged.
      *
      * @param tolerance the largest error of a number, if more than the exercise's own
      */
     void answer(JsonNode answer, double tolerance) {
         if (!state.isAsking()) return;
+        if (state.graded().isPresent()) {
+            publish(state.noted(answer));
+            graded.orElseThrow().keep().accept(written());
+            return;
+        }
         Question question = state.question();
         publish(
                 state.answered(
@@ -97,9 +137,11 @@ public final class PracticeModel implements AutoCloseable {
         else publish(state.next());
     }
 
-    /** Back to the lab. */
+    /** Back to the lab, or to the exercise whose sheet was answered. */
     void leave() {
+        boolean answered = state.graded().isPresent();
         publish(PracticeState.LEFT);
+        if (answered) graded.orElseThrow().back().run();
     }
 
     private void publish(PracticeState next) {

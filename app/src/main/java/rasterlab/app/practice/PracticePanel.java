@@ -3,6 +3,7 @@ package rasterlab.app.practice;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Font;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -12,6 +13,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Helped;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.Settling;
@@ -23,7 +25,7 @@ import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.Sheet;
 
 /** The mode "which is next?" as its lab shows it, in one language. */
-final class PracticePanel extends JPanel implements Settling {
+final class PracticePanel extends JPanel implements Settling, Helped {
     private static final long serialVersionUID = 1L;
 
     private final transient PracticeModel model;
@@ -37,6 +39,11 @@ final class PracticePanel extends JPanel implements Settling {
     private final SeedField seed;
     private final JButton answer;
     private final JButton next;
+    private final JButton leave;
+    private final JPanel practised =
+            new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][]", ""));
+    private final JPanel graded =
+            new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][grow,fill]", ""));
     private final AnswerForm form;
     private final VerdictPane verdict;
     private final PracticeStage stage;
@@ -53,6 +60,7 @@ final class PracticePanel extends JPanel implements Settling {
         setName("practice");
         answer = button("answer", this::submit);
         next = button("next", this::next);
+        leave = button("leave", model::leave);
         form = new AnswerForm(texts, this::submit);
         verdict = new VerdictPane(texts);
         stage = new PracticeStage(texts, this::picked);
@@ -64,11 +72,13 @@ final class PracticePanel extends JPanel implements Settling {
         score.setFont(score.getFont().deriveFont(Font.BOLD));
         walk.setName("practice.walk");
         walk.setEditable(false);
+        walk.setLineWrap(true);
+        walk.setWrapStyleWord(true);
         walk.getAccessibleContext().setAccessibleName(texts.text("walk"));
         seed = new SeedField(texts, model::dataOf, this::refuseSeed);
         column = column();
         add(title, "wmin 0");
-        add(button("leave", model::leave), "growx, wrap");
+        add(leave, "growx, wrap");
         add(place, "wmin 100, hmin 100");
         add(column, "w %d!".formatted(UIScale.scale(LabLayout.INSPECTOR)));
         bindKeys();
@@ -86,11 +96,14 @@ final class PracticePanel extends JPanel implements Settling {
         parts.add(answer);
         parts.add(next);
         parts.add(verdict, "wmin 0, gaptop 6");
-        var foot = new JPanel(new MigLayout("insets 0, gap 8 8", "[grow,fill][]", ""));
-        foot.add(score, "wmin 0, span 2, wrap");
-        foot.add(seed, "wmin 0");
-        foot.add(button("newData", model::newData));
-        parts.add(foot);
+        parts.add(score, "wmin 0");
+        practised.add(seed, "wmin 0");
+        practised.add(button("newData", model::newData));
+        parts.add(practised);
+        graded.add(button("before", () -> model.turn(-1)));
+        graded.add(button("after", () -> model.turn(1)), "wrap");
+        graded.add(button("handIn", model::handIn), "span 2");
+        parts.add(graded);
         return parts;
     }
 
@@ -109,14 +122,31 @@ final class PracticePanel extends JPanel implements Settling {
         for (int digit = 0; digit <= 9; digit++) {
             int pressed = digit;
             // As a character, not as a key: a text field uses those for itself.
-            KeyBinding.within(
-                    this, KeyStroke.getKeyStroke("typed " + digit), () -> form.digit(pressed));
+            KeyStroke key = KeyStroke.getKeyStroke("typed " + digit);
+            KeyBinding.within(this, key, () -> form.digit(pressed));
+            // Nobody writes into this text, which would hear the key first.
+            KeyBinding.whenFocused(walk, key, () -> form.digit(pressed));
         }
+        for (String key : List.of("typed +", "typed ="))
+            KeyBinding.within(this, KeyStroke.getKeyStroke(key), () -> stage.zoom(1));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("typed -"), () -> stage.zoom(-1));
+        // The stage takes 0 for a wish to see everything, which it is where it is no answer.
+        KeyBinding.within(
+                stage,
+                KeyStroke.getKeyStroke("typed 0"),
+                () -> {
+                    if (!form.digit(0)) stage.fit();
+                });
     }
 
     @Override
     public void settle() throws InterruptedException {
         model.settle();
+    }
+
+    @Override
+    public String helpKey() {
+        return PracticeCards.HELP;
     }
 
     /** Gives the keyboard to the picture where pixels are asked for, else to the answer. */
@@ -129,6 +159,11 @@ final class PracticePanel extends JPanel implements Settling {
 
     private void picked(StagePick pick) {
         form.set(pick.answer());
+        if (pick.tolerance() > 0 && model.state().graded().isPresent()) {
+            // A hand is not exact enough for what is paid for: the numbers can be mended.
+            form.focus();
+            return;
+        }
         if (form.missing().isEmpty() && !pick.answer().isEmpty())
             model.answer(form.answer(), pick.tolerance());
         else submitUnlessPart(pick);
@@ -169,7 +204,18 @@ final class PracticePanel extends JPanel implements Settling {
     /** Shows the model's present state. */
     void refresh() {
         PracticeState state = model.state();
-        score.setText(texts.text("score", state.right(), state.given()));
+        boolean handed = state.graded().isPresent();
+        score.setText(
+                state.graded()
+                        .map(
+                                answers -> {
+                                    PracticeSheet sheet = state.asked().orElseThrow();
+                                    return texts.text("given", answers.given(sheet), sheet.size());
+                                })
+                        .orElseGet(() -> texts.text("score", state.right(), state.given())));
+        practised.setVisible(!handed);
+        graded.setVisible(handed);
+        leave.setText(texts.label(handed ? "back" : "leave"));
         seed.show(state.seed());
         boolean ready = state.asked().isPresent();
         if (ready) refresh(state);
@@ -194,9 +240,10 @@ final class PracticePanel extends JPanel implements Settling {
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));
         boolean other = shown.filter(now::equals).isEmpty();
         if (other) form.show(topic, now, board);
+        if (other) state.answer().ifPresent(form::set);
         place(board.isPresent());
         board.ifPresent(drawn -> stage.show(drawn, isOtherWalk(now), state.isAsking()));
-        hint.show(hint(board));
+        hint.show(hint(board, state.graded().isPresent()));
         hint.setVisible(state.isAsking() && !hint.getText().isEmpty());
         form.showAsking(state.isAsking());
         answer.setVisible(state.isAsking());
@@ -223,9 +270,11 @@ final class PracticePanel extends JPanel implements Settling {
     }
 
     /** What a click in the picture answers, in words. */
-    private String hint(Optional<Board> board) {
+    private String hint(Optional<Board> board, boolean graded) {
         return board.map(each -> each.picking().getClass().getSimpleName().toLowerCase())
-                .map(kind -> texts.textOr("hint." + kind, ""))
+                .map(kind -> "hint." + kind)
+                .map(key -> graded && texts.has(key + ".graded") ? key + ".graded" : key)
+                .map(key -> texts.textOr(key, ""))
                 .orElse("");
     }
 

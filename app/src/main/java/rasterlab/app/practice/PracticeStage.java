@@ -9,6 +9,8 @@ import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,16 +18,21 @@ import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.PictureType;
+import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.ZoomButtons;
+import rasterlab.app.canvas.Zooming;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.Board.Cell;
 import rasterlab.app.practice.Board.Look;
+import rasterlab.app.practice.Board.Picking;
 import rasterlab.app.practice.Board.Run;
 
 /**
@@ -45,7 +52,9 @@ final class PracticeStage extends SelfDrawn {
     private final transient Texts texts;
     private final transient Consumer<StagePick> picked;
     private final ReadOut pointed = new ReadOut();
+    private final ZoomButtons zoom;
     private transient Optional<Board> board = Optional.empty();
+    private transient Optional<PlaneMap> chosen = Optional.empty();
     private boolean asking;
 
     /** The pixel that the frame is around. */
@@ -65,10 +74,13 @@ final class PracticeStage extends SelfDrawn {
         setFocusable(true);
         repaintOnFocus();
         setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
+        zoom = new ZoomButtons(Texts.of("canvas", texts.language()), this, new Zoom());
+        add(zoom);
         add(pointed);
         var mouse = new Pointer();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
         ARROWS.forEach(
                 (key, by) ->
                         KeyBinding.whenFocused(
@@ -90,6 +102,7 @@ final class PracticeStage extends SelfDrawn {
         board = Optional.of(next);
         this.asking = asking;
         begun = Optional.empty();
+        if (fresh) chosen = Optional.empty();
         if (fresh || !pointed.isVisible()) move(newest(next));
         tell();
         repaint();
@@ -144,11 +157,31 @@ final class PracticeStage extends SelfDrawn {
     }
 
     private BoardFrame frame() {
-        return BoardFrame.of(board.orElseThrow(), getSize());
+        BoardFrame whole = BoardFrame.of(board.orElseThrow(), getSize());
+        return chosen.map(whole::by).orElse(whole);
+    }
+
+    /** Brings the middle nearer, by notches of the wheel. */
+    void zoom(int notches) {
+        var middle = new Point(getWidth() / 2, getHeight() / 2);
+        if (board.isPresent()) look(frame().zoomed(ZoomButtons.factor(-notches), middle));
+    }
+
+    /** Shows everything again, and keeps doing so when the stage changes its size. */
+    void fit() {
+        chosen = Optional.empty();
+        repaint();
+    }
+
+    /** Puts another part of the board in sight. */
+    private void look(PlaneMap next) {
+        chosen = Optional.of(next);
+        repaint();
     }
 
     @Override
     public void doLayout() {
+        zoom.place();
         pointed.place(getHeight());
     }
 
@@ -188,19 +221,37 @@ final class PracticeStage extends SelfDrawn {
         frame.paintMargins(g, type, texts.locale());
     }
 
-    /** Points at pixels and things, and clicks them. */
+    private final class Zoom implements Zooming {
+        @Override
+        public void zoom(double factor, Point2D view) {
+            if (board.isPresent()) look(frame().zoomed(factor, view));
+        }
+
+        @Override
+        public void fit() {
+            PracticeStage.this.fit();
+        }
+    }
+
+    /**
+     * Points at pixels and things, and clicks them; the other buttons move the picture, and the
+     * wheel zooms it.
+     */
     private final class Pointer extends MouseAdapter {
+        private Point last = new Point();
+
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
-            if (board.isEmpty() || !asking) return;
+            last = e.getPoint();
+            if (board.isEmpty() || !asking || !isLeft(e)) return;
             point(e);
-            if (takesKeys() && board.get().picking() instanceof Run) begun = Optional.of(cursor);
+            if (board.get().picking() instanceof Run) begun = Optional.of(cursor);
         }
 
         @Override
         public void mouseReleased(MouseEvent e) {
-            if (board.isEmpty() || !asking || !contains(e.getPoint())) return;
+            if (board.isEmpty() || !asking || !isLeft(e) || !contains(e.getPoint())) return;
             point(e);
             if (takesKeys()) end();
             else
@@ -215,7 +266,32 @@ final class PracticeStage extends SelfDrawn {
 
         @Override
         public void mouseDragged(MouseEvent e) {
+            if (board.isPresent() && !isLeft(e))
+                look(frame().map().moved(e.getX() - last.x, e.getY() - last.y));
+            last = e.getPoint();
             point(e);
+        }
+
+        /** Brings everything back, where a click is no answer. */
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            if (board.isEmpty()) return;
+            if (e.getClickCount() == 2 && !(asking && isLeft(e) && answers(e.getPoint()))) fit();
+        }
+
+        private boolean answers(Point at) {
+            Picking picking = board.orElseThrow().picking();
+            return takesKeys() || StagePick.plane(picking, frame().map(), at).isPresent();
+        }
+
+        @Override
+        public void mouseWheelMoved(MouseWheelEvent e) {
+            if (board.isPresent())
+                look(frame().zoomed(ZoomButtons.factor(e.getPreciseWheelRotation()), e.getPoint()));
+        }
+
+        private static boolean isLeft(MouseEvent e) {
+            return SwingUtilities.isLeftMouseButton(e);
         }
 
         @Override
@@ -234,7 +310,7 @@ final class PracticeStage extends SelfDrawn {
                                 frame.map().pointedX(e.getX()),
                                 frame.map().pointedY(e.getY()),
                                 texts.locale()));
-            pointed.setVisible(true);
+            pointed.setVisible(frame.space() != Board.Space.SPACE);
         }
     }
 }

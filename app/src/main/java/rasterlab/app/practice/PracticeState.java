@@ -2,6 +2,7 @@ package rasterlab.app.practice;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -18,6 +19,7 @@ import rasterlab.exercises.predicting.Question;
  * @param last the answer given last to these questions
  * @param right answers that were right since the mode was entered
  * @param given answers since then
+ * @param graded the answers to a sheet that is handed in; empty where the steps are practised
  */
 record PracticeState(
         Optional<String> topic,
@@ -27,10 +29,33 @@ record PracticeState(
         boolean resting,
         Optional<Answered> last,
         int right,
-        int given) {
+        int given,
+        Optional<Graded> graded) {
     static final PracticeState LEFT =
             new PracticeState(
-                    Optional.empty(), 0, Optional.empty(), 0, false, Optional.empty(), 0, 0);
+                    Optional.empty(),
+                    0,
+                    Optional.empty(),
+                    0,
+                    false,
+                    Optional.empty(),
+                    0,
+                    0,
+                    Optional.empty());
+
+    /** A sheet to be answered and handed in, at its first question without an answer. */
+    static PracticeState of(PracticeSheet sheet, Graded answers) {
+        return new PracticeState(
+                Optional.of(sheet.exercise().topic()),
+                sheet.sheet().seed(),
+                Optional.of(sheet),
+                answers.firstOpen(sheet),
+                false,
+                Optional.empty(),
+                0,
+                0,
+                Optional.of(answers));
+    }
 
     /** The question that is seen: to be answered, unless the walk rests. */
     Question question() {
@@ -49,6 +74,7 @@ record PracticeState(
 
     /** The steps that are made, with the right one where the walk rests. */
     List<JsonNode> steps() {
+        if (graded.isPresent()) return graded.get().steps(asked.orElseThrow(), at);
         Question question = question();
         return resting
                 ? Stream.concat(question.before().stream(), Stream.of(question.step())).toList()
@@ -76,12 +102,21 @@ record PracticeState(
                 false,
                 Optional.empty(),
                 right,
-                given);
+                given,
+                Optional.empty());
     }
 
     PracticeState drawn(PracticeSheet sheet) {
         return new PracticeState(
-                topic, seed, Optional.of(sheet), 0, false, Optional.empty(), right, given);
+                topic,
+                seed,
+                Optional.of(sheet),
+                0,
+                false,
+                Optional.empty(),
+                right,
+                given,
+                Optional.empty());
     }
 
     /** Goes on in the same walk at once; otherwise what was answered stays until the next. */
@@ -95,10 +130,34 @@ record PracticeState(
                 !goesOn,
                 Optional.of(answer),
                 right + (answer.right() ? 1 : 0),
-                given + 1);
+                given + 1,
+                Optional.empty());
+    }
+
+    /** What is answered already to the present question of a sheet that is handed in. */
+    Optional<ObjectNode> answer() {
+        return graded.filter(answers -> answers.has(asked.orElseThrow(), at))
+                .map(answers -> (ObjectNode) answers.answers().get(at));
+    }
+
+    /** Takes an answer to a sheet that is handed in, and goes on to the next question. */
+    PracticeState noted(JsonNode answer) {
+        Graded changed = graded.orElseThrow().with(at, answer);
+        return at(at, Optional.of(changed)).at(at + 1);
+    }
+
+    /** Another question of a sheet that is handed in; beyond its ends the one there. */
+    PracticeState at(int other) {
+        int last = asked.orElseThrow().size() - 1;
+        return at(Math.max(0, Math.min(last, other)), graded);
+    }
+
+    private PracticeState at(int other, Optional<Graded> answers) {
+        return new PracticeState(
+                topic, seed, asked, other, false, Optional.empty(), right, given, answers);
     }
 
     PracticeState next() {
-        return new PracticeState(topic, seed, asked, at + 1, false, Optional.empty(), right, given);
+        return at(at + 1, Optional.empty());
     }
 }

@@ -31,7 +31,17 @@ record Sketches(Set<String> fields, Sketch sketch) {
                     new Sketches(Set.of("window", "polygon"), ClipSketches::polygon),
                     new Sketches(Set.of("triangles", "size"), PixelSketches::depths),
                     new Sketches(Set.of("polygons", "eye"), DepthSketches::order),
-                    new Sketches(Set.of("vertices", "faces", "size"), DepthSketches::spans));
+                    new Sketches(Set.of("vertices", "faces", "size"), DepthSketches::spans),
+                    new Sketches(Set.of("zmin", "segments"), NumberSketches::volume),
+                    new Sketches(Set.of("points", "degrees", "times"), NumberSketches::turns),
+                    new Sketches(Set.of("x", "y", "ends"), NumberSketches::knots),
+                    new Sketches(Set.of("picture", "pixels"), NumberSketches::texels),
+                    new Sketches(Set.of("vertices", "faces", "eye"), SpaceSketches::faces),
+                    new Sketches(Set.of("vertices", "triangles"), SpaceSketches::faces),
+                    new Sketches(Set.of("corners", "normals", "points"), SpaceSketches::litFace),
+                    new Sketches(Set.of("matrices", "points"), SpaceSketches::points),
+                    new Sketches(Set.of("through", "direction", "points"), SpaceSketches::points),
+                    new Sketches(Set.of("points", "theta", "phi", "rho"), SpaceSketches::eye));
 
     static Optional<Sketch> of(String topic) {
         return drawing(Topics.named(topic)).map(Sketches::sketch);

@@ -1,8 +1,10 @@
 package rasterlab.app.practice;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.awt.Color;
 import java.awt.Font;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -35,6 +37,9 @@ final class VerdictPane extends JPanel {
         verdict.setText(texts.text(last.right() ? "right" : "wrong"));
         String language = texts.locale().getLanguage();
         String said = last.question().said(last.answer()).in(language);
+        Optional<String> line =
+                last.question().reason().filter(JsonNode::isTextual).map(JsonNode::asText);
+        if (line.isPresent()) said = said.replace(line.get(), AnswerForm.word(texts, line.get()));
         List<String> fields = last.question().rules().asked().stream().map(Asked::field).toList();
         String listed = WalkText.localised(said, texts.locale());
         say(sentence(WalkText.named(listed, fields, topic, texts)));

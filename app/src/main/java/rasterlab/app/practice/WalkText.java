@@ -43,7 +43,6 @@ final class WalkText {
 
     /** A line for each part of the input, and one for each step. */
     static String of(PracticeState state, Texts texts) {
-        Locale locale = texts.locale();
         String topic = state.topic().orElseThrow();
         var text = new StringBuilder(texts.text("walk.input"));
         input(state.question().input())
@@ -51,7 +50,7 @@ final class WalkText {
                 .forEach(
                         one ->
                                 text.append("\n  ")
-                                        .append(part(one.getKey(), one.getValue(), locale)));
+                                        .append(part(one.getKey(), one.getValue(), topic, texts)));
         text.append("\n\n").append(texts.text("walk.steps"));
         Predicting rules = state.question().rules();
         for (int i = 0; i < state.steps().size(); i++)
@@ -81,12 +80,20 @@ final class WalkText {
                 : number(value, texts.locale());
     }
 
+    /** A value of the data, whose own parts have names as it has one. */
+    private static String value(JsonNode value, String topic, Texts texts) {
+        if (!value.isObject()) return value(value, texts);
+        return value.properties().stream()
+                .map(
+                        one ->
+                                AnswerForm.label(texts, topic, one.getKey())
+                                        + " = "
+                                        + value(one.getValue(), topic, texts))
+                .collect(joining(Shown.apart(texts.locale())));
+    }
+
     /** Numbers with the language's comma, and what then stands between them. */
     private static String number(JsonNode value, Locale locale) {
-        if (value.isObject())
-            return value.properties().stream()
-                    .map(one -> one.getKey() + " = " + number(one.getValue(), locale))
-                    .collect(joining(Shown.apart(locale)));
         if (value.isArray())
             return StreamSupport.stream(value.spliterator(), false)
                     .map(one -> number(one, locale))
@@ -130,15 +137,16 @@ final class WalkText {
     }
 
     /** Rows of letters and of rows stand below each other. */
-    private static String part(String name, JsonNode value, Locale locale) {
+    private static String part(String field, JsonNode value, String topic, Texts texts) {
+        String name = AnswerForm.label(texts, topic, field);
         boolean rows =
                 value.isArray()
                         && !value.isEmpty()
                         && (value.get(0).isTextual() || value.get(0).isArray());
-        if (!rows) return name + " = " + number(value, locale);
+        if (!rows) return name + (value.isObject() ? ": " : " = ") + value(value, topic, texts);
         var text = new StringBuilder(name).append(" =");
         StreamSupport.stream(value.spliterator(), false)
-                .forEach(row -> text.append("\n      ").append(number(row, locale)));
+                .forEach(row -> text.append("\n      ").append(number(row, texts.locale())));
         return text.toString();
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.practice.PracticeCards;
 
 /**
  * Lists what can be done in a tab, and by which keys.
@@ -35,9 +36,10 @@ record HelpText(String title, List<Section> sections) {
         String name = Texts.of("shell", language).text("tab." + tab);
         List<Way> own = ways(texts, stage);
         List<Way> ofTab = own.isEmpty() ? ways(texts, tab) : own;
+        boolean asks = stage.equals(PracticeCards.HELP);
         var sections = new ArrayList<Section>();
-        sections.add(new Section(texts.text("heading.tab"), ofTab));
-        if (TabRooms.namedOrFirst(tab).playsSteps())
+        sections.add(new Section(texts.text(asks ? "heading.practice" : "heading.tab"), ofTab));
+        if (!asks && TabRooms.namedOrFirst(tab).playsSteps())
             sections.add(new Section(texts.text("heading.player"), ways(texts, "player")));
         sections.add(new Section(texts.text("heading.window"), ways(texts, "window")));
         return new HelpText(texts.text("title", name), sections);

@@ -19,6 +19,7 @@ import rasterlab.app.card.TopicWay;
 import rasterlab.app.exercise.ExerciseRoom;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
+import rasterlab.app.practice.GradedSheet;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.naming.Named;
@@ -29,6 +30,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.scene.MethodCase;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
@@ -250,9 +252,37 @@ final class LabOpening implements OpenInLab {
         TopicCard<?> card = shown(topic, "");
         if (json.isEmpty()) showTab.accept(card.lab().name());
         else showInput(card, json, "", Optional.empty());
-        Exercise found =
-                Named.find("exercise", exercise, models.exercises().exercises(), Exercise::id);
-        tellHandingIn.accept(card.lab().name(), found);
+        tellHandingIn.accept(card.lab().name(), exercise(exercise));
+    }
+
+    private Exercise exercise(String id) {
+        return Named.find("exercise", id, models.exercises().exercises(), Exercise::id);
+    }
+
+    @Override
+    public boolean asksSteps(String topic) {
+        return card(topic).isPresent();
+    }
+
+    @Override
+    public void answerSteps(String exercise, HandedAnswers begun) {
+        Exercise found = exercise(exercise);
+        TopicCard<?> card = shown(found.topic(), "");
+        models.practice(card.lab())
+                .answer(
+                        new GradedSheet(
+                                found,
+                                begun,
+                                sheet -> {
+                                    models.exercises().choose(exercise);
+                                    models.exercises().type(sheet);
+                                },
+                                sheet -> {
+                                    showTab.accept(new ExerciseRoom().name());
+                                    models.exercises().handIn(exercise, sheet);
+                                },
+                                () -> showExercise(found)));
+        showTab.accept(card.lab().name());
     }
 
     /**

@@ -18,6 +18,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
@@ -157,6 +158,39 @@ class ChoicesInSightTest {
                     press(choices.get(0), '3', KeyEvent.VK_NUMPAD3);
                     assertTrue(choices.get(2).isSelected());
                 });
+    }
+
+    @Test
+    void aDigitPressesItsChoiceWhileTheStepsHaveTheKeyboard() throws Exception {
+        enter("clip-segment", Language.RUSSIAN);
+        layOut();
+        EventQueue.invokeAndWait(
+                () -> {
+                    JTextArea walk =
+                            shown(panel, JTextArea.class).stream()
+                                    .filter(each -> "practice.walk".equals(each.getName()))
+                                    .findFirst()
+                                    .orElseThrow();
+                    press(walk, '2', KeyEvent.VK_2);
+                    assertTrue(shown(panel, JToggleButton.class).get(1).isSelected());
+                });
+    }
+
+    @Test
+    void zeroOverThePictureIsAnAnswerWhereOneIsCalledSo() throws Exception {
+        enter("triangulate", Language.RUSSIAN);
+        layOut();
+        int given = model.state().given();
+        EventQueue.invokeAndWait(
+                () -> {
+                    JComponent stage =
+                            shown(panel, JComponent.class).stream()
+                                    .filter(each -> "practice.stage".equals(each.getName()))
+                                    .findFirst()
+                                    .orElseThrow();
+                    press(stage, '0', KeyEvent.VK_0);
+                });
+        assertEquals(given + 1, model.state().given());
     }
 
     private JTextField field(String name) {

@@ -29,6 +29,9 @@ import rasterlab.app.practice.Board.Pixel;
 import rasterlab.app.practice.Board.Run;
 import rasterlab.app.practice.Sketch.Walked;
 import rasterlab.engine.Topics;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.predicting.Question;
 
 /** Each picture of each question of some seeds. */
@@ -39,9 +42,9 @@ class SketchesTest {
     private static final PracticeExercises PRACTISED = new PracticeExercises();
 
     static Stream<String> drawn() {
-        return Topics.names().stream()
-                .filter(topic -> Sketches.drawing(Topics.named(topic)).isPresent())
-                .filter(topic -> PRACTISED.of(topic).isPresent());
+        return Catalogue.builtIn().all().stream()
+                .filter(one -> one.form() == Form.PREDICT)
+                .map(Exercise::topic);
     }
 
     @Test

@@ -52,13 +52,18 @@ class HandInTest {
         assertEquals(Set.of(), without);
     }
 
-    static Stream<Exercise> breaking() {
+    static Stream<String> topics() {
+        return breaking().map(Exercise::topic);
+    }
+
+    private static Stream<Exercise> breaking() {
         return Catalogue.builtIn().all().stream().filter(one -> one.form() == Form.BREAK);
     }
 
     @ParameterizedTest(name = "{0}: another input is handed in than its lab shows")
-    @MethodSource("breaking")
-    void starterThatIsShownIsHandedIn(Exercise exercise) {
+    @MethodSource("topics")
+    void starterThatIsShownIsHandedIn(String name) {
+        Exercise exercise = breaking(name);
         opening.showToHandIn(exercise.id(), exercise.topic(), exercise.starter());
         Topic<?, ?, ?> topic = Topics.named(exercise.topic());
         String shown = opening.written(exercise.topic()).orElseThrow();

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
+import rasterlab.app.practice.PracticeCards;
 
 class HelpTextTest {
     static Stream<String> tabs() {
@@ -57,6 +58,18 @@ class HelpTextTest {
             assertFalse(ways.toString().matches("(?s).*(lamp|источник).*"), ways.toString());
             String lit = HelpText.of("light", "light", language).toString();
             assertTrue(lit.matches("(?s).*(lamp|источник).*"), lit);
+        }
+    }
+
+    @Test
+    void questionsHaveHelpOfTheirOwnWithoutThePlayersKeys() {
+        for (Language language : Language.values()) {
+            HelpText help = HelpText.of("line", PracticeCards.HELP, language);
+            assertTrue(help.sections().get(0).ways().size() >= 8, help.toString());
+            String said = help.toString();
+            for (String key : List.of("Enter", "Esc", "+, −, 0"))
+                assertTrue(said.contains(key), said);
+            assertFalse(said.contains("Page Up, Page Down"), said);
         }
     }
 

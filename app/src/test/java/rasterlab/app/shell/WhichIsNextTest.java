@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.event.MouseEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,17 +28,22 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.language.Language;
+import rasterlab.app.practice.PracticeCards;
 import rasterlab.app.rooms.LabRooms;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.Sheet;
+import rasterlab.exercises.predicting.SheetText;
 
 /** The mode "which is next?" in the tabs of the labs. */
 class WhichIsNextTest {
@@ -280,6 +286,42 @@ class WhichIsNextTest {
         assertEquals(changes, history.changes());
         assertTrue(history.undoable());
         assertTrue(history.redoable());
+    }
+
+    @Test
+    void f1TellsOfTheQuestionsWhileTheyAreAsked() throws InterruptedException {
+        assertEquals("line.segment", StageGuide.stageSeenIn(line()));
+        enterLine();
+        assertEquals(PracticeCards.HELP, StageGuide.stageSeenIn(line()));
+    }
+
+    @Test
+    void aSheetIsAnsweredInItsLabWithoutAVerdict() throws InterruptedException {
+        Exercise exercise = Catalogue.builtIn().named("predict-line");
+        HandedAnswers begun = HandedAnswers.of(exercise, SheetText.open(exercise, 5));
+        List<String> shown = new ArrayList<>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    tabs.opening().showTabsBy(shown::add);
+                    tabs.opening().answerSteps(exercise.id(), begun);
+                });
+        assertEquals(List.of("line"), shown);
+        settle("line");
+        inLine(
+                lab -> {
+                    type(lab, "x", 90);
+                    type(lab, "y", 90);
+                    press(lab, "practice.answer");
+                });
+        assertTrue(search(line(), "practice.verdict").isEmpty(), "nothing is judged");
+        assertTrue(search(line(), "practice.newData").isEmpty(), "the data are given");
+        assertEquals("Ответов: 1 из 16", text("practice.score"));
+        assertEquals("Шаг 2 из 16", text("practice.position"));
+        inLine(lab -> press(lab, "practice.before"));
+        assertEquals("90", find(line(), "practice.x", JTextField.class).getText());
+        inLine(lab -> press(lab, "practice.handIn"));
+        assertEquals(List.of("line", "exercises"), shown);
+        assertTrue(search(line(), "practice.stage").isEmpty(), "the lab is seen again");
     }
 
     @Test

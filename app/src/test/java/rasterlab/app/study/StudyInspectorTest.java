@@ -28,6 +28,7 @@ import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.HazardTrial;
+import rasterlab.exercises.predicting.HandedAnswers;
 
 @Timeout(300)
 class StudyInspectorTest {
@@ -45,6 +46,14 @@ class StudyInspectorTest {
                 public boolean handsIn(String topic) {
                     return false;
                 }
+
+                @Override
+                public boolean asksSteps(String topic) {
+                    return false;
+                }
+
+                @Override
+                public void answerSteps(String exercise, HandedAnswers begun) {}
 
                 @Override
                 public void showToHandIn(String exercise, String topic, String json) {}
