@@ -3,15 +3,19 @@ package rasterlab.app.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
-import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.Reflection;
+
+import java.util.List;
+import java.util.Locale;
+
+import javax.swing.text.BadLocationException;
 
 /** What the lab says about the methods that light its body. */
 class LightMethodsTest {
@@ -24,9 +28,10 @@ class LightMethodsTest {
     void shadingsAndTheChosenTermAreExplained(Reflection reflection) {
         List<AboutText.Called> methods = of(LightChoice.first().with(reflection), Language.RUSSIAN);
         assertEquals(4, methods.size());
+        String term = reflection.name().toLowerCase(Locale.ROOT).replace('_', '-');
         assertEquals(
-                "shade." + reflection.name().toLowerCase(java.util.Locale.ROOT).replace('_', '-'),
-                methods.get(3).key());
+                Texts.ofTopic("shade", Language.RUSSIAN).text(term + ".formula"),
+                formula(methods.get(3)));
         for (AboutText.Called each : methods)
             assertTrue(each.texts().has(each.key() + ".formula"), each.key());
     }
@@ -35,7 +40,13 @@ class LightMethodsTest {
     void mixedNormalsAreExplainedToo() {
         LightChoice choice = LightChoice.first();
         LightChoice mixed = choice.with(choice.body().withNormals("angle"));
-        assertEquals("normals.angle", of(mixed, Language.ENGLISH).get(4).key());
+        assertEquals(
+                Texts.ofTopic("vertex-normals", Language.ENGLISH).text("angle.formula"),
+                formula(of(mixed, Language.ENGLISH).get(4)));
+    }
+
+    private static String formula(AboutText.Called method) {
+        return method.texts().text(method.key() + ".formula");
     }
 
     @Test
