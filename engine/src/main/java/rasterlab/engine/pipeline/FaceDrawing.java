@@ -39,7 +39,10 @@ public record FaceDrawing(ViewedMesh view, FacePaint paint, Visibility method, i
                 new FaceDrawing(
                         seen.viewed(),
                         Renderer.paint(look, shading, seen),
-                        method(Renderer.visibility(request).chosen()),
+                        Renderer.drawing(
+                                look,
+                                Renderer.visibilityMethods(),
+                                Renderer.visibility(request).chosen()),
                         0xFF000000 | request.scene().backgroundRgb()));
     }
 

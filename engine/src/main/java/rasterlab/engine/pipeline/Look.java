@@ -10,12 +10,14 @@ import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.visibility.ClipPlane;
+import rasterlab.engine.visibility.Visibility;
 
 /**
  * How a scene is drawn, wherever it is seen from.
  *
  * @param visibility one of {@link Renderer#visibilities()}, {@link Renderer#SURFACES} or {@link
- *     Renderer#REFERENCE}
+ *     Renderer#REFERENCE}; or the name of {@code given}
+ * @param given the method itself, where it is none that the renderer knows by a name
  * @param shading of the faces
  * @param texture how the faces' textures are looked up
  * @param terms the terms of light that are seen
@@ -29,6 +31,7 @@ import rasterlab.engine.visibility.ClipPlane;
  */
 public record Look(
         String visibility,
+        Optional<Visibility> given,
         ShadingMethod shading,
         TextureMode texture,
         Set<LightTerm> terms,
@@ -40,7 +43,9 @@ public record Look(
         Optional<Stereo> stereo,
         List<ClipPlane> clipPlanes) {
     public Look {
-        Renderer.checkNames(visibility, outline && shading != ShadingMethod.WIRE);
+        boolean outlined = outline && shading != ShadingMethod.WIRE;
+        if (given.isEmpty()) Renderer.checkNames(visibility, outlined);
+        else Renderer.checkGiven(visibility, given.get(), outlined);
         clipPlanes = ClipPlane.checked(clipPlanes);
         terms = terms.isEmpty() ? Set.of() : Set.copyOf(EnumSet.copyOf(terms));
     }
@@ -49,6 +54,7 @@ public record Look(
     public static Look of(String visibility, ShadingMethod shading) {
         return new Look(
                 visibility,
+                Optional.empty(),
                 shading,
                 TextureMode.AUTO,
                 LightTerm.all(),
@@ -64,6 +70,19 @@ public record Look(
     public Look withVisibility(String other) {
         var draft = new Draft(this);
         draft.visibility = other;
+        draft.given = Optional.empty();
+        return draft.look();
+    }
+
+    /**
+     * Drawn by a method that the renderer does not know.
+     *
+     * @param name what it is called; none of the renderer's names
+     */
+    public Look withVisibility(String name, Visibility method) {
+        var draft = new Draft(this);
+        draft.visibility = name;
+        draft.given = Optional.of(method);
         return draft.look();
     }
 
@@ -150,6 +169,7 @@ public record Look(
     /** The same parts, to be changed one by one. */
     private static final class Draft {
         private String visibility;
+        private Optional<Visibility> given;
         private ShadingMethod shading;
         private TextureMode texture;
         private Set<LightTerm> terms;
@@ -163,6 +183,7 @@ public record Look(
 
         Draft(Look from) {
             visibility = from.visibility;
+            given = from.given;
             shading = from.shading;
             texture = from.texture;
             terms = from.terms;
@@ -178,6 +199,7 @@ public record Look(
         Look look() {
             return new Look(
                     visibility,
+                    given,
                     shading,
                     texture,
                     terms,

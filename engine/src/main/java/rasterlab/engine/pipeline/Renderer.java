@@ -114,6 +114,15 @@ public final class Renderer implements AutoCloseable {
                             .formatted(visibility, String.join(", ", outlining())));
     }
 
+    /** Checks what a method is called that is given itself. */
+    static void checkGiven(String name, Visibility method, boolean outline) {
+        if (visibilities().contains(name) || name.equals(SURFACES) || name.equals(REFERENCE))
+            throw new IllegalArgumentException(
+                    "a given visibility method needs a name of its own, got '%s'".formatted(name));
+        if (outline && !method.drawsOutlines())
+            throw new IllegalArgumentException("visibility '%s' draws no outlines".formatted(name));
+    }
+
     /** Whether a method of that name can draw the faces' edges. */
     public static boolean drawsOutlines(String visibility) {
         return visibility.equals(AUTO) || outlining().contains(visibility);
@@ -126,7 +135,11 @@ public final class Renderer implements AutoCloseable {
                 .toList();
     }
 
-    /** Finds the visibility method of that name, or the reference. */
+    /** Finds what draws: the method that a look gives, the one of that name, or the reference. */
+    static Visibility drawing(Look look, List<Method<Visibility>> methods, String name) {
+        return look.given().orElseGet(() -> drawing(methods, name));
+    }
+
     static Visibility drawing(List<Method<Visibility>> methods, String name) {
         return name.equals(REFERENCE)
                 ? new ExactVisibility()
@@ -213,7 +226,7 @@ public final class Renderer implements AutoCloseable {
         }
         String chosen = visibility(request).chosen();
         ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
-        Visibility method = drawing(visibilities, chosen);
+        Visibility method = drawing(look, visibilities, chosen);
         boolean wire = shading == ShadingMethod.WIRE;
         if (!wire && chosen.equals(PIPELINE) && drawsDirectly(look, shading)) {
             DirectLook how = directLook(look, shading);

@@ -22,12 +22,22 @@ final class ScreenPolygon {
 
     /** For the faces of a view, to whose corners each plane may add one. */
     ScreenPolygon(ViewedMesh view) {
-        int mostCorners = view.mesh().mostCorners() + 2 + view.clipPlaneCount();
+        this(view.mesh().mostCorners() + 2 + view.clipPlaneCount());
+    }
+
+    private ScreenPolygon(int mostCorners) {
         whole = new EyePolygon(mostCorners);
         spare = new EyePolygon(mostCorners);
         cut = new EyePolygon(mostCorners);
         x = new double[mostCorners];
         y = new double[mostCorners];
+    }
+
+    /** The polygon with these corners, x and y of each in pixels; convex, and clipped already. */
+    static ScreenPolygon ofPixels(double[] corners) {
+        var polygon = new ScreenPolygon(corners.length / 2);
+        for (int at = 0; at < corners.length; at += 2) polygon.add(corners[at], corners[at + 1]);
+        return polygon;
     }
 
     int size() {
@@ -76,8 +86,12 @@ final class ScreenPolygon {
     private void add(ViewedMesh view, double eyeX, double eyeY, double eyeZ) {
         double shrink = view.transform().central() ? view.transform().distance() / eyeZ : 1;
         PictureFit fit = view.fit();
-        x[size] = Math.rint(fit.toPixelX(eyeX * shrink) * SUBPIXELS) / SUBPIXELS;
-        y[size] = Math.rint(fit.toPixelY(eyeY * shrink) * SUBPIXELS) / SUBPIXELS;
+        add(fit.toPixelX(eyeX * shrink), fit.toPixelY(eyeY * shrink));
+    }
+
+    private void add(double pixelX, double pixelY) {
+        x[size] = Math.rint(pixelX * SUBPIXELS) / SUBPIXELS;
+        y[size] = Math.rint(pixelY * SUBPIXELS) / SUBPIXELS;
         size++;
     }
 

@@ -13,11 +13,16 @@ import rasterlab.engine.transform.ViewTransform;
  * @param position x, y, z
  * @param normal of the corners, mixed as the point lies between them, outwards, of length 1; that
  *     of the face where they cancel out
+ * @param fan of the triangle in which it lies, the face's corners 0, {@code fan} and {@code fan +
+ *     1}
+ * @param weights of these three corners, whose mean it is by them: none negative, their sum 1
  */
-public record SeenPoint(int face, boolean behind, double[] position, double[] normal) {
+public record SeenPoint(
+        int face, boolean behind, double[] position, double[] normal, int fan, double[] weights) {
     public SeenPoint {
         position = position.clone();
         normal = normal.clone();
+        weights = weights.clone();
     }
 
     @Override
@@ -28,6 +33,23 @@ public record SeenPoint(int face, boolean behind, double[] position, double[] no
     @Override
     public double[] normal() {
         return normal.clone();
+    }
+
+    @Override
+    public double[] weights() {
+        return weights.clone();
+    }
+
+    /**
+     * The point of a face that a pixel shows.
+     *
+     * @throws IllegalArgumentException if the face is seen edge-on
+     */
+    public static SeenPoint of(ViewedMesh view, int face, int x, int y) {
+        var plane = new NearnessPlane();
+        if (!plane.load(view, face))
+            throw new IllegalArgumentException("face " + face + " is seen edge-on");
+        return point(view, face, plane.base + x * plane.perColumn + y * plane.perRow, x, y);
     }
 
     /** The nearest face that owns the pixel; empty where none does. */
@@ -64,12 +86,11 @@ public record SeenPoint(int face, boolean behind, double[] position, double[] no
         var position = new double[3];
         for (int axis = 0; axis < 3; axis++)
             position[axis] = transform.toWorld(axis, viewX, viewY, z);
-        double[] normal = mixed(view.mesh(), face, position);
-        return new SeenPoint(face, view.seenFromInside(face), position, normal);
+        return at(view.mesh(), face, view.seenFromInside(face), position);
     }
 
     /** In the triangle of the fan about the first corner that holds the point, or nearly does. */
-    private static double[] mixed(Mesh mesh, int face, double[] point) {
+    private static SeenPoint at(Mesh mesh, int face, boolean behind, double[] point) {
         double best = Double.NEGATIVE_INFINITY;
         double[] weights = {1, 0, 0};
         int fan = 1;
@@ -81,6 +102,20 @@ public record SeenPoint(int face, boolean behind, double[] position, double[] no
             weights = shares;
             fan = k;
         }
+        double[] normal = mixed(mesh, face, fan, weights);
+        return new SeenPoint(face, behind, point, normal, fan, within(weights));
+    }
+
+    /** The same weights without what rounding made negative. */
+    private static double[] within(double[] weights) {
+        var within = new double[3];
+        double sum = 0;
+        for (int k = 0; k < 3; k++) sum += within[k] = Math.max(0, weights[k]);
+        for (int k = 0; k < 3; k++) within[k] /= sum;
+        return within;
+    }
+
+    private static double[] mixed(Mesh mesh, int face, int fan, double[] weights) {
         var normal = new double[3];
         double length = 0;
         for (int axis = 0; axis < 3; axis++) {

@@ -2,6 +2,8 @@ package rasterlab.engine.visibility;
 
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.contract.DepthOrder;
+import rasterlab.contract.VisibleFaces;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Method;
 
@@ -16,6 +18,16 @@ public final class Visibilities {
                             List.of(ImageMethods.rayCast()))
                     .flatMap(List::stream)
                     .toList();
+
+    /** Draws the faces that a method of topic {@code visible-faces} calls visible. */
+    public static Visibility by(VisibleFaces method) {
+        return new ToldFaces(method);
+    }
+
+    /** Paints faces in the order that a method of topic {@code depth-order} gives. */
+    public static Visibility by(DepthOrder method) {
+        return new ToldOrder(method);
+    }
 
     public List<Method<Visibility>> methods() {
         return methods;
