@@ -61,13 +61,14 @@ public record Curve(Kind kind, double[] x, double[] y) {
         String needed = least == most ? "" + least : least + " to " + most;
         if (points < least || points > most)
             throw new IllegalArgumentException(
-                    "points: " + kind.code() + " needs " + needed + ", got " + points);
+                    "points must be " + needed + " for " + kind.code() + ", got " + points);
     }
 
     private static void requireCoordinate(String axis, int i, double value) {
         if (!(Math.abs(value) <= LARGEST))
             throw new IllegalArgumentException(
-                    "points[" + i + "]: " + axis + " must be in ±" + LARGEST + ", got " + value);
+                    "points[%d].%s must be from %s to %s, got %s"
+                            .formatted(i, axis, -LARGEST, LARGEST, value));
     }
 
     /** Number of polynomials. */

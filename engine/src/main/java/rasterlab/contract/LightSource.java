@@ -19,9 +19,9 @@ public record LightSource(
     public static final double BRIGHTEST = 1000;
 
     public LightSource {
-        ambient = Numbers.shares("light's ambient", ambient, BRIGHTEST);
-        diffuse = Numbers.shares("light's diffuse", diffuse, BRIGHTEST);
-        specular = Numbers.shares("light's specular", specular, BRIGHTEST);
+        ambient = Numbers.shares("ambient", ambient, BRIGHTEST);
+        diffuse = Numbers.shares("diffuse", diffuse, BRIGHTEST);
+        specular = Numbers.shares("specular", specular, BRIGHTEST);
     }
 
     /** White diffuse and specular light without attenuation or cone. */

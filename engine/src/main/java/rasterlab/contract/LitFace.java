@@ -25,7 +25,7 @@ public record LitFace(
         normals = nine("normals", normals);
         lamp = within("lamp", Numbers.vector("lamp", lamp));
         eye = within("eye", Numbers.vector("eye", eye));
-        globalAmbient = Numbers.shares("global ambient", globalAmbient, LightSource.BRIGHTEST);
+        globalAmbient = Numbers.shares("global-ambient", globalAmbient, LightSource.BRIGHTEST);
     }
 
     private static double[] nine(String name, double[] numbers) {

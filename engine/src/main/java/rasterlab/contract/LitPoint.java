@@ -22,7 +22,7 @@ public record LitPoint(
         normal = Numbers.vector("normal", normal);
         toLight = Numbers.vector("to-light", toLight);
         toEye = Numbers.vector("to-eye", toEye);
-        globalAmbient = Numbers.shares("global ambient", globalAmbient, LightSource.BRIGHTEST);
+        globalAmbient = Numbers.shares("global-ambient", globalAmbient, LightSource.BRIGHTEST);
         if (!(distance >= 0 && distance < Double.POSITIVE_INFINITY))
             throw new IllegalArgumentException(
                     "distance must be finite and not negative, got " + distance);

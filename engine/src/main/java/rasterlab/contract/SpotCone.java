@@ -15,15 +15,14 @@ public record SpotCone(double[] direction, double cutoff, double exponent) {
     public static final double HIGHEST_EXPONENT = 128;
 
     public SpotCone {
-        direction = Numbers.vector("spot direction", direction);
+        direction = Numbers.vector("direction", direction);
         if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0)
-            throw new IllegalArgumentException("spot direction must not be (0, 0, 0)");
+            throw new IllegalArgumentException("direction must not be zero, got (0, 0, 0)");
         if (!(cutoff >= 0 && cutoff <= 90 || cutoff == 180))
             throw new IllegalArgumentException(
-                    "spot cutoff must be from 0 to 90 degrees, or 180 for none, got " + cutoff);
+                    "cutoff must be from 0 to 90 degrees, or 180 for none, got " + cutoff);
         if (!(exponent >= 0 && exponent <= HIGHEST_EXPONENT))
-            throw new IllegalArgumentException(
-                    "spot exponent must be from 0 to 128, got " + exponent);
+            throw new IllegalArgumentException("exponent must be from 0 to 128, got " + exponent);
     }
 
     /** A light that shines all around. */

@@ -32,12 +32,12 @@ public record TexturedSpan(
     public static final double FARTHEST = 1e6;
 
     public TexturedSpan {
-        require("s of the first pixel", fromS, -LARGEST, LARGEST);
-        require("t of the first pixel", fromT, -LARGEST, LARGEST);
-        require("depth of the first pixel", fromDepth, NEAREST, FARTHEST);
-        require("s of the last pixel", toS, -LARGEST, LARGEST);
-        require("t of the last pixel", toT, -LARGEST, LARGEST);
-        require("depth of the last pixel", toDepth, NEAREST, FARTHEST);
+        require("from[0]", fromS, -LARGEST, LARGEST);
+        require("from[1]", fromT, -LARGEST, LARGEST);
+        require("from[2]", fromDepth, NEAREST, FARTHEST);
+        require("to[0]", toS, -LARGEST, LARGEST);
+        require("to[1]", toT, -LARGEST, LARGEST);
+        require("to[2]", toDepth, NEAREST, FARTHEST);
         if (pixels < 1 || pixels > MOST_PIXELS)
             throw new IllegalArgumentException("pixels must be from 1 to 8192, got " + pixels);
     }

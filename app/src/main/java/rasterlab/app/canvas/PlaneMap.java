@@ -27,7 +27,7 @@ public record PlaneMap(double originX, double originY, double scaleX, double sca
     private static void requireScale(String name, double scale) {
         if (!(scale >= SMALLEST && scale <= LARGEST))
             throw new IllegalArgumentException(
-                    name + " must be in " + SMALLEST + ".." + LARGEST + ", got " + scale);
+                    name + " must be from " + SMALLEST + " to " + LARGEST + ", got " + scale);
     }
 
     /**

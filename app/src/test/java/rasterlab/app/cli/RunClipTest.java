@@ -178,7 +178,7 @@ class RunClipTest {
                         "clip-volume",
                         "homogeneous",
                         "{\"zmin\":0,\"segments\":[]}",
-                        "/zmin: zmin must be above 0 and below 1, the farthest plane, got 0"),
+                        "/zmin: must be a number above 0 and below 1, got 0"),
                 argumentSet(
                         "the window has five numbers",
                         "clip-polygon",

@@ -65,6 +65,16 @@ class RunDepthBufferTest {
                 argumentSet(
                         "row without its length",
                         "{\"near\":1,\"far\":8,\"depths\":[5],\"to\":[6]}",
-                        "/pixels: missing, to needs it"));
+                        "/pixels: missing, to needs it"),
+                argumentSet(
+                        "depths at one end of the row alone",
+                        "{\"near\":1,\"far\":8,\"depths\":[5,6],\"to\":[6],\"pixels\":4}",
+                        "/to: expected 2 depths as /depths has, got 1"),
+                argumentSet(
+                        "more than can be stored",
+                        "{\"near\":1,\"far\":8,\"depths\":["
+                                + "5,".repeat(16)
+                                + "5],\"pixels\":8192}",
+                        "/pixels: at most 131072 surfaces times pixels, got 139264"));
     }
 }

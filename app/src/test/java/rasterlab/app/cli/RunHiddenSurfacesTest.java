@@ -47,9 +47,15 @@ class RunHiddenSurfacesTest {
     @Test
     void aCornerThatIsNoVertexIsRefusedWhereItStands() {
         Ran.labReading(VIEW.replace("[4,5,6]", "[4,8,6]"), "run", "hidden-surfaces", "zfloat")
+                .assertComplains(2, "./lab run: /faces/1/1: must be a vertex from 0 to 7, got 8");
+    }
+
+    @Test
+    void aFaceWithoutAreaIsRefusedWhereItStands() {
+        Ran.labReading(VIEW.replace("[4,5,6]", "[4,6,6]"), "run", "hidden-surfaces", "zfloat")
                 .assertComplains(
                         2,
-                        "./lab run: /faces/1/1: expected the number of a vertex, from 0 to 7,"
-                                + " got 8");
+                        "./lab run: /faces/1: at least 3 different corners are needed, got"
+                                + " [4, 6, 6]");
     }
 }

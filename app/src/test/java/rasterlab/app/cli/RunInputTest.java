@@ -115,11 +115,11 @@ class RunInputTest {
                 argumentSet(
                         "window's ends are swapped",
                         "{\"from\":[7,8],\"to\":[1,1],\"window\":[5,0,3,9]}",
-                        "/window: xmin 5 is greater than xmax 3"),
+                        "/window: xmin must be at most xmax, got 5 > 3"),
                 argumentSet(
                         "window's rows are swapped",
                         "{\"from\":[7,8],\"to\":[1,1],\"window\":[0,9,3,1]}",
-                        "/window: ymin 9 is greater than ymax 1"));
+                        "/window: ymin must be at most ymax, got 9 > 1"));
     }
 
     @ParameterizedTest(name = "{0} is no whole number")

@@ -126,14 +126,36 @@ class RunLightTest {
                         "phong",
                         "{\"normal\":[0,0,0],\"to-light\":[0,0,1],\"to-eye\":[0,0,1],"
                                 + "\"material\":{}}",
-                        "phong refuses: normal must have a direction, got (0, 0, 0)"),
+                        "phong refuses: normal must not be zero, got (0, 0, 0)"),
                 argumentSet(
                         "a surface that sends back more than it gets",
                         2,
                         "shade",
                         "phong",
                         POINT + "{\"diffuse\":[0,2,0]}}",
-                        "/material: diffuse must have shares from 0 to 1, got (0, 2, 0)"),
+                        "/material/diffuse: must have shares from 0 to 1, got (0, 2, 0)"),
+                argumentSet(
+                        "a cone without an axis",
+                        2,
+                        "shade",
+                        "phong",
+                        POINT + "{},\"light\":{\"spot\":{\"direction\":[0,0,0],\"cutoff\":9}}}",
+                        "/light/spot/direction: must not be zero, got (0, 0, 0)"),
+                argumentSet(
+                        "a cone of more than a half-space",
+                        2,
+                        "shade",
+                        "phong",
+                        POINT + "{},\"light\":{\"spot\":{\"direction\":[0,0,1],\"cutoff\":91}}}",
+                        "/light/spot/cutoff: must be from 0 to 90 degrees, or 180 for none, got"
+                                + " 91"),
+                argumentSet(
+                        "light from everywhere below 0",
+                        2,
+                        "shade",
+                        "phong",
+                        POINT + "{},\"global-ambient\":[0,-1,0]}",
+                        "/global-ambient: must have shares from 0 to 1000, got (0, -1, 0)"),
                 argumentSet(
                         "an attenuation of 1/0",
                         2,
@@ -147,7 +169,7 @@ class RunLightTest {
                         "shade-face",
                         "phong",
                         FACE + "[[1,0,0],[2,-1,0]]}",
-                        "/points/1: weights of point 1 must be 0 or more with the sum 1, got (2,"
+                        "/points/1: must be weights of 0 or more with the sum 1, got (2,"
                                 + " -1, 0)"),
                 argumentSet(
                         "a corner is counted by its numbers",
@@ -170,14 +192,14 @@ class RunLightTest {
                         "texture-mapping",
                         "perspective",
                         "{\"from\":[0,0,-1],\"to\":[1,2,3],\"pixels\":3}",
-                        "/: depth of the first pixel must be from 1e-6 to 1000000, got -1"),
+                        "/from/2: must be from 1e-6 to 1000000, got -1"),
                 argumentSet(
                         "a short row",
                         2,
                         "texture-filter",
                         "nearest",
                         "{\"picture\":[[10,20],[30]],\"pixels\":[]}",
-                        "/picture/1: 1 levels; expected 2 as in row 0"),
+                        "/picture/1: expected 2 levels as /picture/0 has, got 1"),
                 argumentSet(
                         "a turned footprint",
                         3,
@@ -199,6 +221,13 @@ class RunLightTest {
                         "vertex-normals",
                         "angle",
                         "{\"vertices\":[[0,0,0]],\"triangles\":[[0,1,2]]}",
-                        "/triangles/0/1: must be a vertex from 0 to 0, got 1"));
+                        "/triangles/0/1: must be a vertex from 0 to 0, got 1"),
+                argumentSet(
+                        "a vertex where there are none",
+                        2,
+                        "vertex-normals",
+                        "angle",
+                        "{\"vertices\":[],\"triangles\":[[0,1,2]]}",
+                        "/triangles/0/0: must be a vertex, of which there are none, got 0"));
     }
 }

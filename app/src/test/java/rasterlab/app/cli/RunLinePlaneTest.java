@@ -107,6 +107,6 @@ class RunLinePlaneTest {
                         "normal of no length has a direction",
                         2,
                         "{\"line\":[[0,0,1],[1,0,2]],\"normal\":[0,0,0],\"point\":[1,1,1]}",
-                        "/normal: a plane's normal must not be (0, 0, 0)"));
+                        "/normal: must not be zero, got (0, 0, 0)"));
     }
 }

@@ -137,7 +137,7 @@ class RunSplineTest {
                         spline,
                         "monotone",
                         "{\"x\":[0],\"y\":[0,1],\"at\":[],\"ends\":{\"kind\":\"natural\"}}",
-                        "/y: expected as many values as /x has, 1, got 2"),
+                        "/y: expected 1 values as /x has, got 2"),
                 argumentSet(
                         "neither t nor flatness",
                         "curve",
@@ -155,7 +155,7 @@ class RunSplineTest {
                         "curve",
                         "horner",
                         "{\"kind\":\"bezier\",\"points\":[[0,0],[1,1e200]],\"at\":[0]}",
-                        "/points/1: y must be in ±1e100, got 1e200"),
+                        "/points/1/1: must be from -1e100 to 1e100, got 1e200"),
                 argumentSet(
                         "t beyond the end goes on",
                         "curve",
@@ -173,6 +173,6 @@ class RunSplineTest {
                         "curve",
                         "matrix",
                         "{\"kind\":\"hermite\",\"points\":[[0,0],[1,1],[2,2]],\"at\":[0]}",
-                        "/points: hermite needs 4, got 3"));
+                        "/points: must be 4 for hermite, got 3"));
     }
 }

@@ -68,7 +68,7 @@ class RunVisibleFacesTest {
                         "corner past the vertices is read",
                         2,
                         "\"faces\":[[0,1,2],[1,4,2]],\"eye\":[1,2,3]",
-                        "/faces/1/1: expected the number of a vertex, from 0 to 3, got 4"),
+                        "/faces/1/1: must be a vertex from 0 to 3, got 4"),
                 argumentSet(
                         "two corners are a face",
                         2,

@@ -31,7 +31,7 @@ class TopicSchemaTest {
                     "must be from ",
                     "must be a vertex from ",
                     "must be above ",
-                    "must be in ±",
+                    "must be a number above ",
                     "must be finite and not negative",
                     "must have shares from ");
 

@@ -49,8 +49,8 @@ class ComplaintsTest {
                         + " до границы 1,592·10¹⁵ ulp",
                 "RUSSIAN | segment 0 is sent as (NaN, 0.5)→(-Infinity, 10.0), nothing is left"
                         + " | отрезок 0 выдан как (NaN; 0,5)→(−∞; 10), а от него ничего не остаётся",
-                "RUSSIAN | /zmin: zmin must be above 0 and below 1, the farthest plane, got 2.0"
-                        + " | /zmin: zmin должно быть больше 0 и меньше 1, дальней плоскости, получено 2",
+                "RUSSIAN | /zmin: must be a number above 0 and below 1, got 2.0"
+                        + " | /zmin: должно быть числом больше 0 и меньше 1, получено 2",
                 "RUSSIAN | OpenGL 1.3 is older than 1.4 | версия OpenGL 1.3 раньше 1.4",
                 "ENGLISH | no course with the code 'X'; ask for it"
                         + " | no course with the code “X”; ask for it",
@@ -77,7 +77,7 @@ class ComplaintsTest {
             delimiter = '|',
             value = {
                 "ENGLISH | up must lie at least 1.0E-8 radians off | up must lie at least 1e-8 radians off",
-                "ENGLISH | y must be in ±1.0E100, got NaN | y must be in ±1e100, got NaN",
+                "ENGLISH | y must be within ±1.0E100, got NaN | y must be within ±1e100, got NaN",
                 "ENGLISH | must be from -1E75 to 1E75 | must be from -1e75 to 1e75",
                 "ENGLISH | must be in 1.0E-75..1.0E75, got 2.5 | must be in 1e-75..1e75, got 2.5",
                 "ENGLISH | turn must be in [0, 360), got (0.0, -1.0, 3.5E-11)"

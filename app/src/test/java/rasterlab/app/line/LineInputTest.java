@@ -35,7 +35,7 @@ class LineInputTest {
                 "{\"from\":[0,0],\"to\":[0,1],\"window\":[1,2,3]}|"
                         + " input, field 'window' must have 4 whole numbers, got [1,2,3]",
                 "{\"from\":[0,0],\"to\":[0,1],\"window\":[5,0,1,9]}|"
-                        + " xmin 5 is greater than xmax 1",
+                        + " xmin must be at most xmax, got 5 > 1",
                 "{\"from\":[0,0],\"to\":[0,1],\"x\":1}|"
                         + " input, field 'x' is not known here; known are [from, to, window]"
             })

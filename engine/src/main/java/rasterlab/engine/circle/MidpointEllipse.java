@@ -53,7 +53,7 @@ public final class MidpointEllipse implements SteppedEllipse {
             throw new IllegalArgumentException(
                     "radius along "
                             + axis
-                            + " must be in 0.."
+                            + " must be from 0 to "
                             + LARGEST
                             + " pixels, got "
                             + radius);

@@ -1,5 +1,7 @@
 package rasterlab.engine.clip;
 
+import rasterlab.engine.geometry.Finite;
+
 /** The sides of an upright rectangle. */
 public final class Sides {
     private Sides() {}
@@ -13,9 +15,8 @@ public final class Sides {
     }
 
     private static void requireOrdered(String lowName, double low, String highName, double high) {
-        if (!Double.isFinite(low) || !Double.isFinite(high))
-            throw new IllegalArgumentException(
-                    lowName + " and " + highName + " must be finite, got " + low + " and " + high);
+        Finite.require(lowName, low);
+        Finite.require(highName, high);
         if (low > high)
             throw new IllegalArgumentException(
                     lowName + " must be at most " + highName + ", got " + low + " > " + high);

@@ -7,6 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** The values of the fields that one object has. */
 public final class Given {
@@ -91,5 +93,26 @@ public final class Given {
     /** A complaint about the value of a field, with its place. */
     public Misfit misfit(String field, String reason) {
         return new Misfit(place + "/" + field, reason);
+    }
+
+    /**
+     * A complaint about the fields where something made of them refuses them: about the one whose
+     * name, with the numbers of places in its value, stands before "must" in the refusal.
+     */
+    public Misfit misfit(IllegalArgumentException refusal) {
+        Matcher named = Refusal.NAMED.matcher(refusal.getMessage());
+        if (!named.matches() || !has(named.group(1)))
+            return new Misfit(place.isEmpty() ? "/" : place, refusal.getMessage());
+        String numbers = named.group(2).replace("]", "").replace('[', '/');
+        String axis = named.group(3) == null ? "" : "/" + "xyz".indexOf(named.group(3));
+        return misfit(named.group(1) + numbers + axis, named.group(4));
+    }
+
+    /** Made only where something is refused. */
+    private static final class Refusal {
+        /** Such as "vertices[3].x must be from …". */
+        static final Pattern NAMED =
+                Pattern.compile(
+                        "([\\w-]+)((?:\\[\\d+])*)(?:\\.([xyz]))? (must .*)", Pattern.DOTALL);
     }
 }

@@ -19,7 +19,8 @@ public abstract class MadeShape<S, T> implements Shape<T> {
     /**
      * Makes something of the value.
      *
-     * @throws IllegalArgumentException if it cannot; the message is told with the value's place
+     * @throws IllegalArgumentException if it cannot; the message is told with the value's place, or
+     *     that of the field whose name it begins with
      */
     protected abstract T made(S value);
 
@@ -32,7 +33,7 @@ public abstract class MadeShape<S, T> implements Shape<T> {
         try {
             return made(value);
         } catch (IllegalArgumentException e) {
-            throw in.misfit(e.getMessage());
+            throw value instanceof Given fields ? fields.misfit(e) : in.misfit(e.getMessage());
         }
     }
 

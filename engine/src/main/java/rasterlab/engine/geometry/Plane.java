@@ -14,7 +14,7 @@ public record Plane(Vector normal, double c) {
         Finite.require("c", c);
         if (normal.length() == 0)
             throw new IllegalArgumentException(
-                    "a plane's normal must not be "
+                    "normal must not be zero, got "
                             + new Vector(normal.x() + 0.0, normal.y() + 0.0, normal.z() + 0.0));
     }
 

@@ -51,7 +51,7 @@ public record Vector(double x, double y, double z) {
      */
     public Vector unit() {
         if (x == 0 && y == 0 && z == 0)
-            throw new IllegalArgumentException("direction (0, 0, 0) has no length; give another");
+            throw new IllegalArgumentException("direction must not be zero, got (0, 0, 0)");
         Vector p = shifted(-exponent());
         double length = Math.sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
         return new Vector(p.x / length, p.y / length, p.z / length);

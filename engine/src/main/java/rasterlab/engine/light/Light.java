@@ -16,13 +16,15 @@ public record Light(LightSource source, double x, double y, double z, boolean di
     public Light {
         if (!Double.isFinite(x) || !Double.isFinite(y) || !Double.isFinite(z))
             throw new IllegalArgumentException(
-                    "light must have finite coordinates, got (%s, %s, %s)".formatted(x, y, z));
+                    "light must be finite, got (%s, %s, %s)".formatted(x, y, z));
         if (directional) requireFar(source, x, y, z);
     }
 
     private static void requireFar(LightSource source, double x, double y, double z) {
         if (x == 0 && y == 0 && z == 0)
-            throw new IllegalArgumentException("direction to the light must not be (0, 0, 0)");
+            throw new IllegalArgumentException(
+                    "direction to the light must be finite and not zero, got (%s, %s, %s)"
+                            .formatted(x, y, z));
         if (!source.cone().shinesAllAround() || !source.attenuation().equals(Attenuation.none()))
             throw new IllegalArgumentException(
                     "a directional light has neither cone nor attenuation, got cutoff %s and %s"

@@ -11,7 +11,7 @@ final class ProvedSteps {
     static int checked(long steps, int most) {
         if (steps > most)
             throw new IllegalArgumentException(
-                    "n = max(|x1 − x0|, |y1 − y0|) must be in 0.."
+                    "n = max(|x1 − x0|, |y1 − y0|) must be from 0 to "
                             + most
                             + " steps, where rounding is proved harmless; got "
                             + steps);

@@ -12,9 +12,11 @@ public record PixelWindow(int xmin, int ymin, int xmax, int ymax) {
 
     public PixelWindow {
         if (xmin > xmax)
-            throw new IllegalArgumentException("xmin " + xmin + " is greater than xmax " + xmax);
+            throw new IllegalArgumentException(
+                    "xmin must be at most xmax, got " + xmin + " > " + xmax);
         if (ymin > ymax)
-            throw new IllegalArgumentException("ymin " + ymin + " is greater than ymax " + ymax);
+            throw new IllegalArgumentException(
+                    "ymin must be at most ymax, got " + ymin + " > " + ymax);
     }
 
     /** All pixels of a picture. */

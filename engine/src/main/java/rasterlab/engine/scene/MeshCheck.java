@@ -2,6 +2,7 @@ package rasterlab.engine.scene;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import rasterlab.engine.geometry.VertexNumber;
 
 /** The rules a {@link Mesh} keeps, with messages that name the place that breaks one. */
 final class MeshCheck {
@@ -72,7 +73,7 @@ final class MeshCheck {
     private void vertices() {
         if (xyz.length % 3 != 0)
             throw new IllegalArgumentException(
-                    "vertices need three coordinates each, got " + xyz.length + " numbers");
+                    "vertices must have 3 numbers each, got " + xyz.length + " in all");
         for (int i = 0; i < xyz.length; i++)
             if (!Double.isFinite(xyz[i]))
                 throw new IllegalArgumentException(
@@ -83,10 +84,9 @@ final class MeshCheck {
     private void corners(int face, int[] corners) {
         int vertices = xyz.length / 3;
         for (int corner : corners)
-            if (corner < 0 || corner >= vertices)
+            if (!VertexNumber.exists(corner, vertices))
                 throw new IllegalArgumentException(
-                        "face %d: corner must be a vertex from 0 to %d, got %d"
-                                .formatted(face, vertices - 1, corner));
+                        VertexNumber.refusal("face " + face + ": corner", corner, vertices));
         long different = Arrays.stream(corners).distinct().count();
         if (different < 3)
             throw new IllegalArgumentException(

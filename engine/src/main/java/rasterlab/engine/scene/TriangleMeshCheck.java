@@ -1,5 +1,7 @@
 package rasterlab.engine.scene;
 
+import rasterlab.engine.geometry.VertexNumber;
+
 /** The rules for the triangles of a {@link TriangleMesh}. */
 final class TriangleMeshCheck {
     private TriangleMeshCheck() {}
@@ -7,13 +9,11 @@ final class TriangleMeshCheck {
     static void triangles(int[] triangles, int vertices) {
         if (triangles.length % 3 != 0)
             throw new IllegalArgumentException(
-                    "triangles need three vertex numbers each, got "
-                            + triangles.length
-                            + " numbers");
+                    "triangles must have 3 vertices each, got " + triangles.length + " in all");
         for (int i = 0; i < triangles.length; i++)
-            if (triangles[i] < 0 || triangles[i] >= vertices)
+            if (!VertexNumber.exists(triangles[i], vertices))
                 throw new IllegalArgumentException(
-                        "triangle %d: corner must be a vertex from 0 to %d, got %d"
-                                .formatted(i / 3, vertices - 1, triangles[i]));
+                        VertexNumber.refusal(
+                                "triangle " + i / 3 + ": corner", triangles[i], vertices));
     }
 }

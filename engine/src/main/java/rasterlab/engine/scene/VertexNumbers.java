@@ -2,10 +2,13 @@ package rasterlab.engine.scene;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
+import rasterlab.engine.geometry.VertexNumber;
 
 /** The corners of a face from outside: at least 3 numbers of vertices. */
 public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
@@ -23,15 +26,23 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
     public static void require(int[][] faces, int vertices) {
         for (int f = 0; f < faces.length; f++)
             for (int k = 0; k < faces[f].length; k++)
-                if (faces[f][k] < 0 || faces[f][k] >= vertices)
+                if (!VertexNumber.exists(faces[f][k], vertices))
                     throw new Misfit(
                             "/faces/" + f + "/" + k,
-                            "expected the number of a vertex, %s, got %d"
-                                    .formatted(range(vertices), faces[f][k]));
+                            VertexNumber.refusal("", faces[f][k], vertices));
     }
 
-    private static String range(int vertices) {
-        return vertices == 0 ? "of which there are none" : "from 0 to " + (vertices - 1);
+    /** A refusal of a {@link Mesh} with the place of its face. */
+    public static Misfit misfit(IllegalArgumentException refusal) {
+        Matcher ofFace = Refusal.OF_FACE.matcher(refusal.getMessage());
+        return ofFace.matches()
+                ? new Misfit("/faces/" + ofFace.group(1), ofFace.group(2))
+                : new Misfit("/", refusal.getMessage());
+    }
+
+    /** Made only where something is refused. */
+    private static final class Refusal {
+        static final Pattern OF_FACE = Pattern.compile("face (\\d+): (.*)", Pattern.DOTALL);
     }
 
     private VertexNumbers() {

@@ -134,7 +134,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             Curve.Kind kind = Curve.Kind.values()[KINDS.indexOf(given.get(KIND))];
             return new Curve(kind, points.xs(), points.ys());
         } catch (IllegalArgumentException e) {
-            throw new Misfit("/" + e.getMessage().replaceFirst("\\[(\\d+)]", "/$1"));
+            throw given.misfit(e);
         }
     }
 

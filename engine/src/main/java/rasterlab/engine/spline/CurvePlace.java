@@ -35,8 +35,9 @@ public record CurvePlace(
     public static CurvePlace of(Curve curve, int span, double u) {
         if (span < 0 || span >= curve.spans())
             throw new IllegalArgumentException(
-                    "span must be in 0..%d, got %d".formatted(curve.spans() - 1, span));
-        if (!(u >= 0 && u <= 1)) throw new IllegalArgumentException("u must be in 0..1, got " + u);
+                    "span must be from 0 to %d, got %d".formatted(curve.spans() - 1, span));
+        if (!(u >= 0 && u <= 1))
+            throw new IllegalArgumentException("u must be from 0 to 1, got " + u);
         var points = new BezierPoints(curve);
         points.load(span);
         double[] x = derivatives(points.x, u);

@@ -27,7 +27,7 @@ final class Flatness {
     static double left(Curve curve, double flatness, double growth) {
         if (!(flatness >= SMALLEST && flatness <= LARGEST))
             throw new IllegalArgumentException(
-                    "flatness must be in " + SMALLEST + ".." + LARGEST + ", got " + flatness);
+                    "flatness must be from " + SMALLEST + " to " + LARGEST + ", got " + flatness);
         double rounding = curve.size() * ROUNDING * growth;
         if (flatness < 16 * rounding)
             throw new IllegalArgumentException(

@@ -18,10 +18,8 @@ public final class ForwardDifferencesFloatCurve extends DifferencesCurve {
             floats[i] = (float) doubles[i];
             if (Float.isInfinite(floats[i]))
                 throw new IllegalArgumentException(
-                        "points: differences must be in ±"
-                                + Float.MAX_VALUE
-                                + ", got "
-                                + doubles[i]);
+                        "points: differences must be from %s to %s, got %s"
+                                .formatted(-Float.MAX_VALUE, Float.MAX_VALUE, doubles[i]));
         }
         return floats;
     }

@@ -54,7 +54,7 @@ final class Knots {
     private static double requireValue(int i, double value) {
         if (!(Math.abs(value) <= LARGEST))
             throw new IllegalArgumentException(
-                    "y[" + i + "] must be in ±" + LARGEST + ", got " + value);
+                    "y[%d] must be from %s to %s, got %s".formatted(i, -LARGEST, LARGEST, value));
         return Math.abs(value);
     }
 
@@ -70,7 +70,7 @@ final class Knots {
         double h = to - from;
         if (h < SMALLEST || h > LARGEST)
             throw new IllegalArgumentException(
-                    "x[%d] − x[%d] must be in %s..%s, got %s"
+                    "x[%d] − x[%d] must be from %s to %s, got %s"
                             .formatted(i + 1, i, SMALLEST, LARGEST, h));
         width[i] = h;
         secant[i] = (y[i + 1] - y[i]) / h;

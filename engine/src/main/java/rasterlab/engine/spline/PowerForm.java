@@ -14,7 +14,7 @@ final class PowerForm {
     static void requireDegree(Curve curve) {
         if (curve.degree() > MOST_DEGREE)
             throw new IllegalArgumentException(
-                    "points: degree must be in 0..%d, where powers of u keep enough digits; got %d"
+                    "points: degree must be from 0 to %d, where powers of u keep enough digits; got %d"
                             .formatted(MOST_DEGREE, curve.degree()));
     }
 

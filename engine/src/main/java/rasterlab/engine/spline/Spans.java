@@ -23,6 +23,7 @@ final class Spans {
     static void requireInside(double... t) {
         for (int i = 0; i < t.length; i++)
             if (!(t[i] >= 0 && t[i] <= 1))
-                throw new IllegalArgumentException("at[" + i + "] must be in 0..1, got " + t[i]);
+                throw new IllegalArgumentException(
+                        "at[" + i + "] must be from 0 to 1, got " + t[i]);
     }
 }

@@ -142,7 +142,7 @@ public final class SplineFunctionFormat
         if (given.get(X).length != given.get(Y).length)
             throw new Misfit(
                     "/y",
-                    "expected as many values as /x has, %d, got %d"
+                    "expected %d values as /x has, got %d"
                             .formatted(given.get(X).length, given.get(Y).length));
         return new SplineProblem(
                 given.get(X),

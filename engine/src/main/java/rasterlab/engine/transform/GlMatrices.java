@@ -68,9 +68,8 @@ public final class GlMatrices {
     public static Matrix4d perspective(double fovy, double aspect, double near, double far) {
         if (!(fovy > 0 && fovy < 180))
             throw new IllegalArgumentException(
-                    "fovy must be above 0 and below 180 degrees, got " + fovy);
-        if (!(aspect > 0))
-            throw new IllegalArgumentException("aspect must be above 0, got " + aspect);
+                    "fovy must be a number of degrees above 0 and below 180, got " + fovy);
+        requirePositive("aspect", aspect);
         requireDistances(near, far);
         Angle half = Angle.ofDegrees(fovy / 2);
         double cotangent = half.cos() / half.sin();
@@ -122,9 +121,15 @@ public final class GlMatrices {
     }
 
     private static void requireDistances(double near, double far) {
-        if (!(near > 0)) throw new IllegalArgumentException("near must be above 0, got " + near);
-        if (!(far > 0)) throw new IllegalArgumentException("far must be above 0, got " + far);
+        requirePositive("near", near);
+        requirePositive("far", far);
         requireDiffer("far", far, "near", near);
+    }
+
+    private static void requirePositive(String name, double value) {
+        if (!(value > 0 && value < Double.POSITIVE_INFINITY))
+            throw new IllegalArgumentException(
+                    name + " must be a finite number above 0, got " + value);
     }
 
     private static void requireDiffer(String name, double value, String other, double from) {

@@ -31,7 +31,7 @@ class MeshTest {
                         "half a vertex is accepted",
                         new double[] {0, 0},
                         triangle,
-                        "vertices need three coordinates each, got 2 numbers"),
+                        "vertices must have 3 numbers each, got 2 in all"),
                 argumentSet(
                         "a vertex that is no number is accepted",
                         new double[] {0, 0, 0, 1, Double.NaN, 0, 0, 1, 0},

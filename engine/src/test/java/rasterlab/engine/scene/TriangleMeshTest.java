@@ -37,7 +37,7 @@ class TriangleMeshTest {
                 argumentSet(
                         "two corners are let in",
                         (Executable) () -> mesh(THREE, 0, 1),
-                        "triangles need three vertex numbers each, got 2 numbers"),
+                        "triangles must have 3 vertices each, got 2 in all"),
                 argumentSet(
                         "NaN is let in",
                         (Executable) () -> mesh(new float[] {0, Float.NaN, 2}, 0, 1, 2),

@@ -35,38 +35,38 @@ class CurveRefusalTest {
                         Kind.BEZIER,
                         none,
                         none,
-                        "points: bezier needs 1 to 101, got 0"),
+                        "points must be 1 to 101 for bezier, got 0"),
                 argumentSet(
                         "too many for one Bézier curve",
                         Kind.BEZIER,
                         million,
                         million,
-                        "points: bezier needs 1 to 101, got 1000000"),
+                        "points must be 1 to 101 for bezier, got 1000000"),
                 argumentSet(
                         "Hermite of five",
                         Kind.HERMITE,
                         new double[5],
                         new double[5],
-                        "points: hermite needs 4, got 5"),
+                        "points must be 4 for hermite, got 5"),
                 argumentSet(
                         "B-spline of three",
                         Kind.B_SPLINE,
                         new double[3],
                         new double[3],
-                        "points: b-spline needs 4 to 1000000, got 3"),
+                        "points must be 4 to 1000000 for b-spline, got 3"),
                 argumentSet("y is missing", Kind.BEZIER, FOUR, none, "points: 4 have x, 0 have y"),
                 argumentSet(
                         "coordinate is NaN",
                         Kind.BEZIER,
                         FOUR,
                         new double[] {0, 1, Double.NaN, 3},
-                        "points[2]: y must be in ±1.0E100, got NaN"),
+                        "points[2].y must be from -1.0E100 to 1.0E100, got NaN"),
                 argumentSet(
                         "coordinate at the doubles' limit",
                         Kind.BEZIER,
                         new double[] {0, -Double.MAX_VALUE, 0, 0},
                         FOUR,
-                        "points[1]: x must be in ±1.0E100, got -1.7976931348623157E308"));
+                        "points[1].x must be from -1.0E100 to 1.0E100, got -1.7976931348623157E308"));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -84,7 +84,7 @@ class CurveRefusalTest {
     }
 
     static Stream<Arguments> flatnesses() {
-        String range = "flatness must be in 1.0E-100..1.0E100, got ";
+        String range = "flatness must be from 1.0E-100 to 1.0E100, got ";
         return Stream.of(
                 argumentSet("never flat enough", 0, range + "0.0"),
                 argumentSet("negative", -1, range + "-1.0"),
@@ -102,7 +102,7 @@ class CurveRefusalTest {
                         assertThrows(
                                 IllegalArgumentException.class,
                                 () -> tracer.at(curve, new double[] {0, wrong}, new Polyline(9)));
-                assertEquals("at[1] must be in 0..1, got " + wrong, refusal.getMessage());
+                assertEquals("at[1] must be from 0 to 1, got " + wrong, refusal.getMessage());
             }
     }
 

@@ -135,13 +135,13 @@ class SplineFunctionTest {
                         of(0, 1),
                         of(0, nan),
                         NATURAL,
-                        "y[1] must be in ±1.0E75, got NaN"),
+                        "y[1] must be from -1.0E75 to 1.0E75, got NaN"),
                 argumentSet(
                         "value at the doubles' limit",
                         of(0, 1),
                         of(Double.MAX_VALUE, 0),
                         NATURAL,
-                        "y[0] must be in ±1.0E75, got 1.7976931348623157E308"),
+                        "y[0] must be from -1.0E75 to 1.0E75, got 1.7976931348623157E308"),
                 argumentSet(
                         "all values vanish in the coefficients",
                         of(0, 1),
@@ -153,13 +153,13 @@ class SplineFunctionTest {
                         of(-Double.MAX_VALUE, Double.MAX_VALUE),
                         of(0, 1),
                         NATURAL,
-                        "x[1] − x[0] must be in 1.0E-75..1.0E75, got Infinity"),
+                        "x[1] − x[0] must be from 1.0E-75 to 1.0E75, got Infinity"),
                 argumentSet(
                         "width underflows",
                         of(0, Double.MIN_VALUE),
                         of(0, 1),
                         NATURAL,
-                        "x[1] − x[0] must be in 1.0E-75..1.0E75, got 4.9E-324"),
+                        "x[1] − x[0] must be from 1.0E-75 to 1.0E75, got 4.9E-324"),
                 argumentSet(
                         "steep end",
                         of(0, 1),

@@ -42,7 +42,7 @@ final class UnroundedVolume {
     static void requireInside(double zmin) {
         if (!(zmin > 0 && zmin < 1))
             throw new IllegalArgumentException(
-                    "zmin must be above 0 and below 1, the farthest plane, got " + zmin);
+                    "zmin must be a number above 0 and below 1, got " + zmin);
     }
 
     /** Cuts at c = z and c = −z. */

@@ -169,7 +169,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
         try {
             return new Line(vector(ends, 0), vector(ends, 3));
         } catch (IllegalArgumentException e) {
-            throw new Misfit("/line", e.getMessage());
+            throw given.misfit("line", e.getMessage());
         }
     }
 
@@ -186,7 +186,7 @@ final class LinePlaneFormat extends Format<LinePlane, PlaneAndLines, Meetings> {
             double[] p = given.get(PLANE);
             return new Plane(Plane.normal(vector(p, 0), vector(p, 3), vector(p, 6)), 0);
         } catch (IllegalArgumentException e) {
-            throw new Misfit(byNormal ? "/normal" : "/plane", e.getMessage());
+            throw byNormal ? given.misfit(e) : given.misfit("plane", e.getMessage());
         }
     }
 

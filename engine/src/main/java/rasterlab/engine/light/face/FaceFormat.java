@@ -7,7 +7,6 @@ import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -79,25 +78,19 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
 
     @Override
     public FacePoints read(Given given) {
-        LitFace face = face(given);
-        double[] weights = given.get(POINTS);
-        int wrong = FacePoint.firstNoMean(weights);
-        if (wrong >= 0) throw new Misfit("/points/" + wrong, FacePoint.noMean(weights, wrong));
-        return new FacePoints(face, weights);
-    }
-
-    private static LitFace face(Given given) {
         try {
-            return new LitFace(
-                    given.get(CORNERS),
-                    given.get(NORMALS),
-                    given.get(LAMP),
-                    given.get(EYE),
-                    given.get(LightFormat.MATERIAL),
-                    LightFormat.light(given),
-                    LightFormat.globalAmbient(given));
+            var face =
+                    new LitFace(
+                            given.get(CORNERS),
+                            given.get(NORMALS),
+                            given.get(LAMP),
+                            given.get(EYE),
+                            given.get(LightFormat.MATERIAL),
+                            LightFormat.light(given),
+                            LightFormat.globalAmbient(given));
+            return new FacePoints(face, given.get(POINTS));
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

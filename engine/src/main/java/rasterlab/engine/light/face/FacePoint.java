@@ -56,23 +56,23 @@ final class FacePoint {
             throw new IllegalArgumentException(
                     "weights must be 3 for each point, got " + weights.length + " in all");
         int wrong = firstNoMean(weights);
-        if (wrong >= 0) throw new IllegalArgumentException(noMean(weights, wrong));
+        if (wrong < 0) return;
+        throw new IllegalArgumentException(
+                "points[%d] must be weights of 0 or more with the sum 1, got (%s, %s, %s)"
+                        .formatted(
+                                wrong,
+                                weights[3 * wrong],
+                                weights[3 * wrong + 1],
+                                weights[3 * wrong + 2]));
     }
 
     /** The number of the first point whose three weights are no mean; -1 where there is none. */
-    static int firstNoMean(double[] weights) {
+    private static int firstNoMean(double[] weights) {
         for (int i = 0; i + 2 < weights.length; i += 3) {
             double sum = weights[i] + weights[i + 1] + weights[i + 2];
             boolean mean = weights[i] >= 0 && weights[i + 1] >= 0 && weights[i + 2] >= 0;
             if (!mean || !(Math.abs(sum - 1) <= 1e-9)) return i / 3;
         }
         return -1;
-    }
-
-    /** A refusal of the weights of that point. */
-    static String noMean(double[] weights, int point) {
-        return "weights of point %d must be 0 or more with the sum 1, got (%s, %s, %s)"
-                .formatted(
-                        point, weights[3 * point], weights[3 * point + 1], weights[3 * point + 2]);
     }
 }

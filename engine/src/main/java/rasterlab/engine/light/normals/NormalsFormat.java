@@ -8,7 +8,6 @@ import java.util.stream.Stream;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -76,7 +75,7 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
         try {
             return new Triangles(given.get(VERTICES), corners);
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

@@ -1,6 +1,7 @@
 package rasterlab.engine.light.normals;
 
 import rasterlab.contract.VertexNormals;
+import rasterlab.engine.geometry.VertexNumber;
 
 /**
  * A surface of triangles.
@@ -31,9 +32,11 @@ public record Triangles(double[] vertices, int[] triangles) {
                         "vertices[%d].%s must be from -1E75 to 1E75, got %s"
                                 .formatted(i / 3, "xyz".charAt(i % 3), vertices[i]));
         for (int i = 0; i < triangles.length; i++)
-            if (triangles[i] < 0 || triangles[i] >= vertices.length / 3)
+            if (!VertexNumber.exists(triangles[i], vertices.length / 3))
                 throw new IllegalArgumentException(
-                        "triangles[%d][%d] must be a vertex from 0 to %d, got %d"
-                                .formatted(i / 3, i % 3, vertices.length / 3 - 1, triangles[i]));
+                        VertexNumber.refusal(
+                                "triangles[%d][%d]".formatted(i / 3, i % 3),
+                                triangles[i],
+                                vertices.length / 3));
     }
 }

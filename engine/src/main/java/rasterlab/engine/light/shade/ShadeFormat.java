@@ -8,7 +8,6 @@ import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -98,7 +97,7 @@ final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
                                     LightFormat.light(given),
                                     LightFormat.globalAmbient(given))));
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

@@ -72,7 +72,8 @@ public final class TriangleView {
     private static double[][] worldPlanes(List<double[]> eyePlanes, double[] toEye) {
         if (eyePlanes.size() > MOST_PLANES)
             throw new IllegalArgumentException(
-                    "at most %d planes can cut, got %d".formatted(MOST_PLANES, eyePlanes.size()));
+                    "at most %d clip planes can cut, got %d"
+                            .formatted(MOST_PLANES, eyePlanes.size()));
         double[][] world = new double[eyePlanes.size()][4];
         for (int k = 0; k < world.length; k++) {
             double[] plane = eyePlanes.get(k);

@@ -24,6 +24,7 @@ final class Size {
     static void requireCoordinate(String name, double coordinate) {
         if (!(Math.abs(coordinate) <= Shape.LARGEST))
             throw new IllegalArgumentException(
-                    "%s must be in ±%s, got %s".formatted(name, Shape.LARGEST, coordinate));
+                    "%s must be from %s to %s, got %s"
+                            .formatted(name, -Shape.LARGEST, Shape.LARGEST, coordinate));
     }
 }

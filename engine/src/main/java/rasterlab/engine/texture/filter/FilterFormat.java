@@ -7,7 +7,6 @@ import java.util.List;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -75,14 +74,16 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
             List<Integer> row = rows.get(y);
             if (row.size() != width)
                 throw given.misfit(
-                        "picture/" + y, row.size() + " levels; expected " + width + " as in row 0");
+                        "picture/" + y,
+                        "expected %d levels as /picture/0 has, got %d"
+                                .formatted(width, row.size()));
             for (int x = 0; x < width; x++)
                 argb[(height - 1 - y) * width + x] = 0xFF000000 | 0x010101 * row.get(x);
         }
         try {
             return new FilteredPixels(width, height, argb, given.get(PIXELS));
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

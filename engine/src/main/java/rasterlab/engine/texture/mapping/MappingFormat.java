@@ -6,7 +6,6 @@ import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.study.Format;
@@ -71,7 +70,7 @@ final class MappingFormat extends Format<TextureMapper, TexturedSpan, Images> {
             return new TexturedSpan(
                     from[0], from[1], from[2], to[0], to[1], to[2], given.get(PIXELS));
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

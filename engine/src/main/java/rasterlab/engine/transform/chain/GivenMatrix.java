@@ -3,12 +3,12 @@ package rasterlab.engine.transform.chain;
 import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.EitherShape;
+import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
 import rasterlab.engine.transform.matrix.MatrixCall;
 import rasterlab.engine.transform.matrix.MatrixFormat;
-import rasterlab.engine.transform.matrix.NamedMatrices;
 
 /** A matrix from outside: by its name, or by its rows. */
 final class GivenMatrix extends EitherShape<double[][]> {
@@ -22,16 +22,17 @@ final class GivenMatrix extends EitherShape<double[][]> {
 
     @Override
     public double[][] read(ValueSource in) throws IOException {
-        if (in.startsObject()) return named(in);
+        if (in.startsObject()) return MatrixFormat.rows(in);
         if (!in.startsArray())
             throw in.misfit(
                     "expected a matrix: an object with its name, or an array of 3 or 4 rows");
         List<double[]> rows = ROWS.read(in);
         for (int i = 0; i < rows.size(); i++)
             if (rows.get(i).length != rows.size())
-                throw in.misfit(
-                        "a matrix has %d rows, but row %d has %d numbers; expected as many"
-                                .formatted(rows.size(), i + 1, rows.get(i).length));
+                throw new Misfit(
+                        in.misfit("").place() + "/" + i,
+                        "expected %d numbers, as many as the matrix has rows, got %d"
+                                .formatted(rows.size(), rows.get(i).length));
         return rows.toArray(double[][]::new);
     }
 
@@ -39,15 +40,5 @@ final class GivenMatrix extends EitherShape<double[][]> {
     @Override
     public void write(double[][] rows, ValueSink out) throws IOException {
         ROWS.write(List.of(rows), out);
-    }
-
-    private static double[][] named(ValueSource in) throws IOException {
-        MatrixCall call = NAMED.read(in);
-        double[] numbers = call.numbers().stream().mapToDouble(Double::doubleValue).toArray();
-        try {
-            return NamedMatrices.named(call.name()).rows(numbers);
-        } catch (IllegalArgumentException e) {
-            throw in.misfit(e.getMessage());
-        }
     }
 }

@@ -82,8 +82,8 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
             if (matrices.get(i).length != dimension + 1)
                 throw new Misfit(
                         "/matrices/" + i,
-                        "has %d rows; expected %d as /matrices/0 has"
-                                .formatted(matrices.get(i).length, dimension + 1));
+                        "expected %d rows as /matrices/0 has, got %d"
+                                .formatted(dimension + 1, matrices.get(i).length));
         var coordinates = new double[points.size() * dimension];
         var h = new double[points.size()];
         for (int i = 0; i < points.size(); i++) {
@@ -91,8 +91,8 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
             if (point.length != dimension && point.length != dimension + 1)
                 throw new Misfit(
                         "/points/" + i,
-                        "has %d numbers; expected %d, one less than the matrices have rows, or %d, with h"
-                                .formatted(point.length, dimension, dimension + 1));
+                        "expected %d numbers, one less than the matrices have rows, or %d, with h, got %d"
+                                .formatted(dimension, dimension + 1, point.length));
             System.arraycopy(point, 0, coordinates, i * dimension, dimension);
             h[i] = point.length == dimension ? 1 : point[dimension];
         }

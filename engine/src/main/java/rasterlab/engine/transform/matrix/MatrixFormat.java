@@ -83,6 +83,19 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         return new MatrixCallShape();
     }
 
+    /**
+     * Reads a matrix by its name and makes it, which may refuse parameters that do not go together.
+     */
+    public static double[][] rows(ValueSource in) throws IOException {
+        Given given = in.openObject(fields());
+        MatrixCall call = call(given);
+        try {
+            return NamedMatrices.named(call.name()).rows(call.parameters());
+        } catch (IllegalArgumentException e) {
+            throw given.misfit(e);
+        }
+    }
+
     @Override
     protected void writeInputSchema(ValueSink out) throws IOException {
         MatrixCallShape.writeSchema(out);
@@ -177,7 +190,7 @@ public final class MatrixFormat extends Format<MatrixFormula, MatrixCall, double
         try {
             parameter.require(value, i);
         } catch (IllegalArgumentException e) {
-            throw given.misfit(parameter.name(), e.getMessage());
+            throw given.misfit(e);
         }
     }
 

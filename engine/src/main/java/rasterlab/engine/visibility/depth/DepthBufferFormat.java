@@ -90,16 +90,27 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
     @Override
     public DepthRows read(Given given) {
         double[] depths = given.get(DEPTHS);
+        double[] to = given.get(TO, depths);
         if (given.has(TO) && !given.has(PIXELS))
             throw new Misfit("/pixels", "missing, to needs it");
+        Steps.requireAtMost(
+                "/pixels",
+                DepthRows.MOST_DEPTHS,
+                "surfaces times pixels",
+                (long) depths.length * given.get(PIXELS, 1));
+        if (to.length != depths.length)
+            throw new Misfit(
+                    "/to",
+                    "expected %d depths as /depths has, got %d"
+                            .formatted(depths.length, to.length));
         try {
             return new DepthRows(
                     new DepthRange(given.get(NEAR), given.get(FAR, Double.POSITIVE_INFINITY)),
                     depths,
-                    given.get(TO, depths),
+                    to,
                     given.get(PIXELS, 1));
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

@@ -2,6 +2,7 @@ package rasterlab.engine.visibility.faces;
 
 import java.util.Arrays;
 import rasterlab.engine.geometry.Finite;
+import rasterlab.engine.geometry.VertexNumber;
 
 /**
  * A body and an eye: an input of topic {@code visible-faces}.
@@ -63,7 +64,7 @@ public record Body(double[] xyz, int[][] faces, double[] eye, double[] inside) {
     private static void requireVertices(double[] xyz) {
         if (xyz.length % 3 != 0)
             throw new IllegalArgumentException(
-                    "vertices need 3 numbers each, got " + xyz.length + " numbers");
+                    "vertices must have 3 numbers each, got " + xyz.length + " in all");
         for (int i = 0; i < xyz.length; i++)
             if (!Double.isFinite(xyz[i]))
                 throw new IllegalArgumentException(
@@ -76,13 +77,9 @@ public record Body(double[] xyz, int[][] faces, double[] eye, double[] inside) {
             throw new IllegalArgumentException(
                     "face %d needs at least 3 corners, got %d".formatted(number, face.length));
         for (int corner : face)
-            if (corner < 0 || corner >= vertices)
+            if (!VertexNumber.exists(corner, vertices))
                 throw new IllegalArgumentException(
-                        vertices == 0
-                                ? "face %d has corner %d, but there are no vertices"
-                                        .formatted(number, corner)
-                                : "face %d: corner must be a vertex from 0 to %d, got %d"
-                                        .formatted(number, vertices - 1, corner));
+                        VertexNumber.refusal("face " + number + ": corner", corner, vertices));
     }
 
     private static void requirePoint(String name, double[] point) {

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.OpenShape;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
@@ -115,7 +114,7 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
                     given.find(PROJECTION).map(Projection::named).orElse(Projection.PERSPECTIVE),
                     new PictureFit(size.get(0), size.get(1), given.get(SCALE, 1.0)));
         } catch (IllegalArgumentException e) {
-            throw new Misfit(e.getMessage());
+            throw VertexNumbers.misfit(e);
         }
     }
 

@@ -7,7 +7,6 @@ import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.Steps;
 import rasterlab.engine.format.ValueSink;
@@ -77,12 +76,18 @@ final class DepthTriangleFormat
 
     @Override
     public DepthTriangles read(Given given) {
+        List<double[]> triangles = given.get(TRIANGLES);
         List<Integer> size = given.get(SIZE);
+        Steps.requireAtMost(
+                "/size",
+                DepthTriangles.MOST_LOOKS,
+                "pixels times triangles",
+                (long) size.get(0) * size.get(1) * triangles.size());
         try {
             return new DepthTriangles(
-                    given.get(TRIANGLES), size.get(0), size.get(1), given.get(BACKGROUND, 1.0));
+                    triangles, size.get(0), size.get(1), given.get(BACKGROUND, 1.0));
         } catch (IllegalArgumentException e) {
-            throw Misfit.of(e);
+            throw given.misfit(e);
         }
     }
 

@@ -134,7 +134,7 @@ class FaceShadingTest {
                             IllegalArgumentException.class,
                             () -> method.implementation().shade(face, new double[] {1, 1, -1}));
             assertEquals(
-                    "weights of point 0 must be 0 or more with the sum 1, got (1.0, 1.0, -1.0)",
+                    "points[0] must be weights of 0 or more with the sum 1, got (1.0, 1.0, -1.0)",
                     refusal.getMessage(),
                     method.name());
         }

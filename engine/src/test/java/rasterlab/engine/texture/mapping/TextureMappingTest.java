@@ -69,8 +69,6 @@ class TextureMappingTest {
                 assertThrows(
                         IllegalArgumentException.class,
                         () -> new TexturedSpan(0, 0, -1, 1, 1, 1, 2));
-        assertEquals(
-                "depth of the first pixel must be from 1.0E-6 to 1000000.0, got -1.0",
-                refusal.getMessage());
+        assertEquals("from[2] must be from 1.0E-6 to 1000000.0, got -1.0", refusal.getMessage());
     }
 }

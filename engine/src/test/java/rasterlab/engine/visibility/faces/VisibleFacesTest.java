@@ -183,13 +183,13 @@ class VisibleFacesTest {
                         ONE_FACE,
                         EYE,
                         NONE,
-                        "vertices need 3 numbers each, got 4 numbers"),
+                        "vertices must have 3 numbers each, got 4 in all"),
                 argumentSet(
                         "corner of no vertices",
                         NONE,
                         ONE_FACE,
                         EYE,
                         NONE,
-                        "face 0 has corner 0, but there are no vertices"));
+                        "face 0: corner must be a vertex, of which there are none, got 0"));
     }
 }
