@@ -34,11 +34,6 @@ public record Attenuation(double constant, double linear, double quadratic) {
         return new Attenuation(r, 0, 1);
     }
 
-    /** 1/(k + d), the course's second form, for a viewer close by. */
-    public static Attenuation byDistance(double k) {
-        return new Attenuation(k, 1, 0);
-    }
-
     /** The factor at a distance; infinite where the light stands in the point and constant is 0. */
     public double factor(double distance) {
         return 1 / (constant + distance * (linear + distance * quadratic));

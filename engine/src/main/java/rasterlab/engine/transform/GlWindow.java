@@ -31,11 +31,6 @@ public record GlWindow(int x, int y, int width, int height, double near, double 
         return new GlWindow(x, y, width, height, 0, 1);
     }
 
-    /** DepthRange(n, f). */
-    public GlWindow depthRange(double n, double f) {
-        return new GlWindow(x, y, width, height, n, f);
-    }
-
     /** From −1..1 to the window. */
     public Matrix4d matrix() {
         return GlMatrices.viewport(x, y, width, height, near, far);

@@ -29,11 +29,6 @@ public record StereoPair(SphericalView middle, double separation) {
         return eye(-separation / 2);
     }
 
-    /** X of the left eye's image minus X of the right eye's, for a point at depth z. */
-    public double parallax(double z) {
-        return separation * (middle.rho() / z - 1);
-    }
-
     /**
      * VP_L, shifted so that the eye stands at the origin, divided by z/ρ and shifted back: read
      * from right to left.

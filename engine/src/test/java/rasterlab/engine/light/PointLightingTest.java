@@ -132,7 +132,7 @@ class PointLightingTest {
 
     @Test
     void farLightHasNeitherConeNorAttenuation() {
-        var weak = LightSource.white().attenuated(Attenuation.byDistance(1));
+        var weak = LightSource.white().attenuated(new Attenuation(1, 1, 0));
         var refusal = assertThrows(IllegalArgumentException.class, () -> Light.from(weak, 0, 0, 1));
         assertEquals(
                 "a directional light has neither cone nor attenuation, got cutoff 180.0 and"

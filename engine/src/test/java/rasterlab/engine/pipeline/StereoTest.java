@@ -52,7 +52,8 @@ class StereoTest {
         double pixelsPerUnit = 100 * 0.5;
         var pair = new StereoPair(CAMERA, EYES);
         double parallax = middle(both, 16) - middle(both, 8);
-        assertEquals(pair.parallax(10 - x) * pixelsPerUnit, parallax, 1.01);
+        double apart = EYES * (CAMERA.rho() / (10 - x) - 1);
+        assertEquals(apart * pixelsPerUnit, parallax, 1.01);
         Vector4d left = pair.left().transform(new Vector4d(x, 0, 0, 1));
         assertEquals(200 + pixelsPerUnit * left.x / left.w, middle(both, 16), 1.01);
     }
