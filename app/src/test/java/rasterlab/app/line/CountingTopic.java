@@ -2,11 +2,11 @@ package rasterlab.app.line;
 
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicInteger;
-import rasterlab.app.study.ForwardingTopic;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.ForwardingTopic;
 
 /** The topic of lines, whose exact lines are counted and may be held back. */
 final class CountingTopic extends ForwardingTopic<LineRasterizer, Segment, PixelRecording> {

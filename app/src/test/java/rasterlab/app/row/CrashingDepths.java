@@ -1,8 +1,8 @@
 package rasterlab.app.row;
 
 import java.util.List;
-import rasterlab.app.study.ForwardingTopic;
 import rasterlab.contract.DepthFormat;
+import rasterlab.engine.study.ForwardingTopic;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
 import rasterlab.engine.visibility.depth.DepthRows;
