@@ -1,16 +1,13 @@
 package rasterlab.exercises.graded;
 
-import java.util.List;
 import java.util.function.Function;
 import rasterlab.engine.study.Topic;
-import rasterlab.exercises.judging.ByTopic;
-import rasterlab.exercises.score.CasePicture;
 
 /**
  * Grades any topic whose contract a child can be called by. Its answers are drawn by their form,
  * and a student's speed is held against the exercise's model solution.
  */
-public final class AnyGrading<C, I, O> extends ByTopic<C, I, O> {
+public final class AnyGrading<C, I, O> extends ByForm<C, I, O> {
     private final Function<Object, C> whole;
 
     private AnyGrading(Topic<C, I, O> topic, Class<?> contract, Function<Object, C> whole) {
@@ -36,11 +33,5 @@ public final class AnyGrading<C, I, O> extends ByTopic<C, I, O> {
     @Override
     protected C whole(Object method) {
         return whole.apply(method);
-    }
-
-    @Override
-    protected List<CasePicture> pictures(I input, O exact, O actual) {
-        var fields = new FormFields(topic().format(), json(input));
-        return new FormPictures(fields, json(input, exact), json(input, actual)).drawn();
     }
 }

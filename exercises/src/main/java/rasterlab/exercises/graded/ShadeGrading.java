@@ -1,6 +1,5 @@
 package rasterlab.exercises.graded;
 
-import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import rasterlab.contract.PointShader;
@@ -8,15 +7,13 @@ import rasterlab.contract.Reflection;
 import rasterlab.engine.light.shade.LitPoints;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.light.shade.Shades;
-import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.judging.Demand;
-import rasterlab.exercises.score.CasePicture;
 
 /**
  * Grades the topic {@code shade}; shows the three shares of each point in a table. The topic's
  * exact answer has all specular terms, of which an answer is held against its own.
  */
-public final class ShadeGrading extends ByTopic<PointShader, LitPoints, Shades> {
+public final class ShadeGrading extends ByForm<PointShader, LitPoints, Shades> {
     public ShadeGrading() {
         super(new ShadeTopic());
     }
@@ -25,11 +22,5 @@ public final class ShadeGrading extends ByTopic<PointShader, LitPoints, Shades> 
     protected Shades right(LitPoints input, Supplier<Shades> truth, Shades actual, Demand demand) {
         Reflection own = actual.rgb().keySet().iterator().next();
         return new Shades(Map.of(own, truth.get().rgb().get(own)));
-    }
-
-    @Override
-    protected List<CasePicture> pictures(LitPoints input, Shades exact, Shades actual) {
-        var fields = new FormFields(topic().format(), json(input));
-        return new FormPictures(fields, json(input, exact), json(input, actual)).drawn();
     }
 }
