@@ -16,6 +16,8 @@ public final class AboutText extends JEditorPane {
 
     private final transient Texts labels;
     private String shown = "";
+    private transient List<Map<String, String>> newest = List.of();
+    private boolean awaited;
 
     public AboutText(String name, Language language) {
         super("text/html", "");
@@ -39,7 +41,7 @@ public final class AboutText extends JEditorPane {
      * @param refusal what the method said to the present input; "" when it drew
      */
     public void show(Texts texts, String key, String decision, String refusal) {
-        show(paragraphs(parts("", texts, key, decision, refusal)));
+        tell(List.of(parts("", texts, key, decision, refusal)));
     }
 
     /**
@@ -52,9 +54,27 @@ public final class AboutText extends JEditorPane {
 
     /** Several methods, each by its name first. */
     public void show(List<Called> methods) {
-        show(
+        tell(
                 methods.stream()
                         .map(one -> parts(one.name(), one.texts(), one.key(), "", ""))
+                        .toList());
+    }
+
+    /** Leaves out what the method said to an earlier input, as long as another is awaited. */
+    void await(boolean another) {
+        if (awaited == another) return;
+        awaited = another;
+        refresh();
+    }
+
+    private void tell(List<Map<String, String>> methods) {
+        newest = methods;
+        refresh();
+    }
+
+    private void refresh() {
+        show(
+                newest.stream()
                         .map(this::paragraphs)
                         .collect(Collectors.joining("<p style='margin: 0 0 5 0'>&nbsp;</p>")));
     }
@@ -88,7 +108,8 @@ public final class AboutText extends JEditorPane {
         var html = new StringBuilder();
         parts.forEach(
                 (part, text) -> {
-                    if (!text.isEmpty())
+                    boolean old = awaited && part.equals("refusal");
+                    if (!text.isEmpty() && !old)
                         html.append("<p style='margin: 0 0 5 0'><b>")
                                 .append(escaped(labels.text("about." + part)))
                                 .append(":</b> ")

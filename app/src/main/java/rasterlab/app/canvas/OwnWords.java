@@ -4,6 +4,7 @@ import java.util.Optional;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.engine.Topics;
 
 /** Words of the labs on the user's own program, which is a method without words of a teacher's. */
 public final class OwnWords {
@@ -17,13 +18,16 @@ public final class OwnWords {
     }
 
     /**
-     * The method that a command names which runs outside of the window: the user's program is not
-     * known there, but the method beside it is.
+     * The method that a command names which runs outside of the window, where the user's program is
+     * not known: the method beside it stands for it, or where there is none a right one.
      *
      * @param beside a second method; "" for none
+     * @param topic of both
      */
-    public static String known(String method, String beside) {
-        return method.equals(OwnMethods.NAME) && !beside.isEmpty() ? beside : method;
+    public static String known(String method, String beside, String topic) {
+        if (!method.equals(OwnMethods.NAME)) return method;
+        boolean other = !beside.isEmpty() && !beside.equals(OwnMethods.NAME);
+        return other ? beside : OwnMethods.right(Topics.named(topic));
     }
 
     /**

@@ -28,6 +28,7 @@ public final class StageGuide extends JPanel implements Helped {
     private final JComponent stage;
     private final HazardStrip strip;
     private final StageHint hint;
+    private final OldPicture old;
     private String key = "";
     private boolean docked;
 
@@ -42,7 +43,9 @@ public final class StageGuide extends JPanel implements Helped {
         this.stage = stage;
         strip = new HazardStrip(texts);
         hint = new StageHint(history);
+        old = new OldPicture(texts);
         setOpaque(false);
+        add(old);
         add(hint);
         add(strip);
         add(stage);
@@ -129,6 +132,17 @@ public final class StageGuide extends JPanel implements Helped {
         if (strip.isVisible() != before) revalidate();
     }
 
+    /**
+     * Marks what the stages there show as old, and says that the user's program is waited for; or
+     * no more.
+     */
+    public static void await(Container place, boolean awaited) {
+        for (Component child : place.getComponents())
+            if (child instanceof StageGuide guide) guide.old.setVisible(awaited);
+            else if (child instanceof AboutText about) about.await(awaited);
+            else if (child instanceof Container inner) await(inner, awaited);
+    }
+
     /** The guide overlaps the stage and is in no copied picture. */
     @Override
     public boolean isOptimizedDrawingEnabled() {
@@ -148,6 +162,7 @@ public final class StageGuide extends JPanel implements Helped {
         int above = hint.getY() - GAP - rest.y;
         if (docked && hint.isVisible() && above >= least()) rest.height = above;
         stage.setBounds(rest);
+        old.setBounds(rest);
     }
 
     /** The least height of a stage that gives room to the sentence, instead of lying below it. */

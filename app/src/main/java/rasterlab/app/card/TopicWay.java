@@ -174,6 +174,11 @@ public record TopicWay<M>(
                                             chooseMethod.accept(lab, OwnMethods.NAME);
                                             compareWith.accept(lab, beside);
                                         });
+        return showingOwn(showing);
+    }
+
+    /** The same way of a lab that shows the user's own program in a way of its own. */
+    public TopicWay<M> showingOwn(ShowOwn<M> showing) {
         return new TopicWay<>(show, notes, cases, anyInput, Optional.of(showing), written);
     }
 }

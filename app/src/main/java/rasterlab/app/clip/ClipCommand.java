@@ -18,7 +18,7 @@ final class ClipCommand {
                 .formatted(
                         CommandInput.signed(out -> write(scene, out)),
                         scene.mode().topic(),
-                        OwnWords.known(scene.method(), scene.comparison()));
+                        OwnWords.known(scene.method(), scene.comparison(), scene.mode().topic()));
     }
 
     private static void write(ClipScene scene, ValueSink out) throws IOException {

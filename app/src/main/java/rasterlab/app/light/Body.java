@@ -6,6 +6,7 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.light.normals.NormalsTopic;
 import rasterlab.engine.scene.Mesh;
@@ -19,7 +20,8 @@ import rasterlab.engine.scene.obj.UpAxis;
  *
  * @param name of a scene, or {@code TOPIC/HAZARD}
  * @param detail faces once round, for a scene that is made in steps
- * @param normals {@value #OWN}, or a method of topic {@code vertex-normals}
+ * @param normals {@value #OWN}, or a method of topic {@code vertex-normals}, which may be the
+ *     user's program
  * @param opened the scene of a file; kept as long as the program runs
  */
 record Body(String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
@@ -67,6 +69,11 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
         return new Body(name, detail, other, opened);
     }
 
+    /** Whether its normals are those that the user's own program finds. */
+    boolean asksProgram() {
+        return normals.equals(OwnMethods.NAME);
+    }
+
     /** The name without a file's ending. */
     String stem() {
         return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
@@ -77,27 +84,35 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
         return opened.isEmpty() && Scenes.namesWithDetail().contains(name);
     }
 
-    /** Its faces with their normals; takes long for many faces. */
+    /**
+     * Its faces with their normals; takes long for many faces. Where the user's own program is to
+     * find the normals, they are the scene's own: {@link #scene(VertexNormals)} asks it.
+     */
     Scene scene() {
-        if (opened.isPresent()) return smoothed(opened.get().scene());
-        if (TopicBodies.has(name)) return smoothed(TopicBodies.scene(name));
-        Scene scene = hasDetail() ? Scenes.named(name, detail) : Scenes.named(name);
-        return smoothed(scene);
+        Scene bare = bare();
+        boolean known = !normals.equals(OWN) && !asksProgram();
+        return known ? smoothed(bare, new NormalsTopic().method(normals).implementation()) : bare;
     }
 
-    private Scene smoothed(Scene scene) {
-        return withMesh(scene, method().map(m -> SmoothedMesh.of(scene.mesh(), m)));
+    /** Its faces with the normals that a method finds. */
+    Scene scene(VertexNormals method) {
+        return smoothed(bare(), method);
     }
 
-    private Optional<VertexNormals> method() {
-        if (normals.equals(OWN)) return Optional.empty();
-        return Optional.of(new NormalsTopic().method(normals).implementation());
+    private Scene bare() {
+        if (opened.isPresent()) return opened.get().scene();
+        if (TopicBodies.has(name)) return TopicBodies.scene(name);
+        return hasDetail() ? Scenes.named(name, detail) : Scenes.named(name);
     }
 
-    private static Scene withMesh(Scene scene, Optional<Mesh> mesh) {
+    private static Scene smoothed(Scene scene, VertexNormals method) {
+        return withMesh(scene, SmoothedMesh.of(scene.mesh(), method));
+    }
+
+    private static Scene withMesh(Scene scene, Mesh mesh) {
         return new Scene(
                 scene.name(),
-                mesh.orElse(scene.mesh()),
+                mesh,
                 scene.finishes(),
                 scene.finishOf(),
                 scene.light(),

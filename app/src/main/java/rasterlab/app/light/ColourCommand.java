@@ -14,6 +14,6 @@ final class ColourCommand {
         return "echo '%s' | ./lab run color %s"
                 .formatted(
                         CommandInput.of(new ColorTopic().format(), colour),
-                        OwnWords.known(choice.method(), "formula"));
+                        OwnWords.known(choice.method(), "formula", "color"));
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.app.light;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.LightTerm;
@@ -27,6 +28,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param arrows whether normals are drawn
  * @param mach whether the profile shows what the eye reports
  * @param line the profile's ends and the point
+ * @param shaded the topic by whose program, the user's own, it is lit; "" for the three shadings
  */
 record LightChoice(
         Body body,
@@ -42,7 +44,8 @@ record LightChoice(
         boolean twoSided,
         boolean arrows,
         boolean mach,
-        Marks line) {
+        Marks line,
+        String shaded) {
     static final int MOST_LAMPS = 6;
     static final double SMALLEST = 0.25;
     static final double LARGEST = 8;
@@ -60,6 +63,8 @@ record LightChoice(
     LightChoice {
         lamps = List.copyOf(lamps);
         terms = Set.copyOf(terms);
+        // What an earlier version kept does not have it.
+        if (shaded == null) shaded = "";
     }
 
     /** A coarse brass sphere under a lamp and a dim second one. */
@@ -80,7 +85,8 @@ record LightChoice(
                 true,
                 false,
                 true,
-                new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.37));
+                new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.37),
+                "");
     }
 
     LightChoice with(Body other) {
@@ -177,6 +183,23 @@ record LightChoice(
         return draft.choice();
     }
 
+    /** Lit by the user's own program on that topic; "" for the three shadings. */
+    LightChoice withShaded(String topic) {
+        var draft = new Draft(this);
+        draft.shaded = topic;
+        return draft.choice();
+    }
+
+    /**
+     * Lit by the user's own program on a topic about light: by its normals, drawn as arrows, or by
+     * the light that it finds, whose mirrored term is Phong's.
+     */
+    LightChoice byOwn(String topic) {
+        if (topic.equals(OwnNormals.TOPIC))
+            return with(body.withNormals(OwnMethods.NAME)).withShaded("").withArrows(true);
+        return withShaded(topic).with(Reflection.PHONG);
+    }
+
     /** The lamp whose settings are shown. */
     Lamp lamp() {
         return lamps.get(selected);
@@ -237,6 +260,7 @@ record LightChoice(
         private boolean arrows;
         private boolean mach;
         private Marks line;
+        private String shaded;
 
         Draft(LightChoice from) {
             body = from.body;
@@ -253,6 +277,7 @@ record LightChoice(
             arrows = from.arrows;
             mach = from.mach;
             line = from.line;
+            shaded = from.shaded;
         }
 
         LightChoice choice() {
@@ -270,7 +295,8 @@ record LightChoice(
                     twoSided,
                     arrows,
                     mach,
-                    line);
+                    line,
+                    shaded);
         }
     }
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.light.face.SeenBrightness;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.ShadingMethod;
@@ -29,22 +30,30 @@ record LightFrame(LightChoice choice, int width, int height) {
 
     private static final int REACH = 12;
 
+    /** The pictures of the user's own program: its own, the right one, and their difference. */
+    static final String MINE = "mine";
+
+    static final String RIGHT = "right";
+    static final String OFF = "off";
+
     /**
-     * One shading's picture.
+     * One of the three pictures.
      *
-     * @param brightness along the line
+     * @param name code of its shading, or one of the program's pictures
+     * @param brightness along the line; no numbers where there is no light in it
      * @param reported what the eye makes of it
      */
-    record Picture(ShadingMethod shading, Raster raster, double[] brightness, double[] reported) {}
+    record Picture(String name, Raster raster, double[] brightness, double[] reported) {}
 
     /**
      * All that is shown of a choice.
      *
-     * @param pictures by flat, Gouraud's and Phong's shading
+     * @param pictures by flat, Gouraud's and Phong's shading, or those of the user's own program
      * @param places where the lamps are on them
      * @param faceArrows normals of faces: x and y of both ends of each, in pixels
      * @param cornerArrows normals of corners likewise
      * @param point the formula at the chosen point; empty where no face is
+     * @param own what there is to say of the user's own program; empty where it does nothing
      */
     record Drawn(
             LightChoice choice,
@@ -54,33 +63,60 @@ record LightFrame(LightChoice choice, int width, int height) {
             PicturePlaces places,
             double[] faceArrows,
             double[] cornerArrows,
-            Optional<PointReading> point) {}
+            Optional<PointReading> point,
+            Optional<OwnTold> own) {}
 
     /**
      * @param body the choice's scene
+     * @param normals what there is to say of the program by whose normals it is lit
+     * @param mine the user's own programs
      */
-    Drawn drawn(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
+    Drawn drawn(
+            Scene body,
+            Optional<OwnTold> normals,
+            OwnMethods mine,
+            PictureMaker maker,
+            BooleanSupplier cancelled) {
+        var places = PicturePlaces.of(choice, body, width, height);
+        if (choice.shaded().isEmpty())
+            return drawn(shadings(body, maker, cancelled), places, normals);
+        int[] at = {column(), row()};
+        var light = OwnLight.of(choice, places, body.backgroundRgb(), at, mine, cancelled);
+        return drawn(
+                List.of(
+                        profiled(MINE, light.mine()),
+                        profiled(RIGHT, light.right()),
+                        new Picture(OFF, light.off(), new double[0], new double[0])),
+                places,
+                Optional.of(light.told()));
+    }
+
+    private List<Picture> shadings(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
         var pictures = new ArrayList<Picture>();
         for (ShadingMethod shading : SHADINGS) {
             RenderRequest request = LitScene.request(choice, body, shading, width, height);
-            pictures.add(profiled(shading, maker.picture(request, cancelled)));
+            pictures.add(profiled(shading.code(), maker.picture(request, cancelled)));
         }
-        var places = PicturePlaces.of(choice, body, width, height);
+        return List.copyOf(pictures);
+    }
+
+    private Drawn drawn(List<Picture> pictures, PicturePlaces places, Optional<OwnTold> own) {
         ViewedMesh view = places.view();
         boolean arrows = choice.arrows();
         return new Drawn(
                 choice,
                 width,
                 height,
-                List.copyOf(pictures),
+                pictures,
                 places,
                 arrows ? places.faceArrows() : new double[0],
                 arrows ? places.cornerArrows() : new double[0],
                 SeenPoint.at(view, column(), row())
-                        .map(point -> PointReading.of(choice, view, point)));
+                        .map(point -> PointReading.of(choice, view, point)),
+                own);
     }
 
-    private Picture profiled(ShadingMethod shading, Raster raster) {
+    private Picture profiled(String name, Raster raster) {
         LightChoice.Marks line = choice.line();
         MarkPlaces marks = marks();
         double[] brightness =
@@ -91,7 +127,7 @@ record LightFrame(LightChoice choice, int width, int height) {
                         Math.min(width - 1, marks.x(line.toX())),
                         Math.min(height - 1, marks.y(line.toY())),
                         SAMPLES);
-        return new Picture(shading, raster, brightness, SeenBrightness.reported(brightness, REACH));
+        return new Picture(name, raster, brightness, SeenBrightness.reported(brightness, REACH));
     }
 
     private MarkPlaces marks() {

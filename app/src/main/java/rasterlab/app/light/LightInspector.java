@@ -22,6 +22,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
@@ -30,6 +31,9 @@ import rasterlab.engine.scene.obj.UpAxis;
 /** The lighting lab's controls and the formula with live numbers. */
 final class LightInspector {
     private static final int NOTCHES = 100;
+
+    /** Stands for the lab's own shadings. */
+    private static final String LAB = "lab";
 
     private final LightLabModel model;
     private final Texts texts;
@@ -40,6 +44,7 @@ final class LightInspector {
     private final NameChooser up;
     private final NumberSlider detail;
     private final NameChooser normals;
+    private final NameChooser shaded;
     private final JCheckBox arrows;
     private final JCheckBox mach;
     private NameChooser substance;
@@ -78,7 +83,21 @@ final class LightInspector {
                         40,
                         this::chooseDetail);
         column.row("detail", detail);
-        normals = names("normals", Body.NORMALS, this::chooseNormals);
+        normals =
+                names(
+                        "normals",
+                        withMine(Body.NORMALS),
+                        name -> model.choose(c -> c.with(c.body().withNormals(name))));
+        shaded =
+                names(
+                        "shaded",
+                        List.of(LAB, LightOfPoints.TOPIC, LightOfFaces.TOPIC),
+                        name ->
+                                model.choose(
+                                        choice ->
+                                                name.equals(LAB)
+                                                        ? choice.withShaded("")
+                                                        : choice.byOwn(name)));
         arrows = box("arrows", on -> model.choose(choice -> choice.withArrows(on)));
         mach = box("mach", on -> model.choose(choice -> choice.withMach(on)));
     }
@@ -185,8 +204,10 @@ final class LightInspector {
                                         choice.body().normals())));
     }
 
-    private void chooseNormals(String method) {
-        model.choose(choice -> choice.with(choice.body().withNormals(method)));
+    private static List<String> withMine(List<String> names) {
+        var all = new ArrayList<>(names);
+        all.add(OwnMethods.NAME);
+        return all;
     }
 
     private NameChooser bodies() {
@@ -281,6 +302,8 @@ final class LightInspector {
         column.showRow(detail, choice.body().hasDetail());
         detail.show(choice.body().detail(), Integer.toString(choice.body().detail()));
         normals.show(choice.body().normals());
+        shaded.show(choice.shaded().isEmpty() ? LAB : choice.shaded());
+        column.showRow(shaded, !choice.shaded().isEmpty() || model.hasOwnLight());
         arrows.setSelected(choice.arrows());
         mach.setSelected(choice.mach());
         substance.show(choice.material().substance().code());

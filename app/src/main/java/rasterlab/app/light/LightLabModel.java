@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
@@ -21,7 +20,6 @@ import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
@@ -39,9 +37,6 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** What undo brings back. */
     record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
 
-    /** The body drawn last; only the worker's thread uses it. */
-    private record Made(Body body, Scene scene) {}
-
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
     private final LatestReading reader;
     private final PictureMaker maker;
@@ -49,8 +44,8 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final Listeners<LightLabState> listeners = new Listeners<>();
     private final KeptFile<LitFile, Body, LitSceneOpening.Answer> keptFile;
     private final RowLabModel rows;
+    private final OwnMethods own;
     private final OwnTrips ownTrips;
-    private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
     private int height;
@@ -81,12 +76,14 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     LightLabModel(
             PictureMaker maker, OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         this.maker = maker;
+        this.own = own;
         rows = RowLabModel.ofTextures(own, events, onFailure);
         ownTrips = new OwnTrips(own, events, onFailure, this::tellAll);
+        var body = new MadeBody(own);
         pictures =
                 new LatestOnly<>(
                         "lit pictures",
-                        this::drawn,
+                        (frame, cancelled) -> body.drawn(frame, maker, cancelled),
                         (frame, drawn) -> events.execute(() -> accept(drawn)),
                         onFailure);
         reader = new LatestReading("lit scene file", events, onFailure);
@@ -128,11 +125,23 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
     }
 
-    private LightFrame.Drawn drawn(LightFrame frame, BooleanSupplier cancelled) {
-        Body body = frame.choice().body();
-        if (made.filter(last -> last.body().equals(body)).isEmpty())
-            made = Optional.of(new Made(body, body.scene()));
-        return frame.drawn(made.get().scene(), maker, cancelled);
+    /** Whether the user has brought a program that may light the scene. */
+    boolean hasOwnLight() {
+        return own.of(LightOfPoints.TOPIC).isPresent() || own.of(LightOfFaces.TOPIC).isPresent();
+    }
+
+    /**
+     * Lights by the user's program on a topic, which may be another by now.
+     *
+     * @param input another one than is shown
+     * @param beside the method that its input is shown by
+     */
+    void showOwn(String topic, Optional<Object> input, String beside) {
+        rows.close();
+        showColours(false);
+        input.ifPresent(one -> show(topic, "", one, beside));
+        choose(choice -> choice.byOwn(topic));
+        if (width > 0) pictures.ask(new LightFrame(state.choice(), width, height));
     }
 
     /** The file that the scene was saved into last. */
@@ -211,7 +220,8 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     /** How the lab shows a hazard's input, of a topic about light, otherwise than it is. */
     public List<Unlike> unlike(Object input, String method) {
-        if (!(input instanceof Colors colors)) return TopicBodies.unlike(input, method);
+        String shown = method.equals(OwnMethods.NAME) ? "" : method;
+        if (!(input instanceof Colors colors)) return TopicBodies.unlike(input, shown);
         return ColourChoice.first().with(colors, "formula").outside()
                 ? List.of(Unlike.of(Unlike.Kind.COLOUR_CUT))
                 : List.of();
@@ -245,8 +255,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         boolean colours = input instanceof Colors;
         ColourChoice colour = state.colour();
         LightChoice light = state.choice();
+        boolean mine = method.equals(OwnMethods.NAME);
         if (input instanceof Colors colors) colour = colour.with(colors, method);
-        else light = TopicBodies.shown(TopicBodies.body(topic, hazard, input), input, method);
+        else
+            light =
+                    TopicBodies.shown(
+                            TopicBodies.body(topic, hazard, input), input, mine ? "" : method);
+        if (mine && !colours) light = light.byOwn(topic);
         var next = new Chosen(light, colours, colour);
         if (next.equals(chosen())) return;
         history.remember();

@@ -6,6 +6,7 @@ import java.util.Locale;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.ShadingMethod;
 
 /** The methods by which a choice is lit, each with its texts. */
@@ -19,8 +20,10 @@ final class LightMethods {
     /** The three shadings, the specular term, and how normals of corners are mixed, if they are. */
     List<AboutText.Called> of(LightChoice choice) {
         var methods = new ArrayList<AboutText.Called>();
+        boolean own = !choice.shaded().isEmpty();
+        if (own) methods.add(called("shading.", "shade-face", OwnMethods.NAME));
         for (ShadingMethod shading : LightFrame.SHADINGS)
-            methods.add(called("shading.", "shade-face", shading.code()));
+            if (!own) methods.add(called("shading.", "shade-face", shading.code()));
         String reflection = choice.reflection().name().toLowerCase(Locale.ROOT).replace('_', '-');
         methods.add(called("reflection.", "shade", reflection));
         String normals = choice.body().normals();

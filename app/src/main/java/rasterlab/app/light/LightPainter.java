@@ -49,7 +49,7 @@ final class LightPainter {
     }
 
     void paint(StagePlan plan) {
-        for (int i = 0; i < LightFrame.SHADINGS.size(); i++) paintPicture(i, plan.picture(i));
+        for (int i = 0; i < drawn.pictures().size(); i++) paintPicture(i, plan.picture(i));
         Rectangle below = plan.profile();
         var under = (Graphics2D) g.create(below.x, below.y, below.width, below.height);
         new ProfilePainter(under, texts, drawn).paint(below.width, below.height);
@@ -63,7 +63,7 @@ final class LightPainter {
         over.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         over.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         arrows(over, index == 0 ? drawn.faceArrows() : drawn.cornerArrows());
-        String name = texts.text("shading." + picture.shading().code());
+        String name = texts.text("shading." + picture.name());
         over.setFont(over.getFont().deriveFont(Font.BOLD));
         FontMetrics bold = over.getFontMetrics();
         var plate =

@@ -45,6 +45,10 @@ final class LightReadings {
         lines.add(words(texts.text("formula.own"), row(point.own())));
         for (PointReading.OfLamp lamp : point.lamps()) addLamp(lamp, reflection, lines);
         lines.add(words("I =", row(point.sum())));
+        state.drawn()
+                .flatMap(LightFrame.Drawn::own)
+                .flatMap(OwnTold::light)
+                .ifPresent(mine -> lines.add(words(texts.text("formula.mine"), row(mine))));
         return lines;
     }
 

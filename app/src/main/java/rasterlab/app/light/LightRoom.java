@@ -14,6 +14,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
+import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowColours;
@@ -98,6 +99,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
             Topic<?, I, ?> topic, Set<String> drawnBy, Function<LightLabState, Optional<I>> lit) {
         TopicWay<LightLabModel> way =
                 lit(topic.name(), drawnBy)
+                        .showingOwn((lab, given, beside) -> own(lab, topic.name(), given, beside))
                         .writing(
                                 writing(
                                         topic,
@@ -106,6 +108,12 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                                                         ? Optional.empty()
                                                         : lit.apply(state)));
         return card(topic.name(), way);
+    }
+
+    /** Lights by the user's own program, all in one change. */
+    private static void own(
+            LightLabModel lab, String topic, Optional<TopicInput> input, String beside) {
+        lab.history().asOne(() -> lab.showOwn(topic, input.map(TopicInput::input), beside));
     }
 
     private static <I> TopicWay.Writing<LightLabModel> writing(
@@ -127,7 +135,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
                 },
                 new TopicWay.Notes<>(
                         (lab, input, method) -> lab.unlike(input.input(), method),
-                        drawnBy::contains,
+                        method -> method.equals(OwnMethods.NAME) || drawnBy.contains(method),
                         LightLabModel::tell));
     }
 

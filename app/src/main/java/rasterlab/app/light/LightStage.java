@@ -134,6 +134,12 @@ final class LightStage extends SelfDrawn implements Settling {
                 state.problem().isEmpty()
                         ? state.note().map(note -> note.in(texts.language())).orElse("")
                         : texts.text("problem", Complaints.said(texts.language(), state.problem()));
+        if (said.isEmpty())
+            said =
+                    state.drawn()
+                            .flatMap(LightFrame.Drawn::own)
+                            .map(told -> told.in(texts))
+                            .orElse("");
         if (showsNothing(state)) said = (said + " " + texts.text("empty")).strip();
         if (!said.isEmpty())
             Plates.sentenceAbove(g, said, getWidth(), plan().picture(0).height - 12);

@@ -46,8 +46,7 @@ record PointReading(
     static PointReading of(LightChoice choice, ViewedMesh view, SeenPoint seen) {
         Material material = LightTerm.only(choice.terms(), choice.material().material());
         double[] position = seen.position();
-        double[] normal = seen.normal();
-        if (choice.twoSided() && seen.behind()) for (int c = 0; c < 3; c++) normal[c] = -normal[c];
+        double[] normal = normal(choice, seen);
         double[] toEye = toEye(choice, view.transform(), position);
         var lamps = new ArrayList<OfLamp>();
         double[] everywhere = choice.model().globalAmbient();
@@ -99,7 +98,14 @@ record PointReading(
                                 everywhere));
     }
 
-    private static double[] toEye(LightChoice choice, ViewTransform transform, double[] point) {
+    /** To the side that is lit. */
+    static double[] normal(LightChoice choice, SeenPoint seen) {
+        double[] normal = seen.normal();
+        if (choice.twoSided() && seen.behind()) for (int c = 0; c < 3; c++) normal[c] = -normal[c];
+        return normal;
+    }
+
+    static double[] toEye(LightChoice choice, ViewTransform transform, double[] point) {
         var toEye = new double[3];
         for (int axis = 0; axis < 3; axis++)
             toEye[axis] =

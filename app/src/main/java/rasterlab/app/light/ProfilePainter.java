@@ -150,9 +150,10 @@ final class ProfilePainter {
     private Legend legend() {
         var entries = new ArrayList<Legend.Entry>();
         for (int i = 0; i < drawn.pictures().size(); i++) {
-            String shading = drawn.pictures().get(i).shading().code();
+            LightFrame.Picture picture = drawn.pictures().get(i);
+            if (picture.brightness().length == 0) continue;
             Color colour = MethodColours.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
-            entries.add(new Legend.Entry(texts.text("shading." + shading), colour, false));
+            entries.add(new Legend.Entry(texts.text("shading." + picture.name()), colour, false));
         }
         if (drawn.choice().mach())
             entries.add(new Legend.Entry(texts.text("profile.eye"), colours.ink(), true));

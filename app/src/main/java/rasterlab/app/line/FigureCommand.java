@@ -30,7 +30,8 @@ final class FigureCommand {
                         .formatted(
                                 input(arc),
                                 scene.mode().code(),
-                                OwnWords.known(scene.method(), scene.comparison())));
+                                OwnWords.known(
+                                        scene.method(), scene.comparison(), scene.mode().code())));
     }
 
     private static String input(ArcFigure arc) {

@@ -12,6 +12,6 @@ final class LineCommand {
         return "echo '%s' | ./lab run line %s"
                 .formatted(
                         CommandInput.of(new LineTopic().format(), choice.segment()),
-                        OwnWords.known(choice.method(), choice.comparison()));
+                        OwnWords.known(choice.method(), choice.comparison(), "line"));
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.app.mine;
 
 import java.lang.reflect.Proxy;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -54,6 +55,14 @@ public final class OwnMethods implements AutoCloseable {
         return Optional.ofNullable(programs.get(topic));
     }
 
+    /** The topics whose programs have been waited for that long. */
+    public List<String> awaited(Duration least) {
+        return programs.entrySet().stream()
+                .filter(one -> one.getValue().isAwaited(least))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
     /** Notes that a tab shows a topic's program, which is returned; empty where there is none. */
     public Optional<OwnProgram> showIn(String tab, String topic) {
         Optional<OwnProgram> program = of(topic);
@@ -78,6 +87,21 @@ public final class OwnMethods implements AutoCloseable {
      */
     public <C> Method<C> method(Topic<C, ?, ?> topic, String name) {
         return name.equals(NAME) ? mine(topic) : topic.method(name);
+    }
+
+    /** The name of the method to hold a program against where nobody says which. */
+    public static String right(Topic<?, ?, ?> topic) {
+        return right(topic.methods());
+    }
+
+    private static String right(List<? extends Method<?>> methods) {
+        List<? extends Method<?>> right = methods.stream().filter(one -> !one.faulty()).toList();
+        return right.stream()
+                .filter(Method::promisesToBeRight)
+                .findFirst()
+                .<Method<?>>map(one -> one)
+                .orElseGet(() -> right.get(0))
+                .name();
     }
 
     /** The topic with the user's own method beside those of its list. */

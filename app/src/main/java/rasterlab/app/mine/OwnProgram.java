@@ -2,6 +2,7 @@ package rasterlab.app.mine;
 
 import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -20,6 +21,7 @@ public final class OwnProgram implements AutoCloseable {
     private final String source;
     private final Supplier<Judge> judge;
     private final Object method;
+    private final Awaiting awaiting = new Awaiting(System::nanoTime);
     private Optional<CalledProgram> compiled = Optional.empty();
     private Optional<NoAnswer> refused = Optional.empty();
     private boolean closed;
@@ -93,7 +95,17 @@ public final class OwnProgram implements AutoCloseable {
             throws Throwable {
         if (one.isDefault()) return InvocationHandler.invokeDefault(proxy, one, arguments);
         if (one.getDeclaringClass() == Object.class) return one.invoke(this, arguments);
-        return called().call(one, arguments);
+        awaiting.begin();
+        try {
+            return called().call(one, arguments);
+        } finally {
+            awaiting.end();
+        }
+    }
+
+    /** Whether a lab has been waiting that long for what it asked the program. */
+    public boolean isAwaited(Duration least) {
+        return awaiting.lasts(least);
     }
 
     /** What was wrong with the source once is wrong every time. */

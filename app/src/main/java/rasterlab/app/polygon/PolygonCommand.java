@@ -27,7 +27,8 @@ final class PolygonCommand {
                         .formatted(
                                 input(scene.figure()),
                                 scene.mode().topic(),
-                                OwnWords.known(scene.method(), scene.comparison())));
+                                OwnWords.known(
+                                        scene.method(), scene.comparison(), scene.mode().topic())));
     }
 
     private static String input(Figure figure) {

@@ -258,7 +258,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
                 .formatted(
                         kind(choice()).json(choice().hazard()),
                         choice().topic(),
-                        OwnWords.known(choice().method(), beside()));
+                        OwnWords.known(choice().method(), "", choice().topic()));
     }
 
     /** The row's input in JSON; empty while rows of that topic are not shown. */
@@ -266,15 +266,6 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         return open && choice().topic().equals(topic)
                 ? Optional.of(kind(topic).whole(choice().hazard()))
                 : Optional.empty();
-    }
-
-    /** A method for the terminal, which does not know the user's program. */
-    private String beside() {
-        return topic().methods().stream()
-                .filter(each -> !each.faulty())
-                .findFirst()
-                .orElseThrow()
-                .name();
     }
 
     List<? extends Method<?>> methods(String topic) {

@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.awt.Window;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -12,6 +13,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
@@ -26,9 +28,20 @@ import rasterlab.exercises.Exercise;
 public final class LabContent extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    /** Milliseconds after which it is looked again whether a program is waited for. */
+    private static final int LOOK = 40;
+
+    /** A shorter wait is not told: the picture would flicker. */
+    private static final Duration LEAST = Duration.ofMillis(90);
+
     private final TabbedLabs pane;
     private final transient WindowKeys keys = new WindowKeys(this);
     private final transient PlayerKeys player = new PlayerKeys(() -> StepPlayer.seenIn(this));
+    private final transient LabOpening opening;
+    private final transient Timer awaiting = new Timer(LOOK, e -> tellAwaited());
+
+    /** The tab whose picture is marked as old. */
+    private transient Optional<LabTab> awaited = Optional.empty();
 
     /** A hazard that a tab is about to show. */
     private transient Optional<String> opened = Optional.empty();
@@ -46,13 +59,12 @@ public final class LabContent extends JPanel {
             Consumer<Language> onLanguage) {
         super(new BorderLayout());
         Texts texts = Texts.of("shell", labs.language());
+        opening = labs.opening();
         pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
-        labs.opening().showTabsBy(this::show);
-        labs.opening().tellHazardsTo(hazard -> opened = Optional.of(hazard));
-        labs.opening()
-                .tellHandingInTo(
-                        (tab, exercise) -> tellHandingIn(labs.opening(), tab, exercise, texts));
-        labs.opening().tellOwnTo((tab, mine) -> tellOwn(labs.opening(), tab, mine, texts));
+        opening.showTabsBy(this::show);
+        opening.tellHazardsTo(hazard -> opened = Optional.of(hazard));
+        opening.tellHandingInTo((tab, exercise) -> tellHandingIn(tab, exercise, texts));
+        opening.tellOwnTo((tab, mine) -> tellOwn(tab, mine, texts), pane::tellNoOwn);
         show(shown);
         pane.fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
@@ -80,10 +92,12 @@ public final class LabContent extends JPanel {
         super.addNotify();
         keys.listen();
         player.listen();
+        awaiting.start();
     }
 
     @Override
     public void removeNotify() {
+        awaiting.stop();
         keys.close();
         player.close();
         super.removeNotify();
@@ -124,7 +138,7 @@ public final class LabContent extends JPanel {
     }
 
     /** Says over a lab for which exercise its input can be handed in. */
-    private void tellHandingIn(LabOpening opening, String tab, Exercise exercise, Texts texts) {
+    private void tellHandingIn(String tab, Exercise exercise, Texts texts) {
         pane.tell(
                 tab,
                 new HandInStrip(
@@ -136,7 +150,7 @@ public final class LabContent extends JPanel {
     }
 
     /** Says over a lab from which exercise the program is that it shows. */
-    private void tellOwn(LabOpening opening, String tab, OwnProgram mine, Texts texts) {
+    private void tellOwn(String tab, OwnProgram mine, Texts texts) {
         var strip =
                 new OwnStrip(
                         mine.exercise(),
@@ -147,6 +161,17 @@ public final class LabContent extends JPanel {
                             pane.tellNothing(tab);
                         });
         pane.tell(tab, strip);
+    }
+
+    /** Marks the shown tab's picture as old while the user's program is waited for. */
+    void tellAwaited() {
+        LabTab seen = pane.seen();
+        boolean waits = seen.isWhole() && opening.isOwnAwaited(seen.name(), LEAST);
+        Optional<LabTab> now = waits ? Optional.of(seen) : Optional.empty();
+        if (now.equals(awaited)) return;
+        awaited.ifPresent(before -> StageGuide.await(before.panel(), false));
+        now.ifPresent(tab -> StageGuide.await(tab.panel(), true));
+        awaited = now;
     }
 
     /** Says what can be done in the tab that is shown. */

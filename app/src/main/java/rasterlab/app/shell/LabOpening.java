@@ -1,5 +1,6 @@
 package rasterlab.app.shell;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -26,7 +27,6 @@ import rasterlab.engine.naming.Named;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
-import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
@@ -44,6 +44,7 @@ final class LabOpening implements OpenInLab {
     private Consumer<String> showTab = tab -> {};
     private Consumer<String> tellHazard = hazard -> {};
     private BiConsumer<String, OwnProgram> tellOwn = (tab, program) -> {};
+    private Consumer<String> tellNoOwn = tab -> {};
     private BiConsumer<String, Exercise> tellHandingIn = (tab, exercise) -> {};
 
     /** Counts what was asked for, so that only the newest is shown. */
@@ -78,9 +79,11 @@ final class LabOpening implements OpenInLab {
 
     /**
      * @param told which program of the user's the tab of that name is about to show
+     * @param toldNone which tab is about to show none any more
      */
-    void tellOwnTo(BiConsumer<String, OwnProgram> told) {
+    void tellOwnTo(BiConsumer<String, OwnProgram> told, Consumer<String> toldNone) {
         tellOwn = told;
+        tellNoOwn = toldNone;
         models.own().shown().forEach(told);
     }
 
@@ -175,7 +178,23 @@ final class LabOpening implements OpenInLab {
             Object input = GivenInput.read(named(card.topic()).format(), json);
             way.show().show(lab, new TopicInput(card.topic(), "", input), method);
         }
+        tellOwn(card, method);
         showTab.accept(card.lab().name());
+    }
+
+    /**
+     * Says whether a tab shows the user's program, from which exercise.
+     *
+     * @param method that it shows; "" for the one that it showed before
+     */
+    private void tellOwn(TopicCard<?> card, String method) {
+        String tab = card.lab().name();
+        if (method.equals(OwnMethods.NAME))
+            models.own().showIn(tab, card.topic()).ifPresent(mine -> tellOwn.accept(tab, mine));
+        else if (!method.isEmpty()) {
+            hideOwn(tab);
+            tellNoOwn.accept(tab);
+        }
     }
 
     /**
@@ -194,7 +213,7 @@ final class LabOpening implements OpenInLab {
 
     @Override
     public void showOwn(String topic, String json, String beside) {
-        showOwn(shown(topic, beside), json, beside.isEmpty() ? right(named(topic)) : beside);
+        showOwn(shown(topic, beside), json, beside.isEmpty() ? right(topic) : beside);
     }
 
     private <M> void showOwn(TopicCard<M> card, String json, String beside) {
@@ -214,9 +233,7 @@ final class LabOpening implements OpenInLab {
                                         topic, "", GivenInput.read(named(topic).format(), json)));
         asked++;
         showing.show(models.of(card.lab()), input, beside);
-        models.own()
-                .showIn(card.lab().name(), topic)
-                .ifPresent(mine -> tellOwn.accept(card.lab().name(), mine));
+        tellOwn(card, OwnMethods.NAME);
         showTab.accept(card.lab().name());
     }
 
@@ -232,14 +249,12 @@ final class LabOpening implements OpenInLab {
         } else showInput(scene.topic(), scene.input(), right, scene.plotted());
     }
 
-    /** The method to hold a program against where nobody says which. */
-    private static <C> String right(Topic<C, ?, ?> topic) {
-        List<Method<C>> right = topic.methods().stream().filter(one -> !one.faulty()).toList();
-        return right.stream()
-                .filter(Method::promisesToBeRight)
-                .findFirst()
-                .orElseGet(() -> right.get(0))
-                .name();
+    /** The method whose answers a program's exercise calls right, or one that is right. */
+    private String right(String topic) {
+        return models.own()
+                .of(topic)
+                .flatMap(program -> program.exercise().tolerance().truth())
+                .orElseGet(() -> OwnMethods.right(named(topic)));
     }
 
     @Override
@@ -250,8 +265,11 @@ final class LabOpening implements OpenInLab {
     @Override
     public void showToHandIn(String exercise, String topic, String json) {
         TopicCard<?> card = shown(topic, "");
-        if (json.isEmpty()) showTab.accept(card.lab().name());
-        else showInput(card, json, "", Optional.empty());
+        // A program of another exercise has no part in this one.
+        String method = models.own().of(topic).isPresent() ? right(topic) : "";
+        String input = json.isEmpty() && !method.isEmpty() ? written(card).orElse("") : json;
+        if (input.isEmpty()) showTab.accept(card.lab().name());
+        else showInput(card, input, method, Optional.empty());
         tellHandingIn.accept(card.lab().name(), exercise(exercise));
     }
 
@@ -311,6 +329,13 @@ final class LabOpening implements OpenInLab {
         models.own().hideIn(tab);
     }
 
+    /** Whether that tab has waited that long for a program of the user's. */
+    boolean isOwnAwaited(String tab, Duration least) {
+        return models.own().awaited(least).stream()
+                .flatMap(topic -> card(topic).stream())
+                .anyMatch(card -> card.lab().name().equals(tab));
+    }
+
     /** Shows the exercise that a program came from. */
     void showExercise(Exercise exercise) {
         models.exercises().choose(exercise.id());
@@ -352,6 +377,7 @@ final class LabOpening implements OpenInLab {
 
     private <M> void show(TopicCard<M> card, M lab, TopicInput input, String method) {
         card.way().show().show(lab, input, method);
+        tellOwn(card, method);
         tellHazard.accept(input.hazard());
         showTab.accept(card.lab().name());
     }

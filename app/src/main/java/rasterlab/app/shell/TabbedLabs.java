@@ -144,6 +144,12 @@ final class TabbedLabs extends JTabbedPane {
         place.repaint();
     }
 
+    /** Takes away what is said over the lab of a tab about the user's program. */
+    void tellNoOwn(String tab) {
+        if (part(indexOf(tab), BorderLayout.NORTH).filter(OwnStrip.class::isInstance).isPresent())
+            tellNothing(tab);
+    }
+
     private int indexOf(String tab) {
         return tabs.indexOf(Named.find("tab", tab, tabs, LabTab::name));
     }

@@ -19,7 +19,9 @@ final class CurveCommand {
                                                         new CurveTopic().format(),
                                                         choice.sampling().task(curve)),
                                                 OwnWords.known(
-                                                        choice.method(), choice.comparison())))
+                                                        choice.method(),
+                                                        choice.comparison(),
+                                                        "curve")))
                 .collect(Collectors.joining("\n"));
     }
 }

@@ -23,7 +23,7 @@ final class FunctionCommand {
         return "echo '%s' | ./lab run spline-function %s"
                 .formatted(
                         CommandInput.signed(new SplineFunctionTopic().format(), problem),
-                        OwnWords.known(choice.method(), choice.comparison()));
+                        OwnWords.known(choice.method(), choice.comparison(), "spline-function"));
     }
 
     /** As the command line names it. */

@@ -22,7 +22,7 @@ final class SavedView {
                         .with(Setting.CAMERA, choice.camera())
                         .with(Setting.PROJECTION, Projection.named(choice.projection()))
                         .with(Setting.ZOOM, choice.zoom())
-                        .with(Setting.VISIBILITY, choice.visibility())
+                        .with(Setting.VISIBILITY, VisibilityChoice.known(choice.visibility()))
                         .with(Setting.SHADING, ShadingMethod.named(choice.shading()))
                         .with(Setting.TEXTURE, look.texture())
                         .with(Setting.WRAP, look.change().wrap())

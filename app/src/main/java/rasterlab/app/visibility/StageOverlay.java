@@ -12,8 +12,10 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Language;
 import rasterlab.engine.visibility.FaceOutlines;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.VisibilityStep;
@@ -44,12 +46,13 @@ final class StageOverlay {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
-    /** The method's name, on a plate of its colour. */
-    void name(String method, int x) {
+    /** What the method is called, on a plate of its colour. */
+    void name(String method, Language language) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         Color colour = VisibilityColours.OWN.of(method);
         int y = g.getFontMetrics().getAscent() + 8;
-        Plates.plate(g, method, x + 12, y, colour, MethodColours.inkOn(colour));
+        String called = OwnWords.called(method, language);
+        Plates.plate(g, called, 12, y, colour, MethodColours.inkOn(colour));
     }
 
     /** All cuts up to a step, and the face or the pixels that it was about. */

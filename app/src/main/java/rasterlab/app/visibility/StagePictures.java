@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.PictureFit;
@@ -11,10 +12,11 @@ import rasterlab.engine.visibility.Visibility;
 /**
  * What is drawn for a choice on a stage of some size.
  *
+ * @param own draws by the user's own program
  * @param width device pixels; 0 before the size is known
  * @param height device pixels
  */
-record StagePictures(List<Method<Visibility>> methods, int width, int height) {
+record StagePictures(List<Method<Visibility>> methods, Visibility own, int width, int height) {
     /** View pixels between two pictures. */
     static final int GAP = 6;
 
@@ -26,11 +28,16 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
     }
 
     StagePictures sized(int newWidth, int newHeight) {
-        return new StagePictures(methods, newWidth, newHeight);
+        return new StagePictures(methods, own, newWidth, newHeight);
+    }
+
+    StagePictures withOwn(Visibility other) {
+        return new StagePictures(methods, other, width, height);
     }
 
     /** Whether the method can draw the faces' edges. */
     boolean canDrawEdges(String name) {
+        if (name.equals(OwnMethods.NAME)) return own.drawsOutlines();
         return methods.stream()
                 .filter(method -> method.name().equals(name))
                 .anyMatch(method -> method.implementation().drawsOutlines());
@@ -77,8 +84,16 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
     }
 
     RenderRequest request(VisibilityChoice choice, String method) {
-        RenderRequest plain = filling(choice).plain(method, pictureWidth(choice), height);
+        RenderRequest plain = plain(filling(choice), method, pictureWidth(choice));
         return drawsEdges(choice, method) ? plain.withOutline() : plain;
+    }
+
+    /** The picture without edges, which the user's own program draws by itself. */
+    private RenderRequest plain(VisibilityChoice shown, String method, int wide) {
+        RenderRequest plain = shown.plain(method, wide, height);
+        return method.equals(OwnMethods.NAME)
+                ? plain.with(plain.look().withVisibility(method, own))
+                : plain;
     }
 
     /**
@@ -96,8 +111,8 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
     Frame plain(VisibilityChoice choice) {
         VisibilityChoice shown = filling(choice);
         return new Frame(
-                shown.plain(pictureWidth(choice), height),
-                second(choice).map(method -> shown.plain(method, pictureWidth(choice), height)),
+                plain(shown, choice.visibility(), pictureWidth(choice)),
+                second(choice).map(method -> plain(shown, method, pictureWidth(choice))),
                 false,
                 Frame.ALL);
     }

@@ -1,7 +1,9 @@
 package rasterlab.app.visibility;
 
 import java.util.Optional;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
@@ -221,7 +223,17 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
-    /** The picture without edges, which are no matter of visibility. */
+    /**
+     * A method as the terminal knows it: what suits the scene stands for the user's own program.
+     */
+    static String known(String method) {
+        return method.equals(OwnMethods.NAME) ? Renderer.AUTO : method;
+    }
+
+    /**
+     * The picture without edges, which are no matter of visibility. The user's own program has no
+     * name there: whoever has it gives it to the request.
+     */
     RenderRequest plain(int width, int height) {
         return plain(visibility, width, height);
     }
@@ -237,7 +249,7 @@ public record VisibilityChoice(
                 look.depths(chosen, camera.rho()),
                 width,
                 height,
-                look.look(method, ShadingMethod.named(shading), chosen, camera.rho()));
+                look.look(known(method), ShadingMethod.named(shading), chosen, camera.rho()));
     }
 
     /** The same parts, to be changed one by one. */

@@ -7,7 +7,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.model.SceneText;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
@@ -59,9 +61,11 @@ record VisibilityCommand(
     }
 
     private static List<String> methods(VisibilityChoice choice) {
-        return choice.comparison().isEmpty()
-                ? List.of(choice.visibility())
-                : List.of(choice.visibility(), choice.comparison());
+        List<String> known =
+                Stream.of(choice.visibility(), choice.comparison())
+                        .filter(method -> !method.isEmpty() && !method.equals(OwnMethods.NAME))
+                        .toList();
+        return known.isEmpty() ? List.of(VisibilityChoice.known(choice.visibility())) : known;
     }
 
     /** The same of a scene that was saved since. */

@@ -18,6 +18,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.scene.catalogue.Scenes;
@@ -191,6 +192,7 @@ final class VisibilityInspector {
                         names,
                         VisibilityColours.OWN,
                         name -> model.choose(choice -> change.of(choice, name)));
+        chooser.withOwn(Texts.of("canvas", texts.language()));
         column.row(key, chooser);
         return chooser;
     }
@@ -242,7 +244,8 @@ final class VisibilityInspector {
         List<String> texts = readings.view();
         for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
         look.refresh();
-        if (model.methods().stream().anyMatch(one -> one.name().equals(choice.visibility())))
+        boolean own = choice.visibility().equals(OwnMethods.NAME);
+        if (own || model.methods().stream().anyMatch(one -> one.name().equals(choice.visibility())))
             about.show(explanations, choice.visibility(), readings.decision(), "");
     }
 

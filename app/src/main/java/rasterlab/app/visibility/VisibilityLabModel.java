@@ -4,14 +4,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.KeptFile;
-import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.PictureMaker;
@@ -31,11 +29,8 @@ import rasterlab.engine.visibility.Visibility;
  * the executor it is given. Each change publishes a new immutable {@link VisibilityLabState}.
  */
 public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoCloseable {
-    private final PictureMaker maker;
-    private final LatestOnly<Frame, Frame.Pictures> pictures;
-    private final LatestOnly<Frame, Optional<Differences>> differences;
-    private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
-    private final LatestOnly<PixelReport.Question, PixelReport> histories;
+    private final OwnMethods own;
+    private final StageWork work;
     private final History<VisibilityChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, true));
     private final FrameTimes times = new FrameTimes();
@@ -45,7 +40,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final ChartStudies charts;
     private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
-    private StagePictures stage = new StagePictures(Renderer.visibilityMethods(), 0, 0);
+    private String ownTopic = "depth-order";
+    private StagePictures stage;
     private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
     private Optional<SavedScene> saved = Optional.empty();
 
@@ -56,33 +52,18 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
      */
     public VisibilityLabModel(
             OwnMethods own, PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
-        this.maker = maker;
+        this.own = own;
         charts = new ChartStudies(events, onFailure);
         rows = RowLabModel.ofDepths(own, events, onFailure);
-        pictures =
-                new LatestOnly<>(
-                        "picture",
-                        (frame, cancelled) -> frame.made(maker, cancelled),
-                        (frame, made) -> events.execute(() -> accept(made)),
-                        onFailure);
-        differences =
-                new LatestOnly<>(
-                        "exact picture",
-                        (frame, cancelled) -> Differences.of(frame, maker, cancelled),
-                        (frame, found) -> events.execute(() -> accept(frame, found)),
-                        onFailure);
-        walks =
-                new LatestOnly<>(
-                        "steps",
-                        Drawn::of,
-                        (request, found) -> events.execute(() -> accept(request, found)),
-                        onFailure);
-        histories =
-                new LatestOnly<>(
-                        "pixel history",
-                        PixelReport::of,
-                        (asked, found) -> events.execute(() -> accept(found)),
-                        onFailure);
+        stage =
+                new StagePictures(
+                        Renderer.visibilityMethods(), OwnVisibility.of(own, ownTopic), 0, 0);
+        work =
+                new StageWork(
+                        maker,
+                        events,
+                        onFailure,
+                        new StageWork.Told(this::accept, this::accept, this::accept, this::accept));
         reader = new LatestReading("scene file", events, onFailure);
         files = new KeptFile<>(new SceneOpening(this), reader);
     }
@@ -146,6 +127,22 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     /** Says beside the present scene in what it is other than a hazard. */
     public void tell(HazardNote note) {
         publish(state.with(note));
+    }
+
+    /**
+     * Shows scenes, which the user's program on that topic may draw; it may be another by now.
+     *
+     * @param topic {@code visible-faces} or {@code depth-order}
+     */
+    void enterOwn(String topic) {
+        rows.close();
+        ownTopic = topic;
+        stage = stage.withOwn(OwnVisibility.of(own, topic));
+    }
+
+    /** The topic of the user's program that may draw. */
+    String ownTopic() {
+        return ownTopic;
     }
 
     /** The tab's other lab: rows of depths. */
@@ -231,7 +228,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     void count() {
         if (compared.isPresent() || !stage.known()) return;
         compared = Optional.of(stage.plain(state.choice()));
-        compared.ifPresent(differences::ask);
+        compared.ifPresent(work::compare);
     }
 
     public History<VisibilityChoice> history() {
@@ -249,7 +246,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         int next = step >= lastStep() ? Frame.ALL : Math.max(0, step);
         if (next == state.step()) return;
         publish(state.at(next).withProblem(""));
-        if (stage.known()) pictures.ask(stage.frame(state.choice(), state.step()));
+        if (stage.known()) work.draw(stage.frame(state.choice(), state.step()));
     }
 
     /** How many steps the method made; 0 while that is not known. */
@@ -318,26 +315,15 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
     public void settle() throws InterruptedException {
         reader.settle();
-        walks.settle();
-        pictures.settle();
-        differences.settle();
-        histories.settle();
+        work.settle();
         charts.settle();
         rows.settle();
     }
 
-    /** Ends the threads; the last of the two that draw closes what they draw by. */
+    /** Ends the threads. */
     @Override
     public void close() {
-        var drawing = new AtomicInteger(2);
-        Runnable after =
-                () -> {
-                    if (drawing.decrementAndGet() == 0) maker.close();
-                };
-        pictures.close(after);
-        differences.close(after);
-        walks.close();
-        histories.close();
+        work.close();
         reader.close();
         charts.close();
         rows.end();
@@ -355,20 +341,19 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         boolean keepsSteps = keepsStep && stage.watchesSteps(choice) && stage.watchesSteps(old);
         VisibilityLabState next = state.with(choice).at(keepsStep ? state.step() : Frame.ALL);
         publish(keepsSteps ? next : next.withDrawn(Optional.empty()));
-        differences.cancel();
-        histories.cancel();
+        work.cancelTelling();
         if (!stage.known()) return;
-        pictures.ask(stage.frame(choice, state.step()));
+        work.draw(stage.frame(choice, state.step()));
         compared = Optional.empty();
         if (counted || choice.difference()) count();
-        if (stage.watchesSteps(choice)) walks.ask(stage.request(choice, choice.visibility()));
+        if (stage.watchesSteps(choice)) work.walk(stage.request(choice, choice.visibility()));
         askPixel();
     }
 
     private void askPixel() {
         state.chosen()
                 .flatMap(pixel -> stage.question(state.choice(), pixel))
-                .ifPresent(histories::ask);
+                .ifPresent(work::report);
     }
 
     private void accept(Frame.Pictures made) {

@@ -18,6 +18,7 @@ import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowCard;
 import rasterlab.app.row.RowPanel;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -111,6 +112,7 @@ public final class VisibilityPanel extends LabPanel {
         return switch (model.state().choice().visibility()) {
             case "convex", "back-face" -> "visible-faces";
             case "painter", "painter-textbook", "newell" -> "depth-order";
+            case OwnMethods.NAME -> model.ownTopic();
             default -> "hidden-surfaces";
         };
     }

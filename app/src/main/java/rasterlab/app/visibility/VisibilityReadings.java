@@ -4,8 +4,12 @@ import java.text.NumberFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /** The live numbers of a state as the inspector writes them. */
@@ -88,7 +92,7 @@ final class VisibilityReadings {
 
     private String wrongPixels(String method, Optional<Compared> difference) {
         String counted = read(difference, found -> count(found.wrongPixels()));
-        return texts.text("wrongPixels.of", method, counted);
+        return texts.text("wrongPixels.of", OwnWords.called(method, texts.language()), counted);
     }
 
     /** Steps done, cuts so far, and what was counted for the whole picture. */
@@ -127,8 +131,24 @@ final class VisibilityReadings {
     String decision() {
         return state.drawn()
                 .map(Drawn::decision)
-                .map(said -> texts.textOr("decision." + state.choice().visibility(), said))
+                .map(said -> texts.textOr("decision." + decided(), said))
                 .orElse("");
+    }
+
+    private String decided() {
+        String method = state.choice().visibility();
+        return method.equals(OwnMethods.NAME) ? method + "." + model.ownTopic() : method;
+    }
+
+    /** Why a method drew nothing: in its own words where those are the window's language. */
+    static String refusal(String method, String message, Texts texts) {
+        return OwnWords.refusal(method, message, texts.language())
+                .orElseGet(() -> refused(method, message, texts));
+    }
+
+    private static String refused(String method, String message, Texts texts) {
+        String own = texts.text("refused.by", method, Complaints.said(texts.language(), message));
+        return texts.language() == Language.ENGLISH ? own : texts.textOr("refused." + method, own);
     }
 
     String pixel() {

@@ -79,12 +79,12 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                         new HiddenSurfacesTopic(),
                         (in, method) -> TopicView.of(in.name(), (SurfaceView) in.input(), method),
                         SceneInputs::surfaces),
-                card(
+                drawn(
                         new VisibleFacesTopic(),
                         (in, method) ->
                                 TopicView.of(in.name(), (Body) in.input(), method, drawnBy(method)),
                         choice -> Optional.of(SceneInputs.body(choice))),
-                card(
+                drawn(
                         new DepthOrderTopic(),
                         (in, method) ->
                                 TopicView.of(
@@ -124,11 +124,8 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                 this,
                 VisibilityColours.OWN,
                 TopicWay.<VisibilityLabModel>noted(
-                                (lab, input, method) -> {
-                                    lab.rows().close();
-                                    TopicView shown = view.apply(input, method);
-                                    lab.choose(old -> shown.shown(old).showing(input.input()));
-                                },
+                                (lab, input, method) ->
+                                        show(lab, view.apply(input, method), input, method),
                                 new TopicWay.Notes<>(
                                         (lab, input, method) -> view.apply(input, method).unlike(),
                                         method -> true,
@@ -142,6 +139,53 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
                                                                 input ->
                                                                         GivenInput.name(
                                                                                 topic, input))));
+    }
+
+    private static void show(
+            VisibilityLabModel lab, TopicView shown, TopicInput input, String method) {
+        lab.rows().close();
+        boolean mine = method.equals(OwnMethods.NAME);
+        if (mine) lab.enterOwn(input.topic());
+        lab.choose(
+                old -> {
+                    VisibilityChoice next = shown.shown(old).showing(input.input());
+                    return mine ? next.withVisibility(method) : next;
+                });
+    }
+
+    /** A topic whose methods draw scenes; so may the user's own program. */
+    private <I> TopicCard<VisibilityLabModel> drawn(
+            Topic<?, I, ?> topic,
+            BiFunction<TopicInput, String, TopicView> view,
+            Function<VisibilityChoice, Optional<I>> seen) {
+        TopicCard<VisibilityLabModel> card = card(topic, view, seen);
+        TopicWay.ShowOwn<VisibilityLabModel> showing =
+                (lab, input, beside) ->
+                        lab.history().asOne(() -> showOwn(lab, topic.name(), input, beside, view));
+        return new TopicCard<>(
+                card.topic(), card.lab(), card.colours(), card.way().showingOwn(showing));
+    }
+
+    /**
+     * Shows the whole input, of which methods of the topic would be shown only what they call
+     * visible.
+     */
+    private static void showOwn(
+            VisibilityLabModel lab,
+            String topic,
+            Optional<TopicInput> input,
+            String beside,
+            BiFunction<TopicInput, String, TopicView> view) {
+        lab.enterOwn(topic);
+        input.ifPresent(one -> show(lab, view.apply(one, ""), one, ""));
+        // Away and back, since it may be another program now.
+        lab.choose(choice -> choice.withVisibility(drawnBy(beside)));
+        lab.choose(
+                choice ->
+                        choice.withVisibility(OwnMethods.NAME)
+                                .withComparison(drawnBy(beside))
+                                .withView(StageView.COLOURS)
+                                .withDifference(true));
     }
 
     @Override

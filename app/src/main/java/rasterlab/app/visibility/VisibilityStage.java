@@ -23,6 +23,7 @@ import javax.swing.JLabel;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
@@ -31,7 +32,6 @@ import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Complaints;
-import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.scene.Vase;
 
@@ -248,7 +248,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         state.chosen()
                 .filter(pixel -> pixel.second() == second)
                 .ifPresent(pixel -> overlay.pixel(pixel.x(), pixel.y()));
-        if (!state.choice().comparison().isEmpty()) overlay.name(picture.request().visibility(), 0);
+        if (!state.choice().comparison().isEmpty())
+            overlay.name(picture.request().visibility(), texts.language());
         picture.refusal().ifPresent(message -> refuse(overlay, over, picture, message, scale));
         picture.lent().ifPresent(lender -> tellLender(overlay, over, picture, lender, scale));
         over.dispose();
@@ -259,14 +260,10 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         return (picture.raster().width() + StagePictures.GAP) / scale;
     }
 
-    /** Says why the method drew nothing: in its own words where those are the window's language. */
+    /** Says why the method drew nothing. */
     private void refuse(
             StageOverlay overlay, Graphics2D g, Picture picture, String message, double scale) {
-        String method = picture.request().visibility();
-        String why = Complaints.said(texts.language(), message);
-        String own = texts.text("refused.by", method, why);
-        String said =
-                texts.language() == Language.ENGLISH ? own : texts.textOr("refused." + method, own);
+        String said = VisibilityReadings.refusal(picture.request().visibility(), message, texts);
         int width = (int) (picture.raster().width() / scale);
         say(overlay, g, said, width, getHeight() / 2);
     }
@@ -274,7 +271,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     /** Says whose depths are shown, below where a method's name stands. */
     private void tellLender(
             StageOverlay overlay, Graphics2D g, Picture picture, String lender, double scale) {
-        String said = texts.text("depths.lent", lender, picture.request().visibility());
+        String called = OwnWords.called(picture.request().visibility(), texts.language());
+        String said = texts.text("depths.lent", lender, called);
         int width = (int) (picture.raster().width() / scale);
         overlay.sentenceBelow(lines(said, width, g), 24, 2 * g.getFontMetrics().getHeight());
     }

@@ -1,11 +1,13 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -45,7 +47,9 @@ class OwnInLabTest {
 
     OwnInLabTest() {
         opening.showTabsBy(tabs::add);
-        opening.tellOwnTo((tab, mine) -> told.add(tab + " " + mine.exercise().id()));
+        opening.tellOwnTo(
+                (tab, mine) -> told.add(tab + " " + mine.exercise().id()),
+                tab -> told.add(tab + " none"));
     }
 
     @AfterEach
@@ -297,6 +301,61 @@ class OwnInLabTest {
         assertEquals(
                 "your program did not answer within 2.0 s and was stopped",
                 models.clip().state().results().clipping().message());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"visible-faces", "depth-order"})
+    void theLabOfHiddenSurfacesDrawsByTheProgramBesideARightMethod(String id) {
+        showModel(Catalogue.builtIn().named(id));
+        var choice = models.visibility().state().choice();
+        assertEquals(OwnMethods.NAME, choice.visibility());
+        assertEquals(id.equals("depth-order") ? "painter" : "back-face", choice.comparison());
+        assertTrue(choice.difference());
+        assertEquals(List.of("visibility"), tabs);
+        models.visibility().history().undo();
+        assertNotEquals(OwnMethods.NAME, models.visibility().state().choice().visibility());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "vertex-normals, normals=mine",
+        "shade, shaded=shade]",
+        "shade-face, shaded=shade-face]"
+    })
+    void theLabOfLightLightsByTheProgram(String id, String kept) {
+        showModel(Catalogue.builtIn().named(id));
+        assertTrue(
+                String.valueOf(models.light().kept()).contains(kept),
+                String.valueOf(models.light().kept()));
+        assertEquals(List.of("light"), tabs);
+        models.light().history().undo();
+        assertFalse(String.valueOf(models.light().kept()).contains(kept));
+    }
+
+    @Test
+    void noProgramOfAnotherExerciseStandsThereToBeHandedIn() throws InterruptedException {
+        show(line("out.plot(1, 1);"), "{\"from\":[1,2],\"to\":[4,2]}");
+        opening.showToHandIn("break-line", "line", "");
+        settle();
+        assertNotEquals(OwnMethods.NAME, models.line().state().choice().method());
+        assertEquals(new Segment(1, 2, 4, 2), models.line().state().choice().segment());
+        assertEquals(List.of("line line-bresenham", "line none"), told);
+        assertEquals(Map.of(), models.own().shown());
+    }
+
+    @Test
+    void aHazardByAnotherMethodIsNotSaidToBeTheProgram() throws InterruptedException {
+        show(line("out.plot(1, 1);"), "");
+        opening.showHazard("line", "upward", "dda");
+        assertEquals(List.of("line line-bresenham", "line none"), told);
+    }
+
+    @Test
+    void aHazardByTheProgramTellsItsExercise() throws InterruptedException {
+        show(line("out.plot(1, 1);"), "");
+        told.clear();
+        opening.showHazard("line", "upward", OwnMethods.NAME);
+        assertEquals(List.of("line line-bresenham"), told);
     }
 
     private void showModel(Exercise exercise) {

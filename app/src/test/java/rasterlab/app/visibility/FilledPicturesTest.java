@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
@@ -19,7 +20,12 @@ class FilledPicturesTest {
     private static final int HIGH = 620;
     private static final int HALF = (WIDE - StagePictures.GAP) / 2;
 
-    private final StagePictures stage = new StagePictures(Renderer.visibilityMethods(), WIDE, HIGH);
+    private final StagePictures stage =
+            new StagePictures(
+                    Renderer.visibilityMethods(),
+                    OwnVisibility.of(new OwnMethods(), "depth-order"),
+                    WIDE,
+                    HIGH);
 
     private static VisibilityChoice two(String scene) {
         return VisibilityChoice.first().withScene(scene).withComparison("newell");

@@ -68,7 +68,7 @@ final class Trials {
                 .formatted(
                         kind(trial.topic()).json(trial.hazard()),
                         trial.topic(),
-                        OwnWords.known(trial.method(), first(trial.topic()).method()));
+                        OwnWords.known(trial.method(), "", trial.topic()));
     }
 
     /** The list as an input of the topic, in JSON; empty where it is none. */

@@ -15,6 +15,6 @@ final class TurnCommand {
         return "echo '%s' | ./lab run rotate %s"
                 .formatted(
                         CommandInput.of(new RotateTopic().format(), turns),
-                        OwnWords.known(choice.method(), "total-angle"));
+                        OwnWords.known(choice.method(), "total-angle", "rotate"));
     }
 }

@@ -1,0 +1,106 @@
+package rasterlab.app.light;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.engine.color.Levels;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.study.WrongLength;
+import rasterlab.engine.visibility.SeenPoint;
+
+/**
+ * The light that the user's own program finds, beside the right one, at as many points of a picture
+ * as it can be asked for while something is dragged: each is shown as a square of pixels.
+ *
+ * @param mine by the program; where it gave no answer, the right one
+ * @param right by the formula
+ * @param off where they differ: grey where they do not
+ * @param told what there is to say of it
+ */
+record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
+    /** Levels of 255 from which on a difference is marked: less is no other colour. */
+    private static final double MARKED = 0.5;
+
+    /** Levels from which on a mark is no stronger. */
+    private static final double STRONGEST = 64;
+
+    private static final int SAME = 0x8C8C8C;
+    private static final int OTHER = 0xD55E00;
+
+    /**
+     * @param places of the choice's body
+     * @param at the pixel whose formula is shown
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    static OwnLight of(
+            LightChoice choice,
+            PicturePlaces places,
+            int background,
+            int[] at,
+            OwnMethods own,
+            BooleanSupplier cancelled) {
+        LightAtPoints light = LightAtPoints.of(choice, places.view());
+        LitSamples samples = LitSamples.of(places.view(), light.most());
+        double[] right = light.right(samples.points(), cancelled);
+        Raster shown = samples.picture(background, k -> colour(right, k));
+        try {
+            double[] mine = light.by(own, samples.points(), cancelled);
+            Optional<double[]> here =
+                    SeenPoint.at(places.view(), at[0], at[1])
+                            .map(point -> light.by(own, List.of(point), cancelled));
+            return new OwnLight(
+                    samples.picture(background, k -> colour(mine, k)),
+                    shown,
+                    samples.picture(background, k -> mark(difference(mine, right, k))),
+                    told(mine, right, here));
+        } catch (WrongLength length) {
+            return refused(samples, background, shown, OwnMethods.misshapen(length));
+        } catch (IllegalArgumentException refusal) {
+            return refused(samples, background, shown, refusal);
+        }
+    }
+
+    /** Nothing of the program is seen where it gave no answer. */
+    private static OwnLight refused(
+            LitSamples samples, int background, Raster right, IllegalArgumentException why) {
+        Raster none = samples.picture(background, k -> 0xFF000000 | SAME);
+        return new OwnLight(none, right, none, OwnTold.refused(why.getMessage()));
+    }
+
+    private static int colour(double[] light, int k) {
+        return Levels.rgb(light[3 * k], light[3 * k + 1], light[3 * k + 2]);
+    }
+
+    /** In levels of 255; as much as there can be where the program says no number. */
+    private static double difference(double[] mine, double[] right, int k) {
+        double worst = 0;
+        for (int c = 3 * k; c < 3 * k + 3; c++) {
+            double off = Levels.HIGHEST * Math.abs(mine[c] - right[c]);
+            worst = Math.max(worst, Double.isNaN(off) ? Levels.HIGHEST : off);
+        }
+        return worst;
+    }
+
+    private static int mark(double levels) {
+        if (levels < MARKED) return 0xFF000000 | SAME;
+        double share = 0.4 + 0.6 * Math.min(1, levels / STRONGEST);
+        double[] same = Levels.shares(SAME);
+        double[] other = Levels.shares(OTHER);
+        var mixed = new double[3];
+        for (int c = 0; c < 3; c++) mixed[c] = same[c] + share * (other[c] - same[c]);
+        return Levels.rgb(mixed[0], mixed[1], mixed[2]);
+    }
+
+    private static OwnTold told(double[] mine, double[] right, Optional<double[]> here) {
+        long wrong = 0;
+        double worst = 0;
+        for (int k = 0; k < mine.length / 3; k++) {
+            double levels = difference(mine, right, k);
+            worst = Math.max(worst, levels);
+            if (levels >= MARKED) wrong++;
+        }
+        return OwnTold.ofLight(wrong, mine.length / 3, worst, here);
+    }
+}

@@ -1,0 +1,112 @@
+package rasterlab.app.visibility;
+
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.PictureMaker;
+import rasterlab.engine.pipeline.RenderRequest;
+
+/** Finds pictures and what is told of them, each on a thread of its own. */
+final class StageWork implements AutoCloseable {
+    private final PictureMaker maker;
+    private final LatestOnly<Frame, Frame.Pictures> pictures;
+    private final LatestOnly<Frame, Optional<Differences>> differences;
+    private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
+    private final LatestOnly<PixelReport.Question, PixelReport> histories;
+
+    /**
+     * Told what was found.
+     *
+     * @param pictures the newest ones
+     * @param differences of a frame
+     * @param walks steps of a request
+     * @param histories what happened at a pixel
+     */
+    record Told(
+            Consumer<Frame.Pictures> pictures,
+            BiConsumer<Frame, Optional<Differences>> differences,
+            BiConsumer<RenderRequest, Optional<Drawn>> walks,
+            Consumer<PixelReport> histories) {}
+
+    /**
+     * @param maker closed when nothing is drawn any more
+     * @param events runs what it is given on the one thread that is told, in order
+     * @param onFailure told what a background picture threw, on any thread
+     */
+    StageWork(PictureMaker maker, Executor events, Consumer<Throwable> onFailure, Told told) {
+        this.maker = maker;
+        pictures =
+                new LatestOnly<>(
+                        "picture",
+                        (frame, cancelled) -> frame.made(maker, cancelled),
+                        (frame, made) -> events.execute(() -> told.pictures().accept(made)),
+                        onFailure);
+        differences =
+                new LatestOnly<>(
+                        "exact picture",
+                        (frame, cancelled) -> Differences.of(frame, maker, cancelled),
+                        (frame, found) ->
+                                events.execute(() -> told.differences().accept(frame, found)),
+                        onFailure);
+        walks =
+                new LatestOnly<>(
+                        "steps",
+                        Drawn::of,
+                        (request, found) ->
+                                events.execute(() -> told.walks().accept(request, found)),
+                        onFailure);
+        histories =
+                new LatestOnly<>(
+                        "pixel history",
+                        PixelReport::of,
+                        (asked, found) -> events.execute(() -> told.histories().accept(found)),
+                        onFailure);
+    }
+
+    void draw(Frame frame) {
+        pictures.ask(frame);
+    }
+
+    void compare(Frame frame) {
+        differences.ask(frame);
+    }
+
+    void walk(RenderRequest request) {
+        walks.ask(request);
+    }
+
+    void report(PixelReport.Question question) {
+        histories.ask(question);
+    }
+
+    /** Drops what is being told of the pictures before. */
+    void cancelTelling() {
+        differences.cancel();
+        histories.cancel();
+    }
+
+    /** Waits until all that was asked so far is found or dropped. Any other thread. */
+    void settle() throws InterruptedException {
+        walks.settle();
+        pictures.settle();
+        differences.settle();
+        histories.settle();
+    }
+
+    /** Ends the threads; the last of the two that draw closes what they draw by. */
+    @Override
+    public void close() {
+        var drawing = new AtomicInteger(2);
+        Runnable after =
+                () -> {
+                    if (drawing.decrementAndGet() == 0) maker.close();
+                };
+        pictures.close(after);
+        differences.close(after);
+        walks.close();
+        histories.close();
+    }
+}

@@ -1,0 +1,206 @@
+package rasterlab.app.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+
+/** The user's own program lights the scenes of the lab of light. */
+@Tag("slow")
+@Timeout(300)
+class OwnLightTest {
+    private static final String HALF =
+            """
+            import rasterlab.contract.*;
+            public class Mine implements PointShader {
+                public double[] intensity(LitPoint point) {
+                    return new double[] {0.5, 0.5, 0.5};
+                }
+            }
+            """;
+
+    private final ModelThread thread = new ModelThread();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final OwnMethods own = new OwnMethods();
+    private final LightLabModel model = new LightLabModel(own, thread, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        own.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private void show(String id, String source) {
+        Exercise exercise = Catalogue.builtIn().named(id);
+        own.bring(exercise, source.isEmpty() ? exercise.evidence().model().orElseThrow() : source);
+        model.showOwn(exercise.topic(), Optional.empty(), "");
+        settle();
+    }
+
+    private void settle() {
+        model.resize(120, 140);
+        thread.settle(model::settle);
+    }
+
+    private LightFrame.Drawn drawn() {
+        return model.state().drawn().orElseThrow();
+    }
+
+    private OwnTold told() {
+        return drawn().own().orElseThrow();
+    }
+
+    private String said(Language language) {
+        return told().in(Texts.of("light", language));
+    }
+
+    private int[] pixels(int picture) {
+        return drawn().pictures().get(picture).raster().argb();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"shade", "shade-face"})
+    void theModelSolutionGivesTheRightLightAtEachPoint(String id) {
+        show(id, "");
+        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+        assertTrue(told().of() > 200, said(Language.ENGLISH));
+        assertTrue(Arrays.equals(pixels(0), pixels(1)));
+        assertFalse(Arrays.equals(pixels(1), pixels(2)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"shade", "shade-face"})
+    void itIsTheLightThatTheFormulaShowsAtThePoint(String id) {
+        show(id, "");
+        double[] mine = told().light().orElseThrow();
+        double[] formula = drawn().point().orElseThrow().sum();
+        for (int c = 0; c < 3; c++) assertEquals(formula[c], Math.min(1, mine[c]), 1e-6);
+    }
+
+    @Test
+    void theLightOfASpotIsAskedForWithItsCone() {
+        show("shade", "");
+        model.choose(choice -> choice.withLamp(choice.lamp().withKind(Lamp.Kind.SPOT)));
+        settle();
+        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"shade", "shade-face"})
+    void itIsRightFromBehindUnderASunAndFromAFarEyeToo(String id) {
+        show(id, "");
+        model.choose(
+                choice ->
+                        choice.withLocalViewer(false)
+                                .withLamps(
+                                        List.of(
+                                                Lamp.at(3, 1, 2).withKind(Lamp.Kind.SUN),
+                                                Lamp.at(90, 40, 60)))
+                                .with(new Body("vase", 12, Body.OWN)));
+        settle();
+        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+    }
+
+    @Test
+    void wrongLightIsCountedAndMarked() {
+        show("shade", HALF);
+        assertEquals("own.light.off", told().key());
+        assertTrue(told().wrong() > 100 && told().worst() > 10, said(Language.ENGLISH));
+        assertFalse(Arrays.equals(pixels(0), pixels(1)));
+    }
+
+    @Test
+    void aDraggedLampIsAskedForAgain() {
+        show("shade", HALF);
+        int[] before = pixels(2);
+        model.choose(choice -> choice.withLamp(Lamp.at(-200, 90, 10)));
+        settle();
+        assertFalse(Arrays.equals(before, pixels(2)));
+    }
+
+    @Test
+    void anEndlessOneIsStoppedWithAMessageBesideTheRightPicture() {
+        show("shade", HALF.replace("return new double[] {0.5, 0.5, 0.5};", "while (true);"));
+        assertEquals(
+                "Your program did not answer within 2 s and was stopped", said(Language.ENGLISH));
+        assertEquals(
+                "Ваша программа не ответила за 2 с и была остановлена", said(Language.RUSSIAN));
+        assertFalse(Arrays.equals(pixels(0), pixels(1)));
+    }
+
+    @Test
+    void aWrongNumberOfSharesIsTold() {
+        show("shade", HALF.replace("{0.5, 0.5, 0.5}", "{0.5}"));
+        assertEquals(
+                "Your program's answer has 1 values where 3 were asked for",
+                said(Language.ENGLISH));
+    }
+
+    @Test
+    void rightNormalsAreThoseThatTheExerciseAsksFor() {
+        show("vertex-normals", "");
+        assertEquals("own.normals.right", told().key(), said(Language.ENGLISH));
+        int[] mine = pixels(2);
+        model.choose(choice -> choice.with(choice.body().withNormals("area")));
+        settle();
+        assertTrue(Arrays.equals(mine, pixels(2)));
+    }
+
+    @Test
+    void wrongNormalsLightTheBodyAndTheFirstIsTold() {
+        show(
+                "vertex-normals",
+                """
+                import rasterlab.contract.*;
+                public class Mine implements VertexNormals {
+                    public double[] normals(double[] vertices, int[] triangles) {
+                        double[] up = new double[vertices.length];
+                        for (int i = 2; i < up.length; i += 3) up[i] = 7;
+                        up[0] = Double.NaN;
+                        return up;
+                    }
+                }
+                """);
+        assertEquals("own.normals.off", told().key());
+        assertTrue(
+                said(Language.ENGLISH).startsWith("My program: normal of vertex 0 is "),
+                said(Language.ENGLISH));
+        assertTrue(
+                said(Language.RUSSIAN).startsWith("Моя программа: нормаль вершины 0"),
+                said(Language.RUSSIAN));
+        assertEquals(3, drawn().pictures().size());
+    }
+
+    @Test
+    void anotherProgramTakesTheOldOnesPlace() {
+        show("shade", HALF);
+        show("shade", "");
+        assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
+    }
+
+    @Test
+    void theLabsOwnShadingsComeBack() {
+        show("shade", HALF);
+        model.choose(choice -> choice.withShaded(""));
+        settle();
+        assertEquals(Optional.empty(), drawn().own());
+        assertEquals("flat", drawn().pictures().get(0).name());
+    }
+}
