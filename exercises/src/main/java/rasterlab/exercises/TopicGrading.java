@@ -4,7 +4,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Random;
 import java.util.Set;
@@ -56,6 +58,12 @@ public interface TopicGrading {
      * @param method of {@link #contract}
      */
     Object asMethod(Object method);
+
+    /**
+     * The topic's methods that are kept as right ones, in teaching order: what a student's speed
+     * and error are shown beside.
+     */
+    Map<String, Object> classics();
 
     /** The unit of the topic's errors, in which an exercise may state a tolerance. */
     default Optional<String> unit() {
@@ -167,6 +175,14 @@ public interface TopicGrading {
             return this;
         }
 
+        /**
+         * How far an output is from the right one, in the topic's unit; infinite where items are
+         * missing or extra, empty where no such distance is asked for.
+         */
+        default OptionalDouble error(Object output) {
+            return OptionalDouble.empty();
+        }
+
         /** What is told where a case holds on all its inputs; nothing where nothing is to be. */
         default Message held() {
             return Message.NONE;
@@ -218,6 +234,14 @@ public interface TopicGrading {
          * @param input from 0
          */
         Object recorded(int input, Object method);
+
+        /**
+         * Has a method answer one of the inputs as fast as it goes.
+         *
+         * @param input from 0
+         * @return number of items
+         */
+        long spent(int input, Object method);
 
         /** The most items that a sink may take for an input. */
         int mostItems();

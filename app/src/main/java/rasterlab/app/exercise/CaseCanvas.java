@@ -44,6 +44,7 @@ final class CaseCanvas extends SelfDrawn {
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
     private transient List<TriedPicture> pictures = List.of();
     private transient CaseDrawing drawing = CaseDrawing.NONE;
+    private transient Optional<SpeedPicture> chart = Optional.empty();
 
     /** The user's choice, which a case may not have. */
     private String wish = TOGETHER;
@@ -65,13 +66,25 @@ final class CaseCanvas extends SelfDrawn {
     }
 
     void show(List<TriedPicture> next) {
-        if (!next.equals(pictures)) {
+        if (!next.equals(pictures) || chart.isPresent()) {
             pictures = next;
+            chart = Optional.empty();
             zoom.reset();
             drawing = next.isEmpty() ? CaseDrawing.NONE : decoded(next);
             if (!next.isEmpty()) getAccessibleContext().setAccessibleDescription(inWords());
             blinkWhereChosen();
         }
+        repaint();
+    }
+
+    /** Shows a chart in the place of pictures. */
+    void show(SpeedPicture next) {
+        if (chart.filter(one -> one == next).isPresent()) return;
+        show(List.of());
+        chart = Optional.of(next);
+        zoom.reset();
+        drawing = CaseDrawing.of(next);
+        getAccessibleContext().setAccessibleDescription(next.inWords());
         repaint();
     }
 

@@ -65,6 +65,12 @@ record CaseDrawing(
                 pixels, true, grids.get(0).part().filter(part -> isOf(part, pixels)), pictures);
     }
 
+    /** A chart in the place of pictures. */
+    static CaseDrawing of(SpeedPicture chart) {
+        return new CaseDrawing(
+                SpeedPicture.SHAPE, false, Optional.empty(), Map.of(SpeedPicture.KIND, chart));
+    }
+
     private static CaseDrawing ofShapes(Map<String, BufferedImage> decoded) {
         var pictures = new LinkedHashMap<String, PaintedPicture>();
         decoded.forEach((kind, picture) -> pictures.put(kind, new FittedPicture(picture)));

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
 
@@ -32,7 +33,8 @@ final class Checking implements AutoCloseable {
                             cases.add(TriedCase.of(done));
                             judged.accept(List.copyOf(cases));
                         });
-        return Outcome.checked(source, report);
+        return Outcome.checked(source, report)
+                .with(report.figures().map(one -> PublishedSpeed.of(exercise.topic(), one)));
     }
 
     private static Judge started() throws InterruptedException {

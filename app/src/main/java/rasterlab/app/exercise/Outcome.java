@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.Points;
 import rasterlab.exercises.score.Report;
 
@@ -17,6 +18,7 @@ import rasterlab.exercises.score.Report;
  * @param earlier whether it was graded against an earlier revision of the exercise than the one
  *     that the server gives now
  * @param hints points that hints cost, which are still in {@code points}
+ * @param speed the program's point on the topic's chart; empty where none was measured
  */
 record Outcome(
         String source,
@@ -28,7 +30,8 @@ record Outcome(
         Said isolation,
         double nanosPerItem,
         boolean earlier,
-        int hints) {
+        int hints,
+        Optional<PublishedSpeed> speed) {
     /**
      * A message about a place in the source.
      *
@@ -40,6 +43,48 @@ record Outcome(
     Outcome {
         cases = TriedCase.toldApart(cases);
         remarks = List.copyOf(remarks);
+    }
+
+    /** An answer without a chart. */
+    Outcome(
+            String source,
+            int attempt,
+            String verdict,
+            Points points,
+            List<TriedCase> cases,
+            List<Remark> remarks,
+            Said isolation,
+            double nanosPerItem,
+            boolean earlier,
+            int hints) {
+        this(
+                source,
+                attempt,
+                verdict,
+                points,
+                cases,
+                remarks,
+                isolation,
+                nanosPerItem,
+                earlier,
+                hints,
+                Optional.empty());
+    }
+
+    /** The same with a point on the topic's chart. */
+    Outcome with(Optional<PublishedSpeed> measured) {
+        return new Outcome(
+                source,
+                attempt,
+                verdict,
+                points,
+                cases,
+                remarks,
+                isolation,
+                nanosPerItem,
+                earlier,
+                hints,
+                measured);
     }
 
     /** An answer that pays for no hints. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -23,13 +24,19 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.SpeedChart;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.score.CaseReport;
 
 /** What was said to the source: verdict, points, every case with its reason and pictures. */
 final class ResultPane extends JPanel {
     private static final long serialVersionUID = 1L;
+
+    private static final Predicate<TriedCase> CASE_OF_SPEED =
+            one -> one.name().equals(CaseReport.SPEED);
 
     private final transient Texts texts;
     private final transient OpenInLab lab;
@@ -50,6 +57,9 @@ final class ResultPane extends JPanel {
     private final JButton open;
     private final transient RoomsKept kept;
     private transient Optional<Outcome> shown = Optional.empty();
+
+    /** The program's point on the topic's chart, where speed was measured. */
+    private transient Optional<SpeedPicture> chart = Optional.empty();
 
     private Exercise.Form form = Exercise.Form.WRITE;
 
@@ -159,6 +169,8 @@ final class ResultPane extends JPanel {
         form = state.exercise().form();
         exercise = state.exercise().id();
         telling = telling(state.exercise());
+        if (other)
+            chart = outcome.flatMap(Outcome::speed).map(s -> chart(state.exercise().topic(), s));
         shown = outcome;
         Optional<String> chosen = toChoose(begins);
         List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
@@ -248,7 +260,10 @@ final class ResultPane extends JPanel {
         String words = smallest ? texts.text("smallest", said) : said;
         reason.setText(words.isEmpty() ? hint(chosen) : words);
         reason.setCaretPosition(0);
-        picture.show(chosen.map(TriedCase::pictures).orElse(List.of()));
+        chart.filter(one -> chosen.filter(CASE_OF_SPEED).isPresent())
+                .ifPresentOrElse(
+                        picture::show,
+                        () -> picture.show(chosen.map(TriedCase::pictures).orElse(List.of())));
         view.offer(picture.views(), picture.view());
         view.setEnabled(chosen.filter(one -> !one.pictures().isEmpty()).isPresent());
         Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
@@ -262,6 +277,10 @@ final class ResultPane extends JPanel {
                 .filter(one -> one.property().isPresent())
                 .map(Exercise.Case::name)
                 .collect(Collectors.toSet());
+    }
+
+    private SpeedPicture chart(String topic, PublishedSpeed speed) {
+        return new SpeedPicture(new SpeedChart(topic, speed, texts.language()));
     }
 
     private String hint(Optional<TriedCase> chosen) {

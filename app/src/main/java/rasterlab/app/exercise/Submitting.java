@@ -5,6 +5,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.Following;
@@ -95,7 +97,7 @@ final class Submitting {
             // Not by its name: several may be called hidden.
             Optional<PublishedCase> other = at(russian.cases(), cases.size());
             Said said = new Said(one.message(), other.map(PublishedCase::message).orElse(""));
-            cases.add(tried(one, said, pictures(one, other)));
+            cases.add(tried(one, withReason(said, one, other), pictures(one, other)));
         }
         return new Outcome(
                 source,
@@ -107,7 +109,23 @@ final class Submitting {
                 Said.of(code -> Report.isolationIn(code, english.isolation())),
                 0,
                 !submission.path("current").asBoolean(true),
-                english.points().hints());
+                english.points().hints(),
+                english.speed());
+    }
+
+    /** Below what is said, why a hidden case is there, once the server tells it. */
+    private static Said withReason(
+            Said said, PublishedCase english, Optional<PublishedCase> russian) {
+        if (english.why().isEmpty()) return said;
+        Said reason =
+                new Said(
+                        because(Language.ENGLISH, english.why()),
+                        because(Language.RUSSIAN, russian.flatMap(PublishedCase::why)));
+        return said.equals(Said.NOTHING) ? reason : said.above(reason);
+    }
+
+    private static String because(Language language, Optional<String> why) {
+        return Texts.of("exercise", language).text("why", why.orElse(""));
     }
 
     private static <T> Optional<T> at(List<T> all, int index) {

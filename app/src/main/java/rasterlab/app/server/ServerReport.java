@@ -10,9 +10,11 @@ import rasterlab.exercises.published.PublishedDiagnostic;
 import rasterlab.exercises.published.PublishedPicture;
 import rasterlab.exercises.published.PublishedPoints;
 import rasterlab.exercises.published.PublishedReport;
+import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.PublishedVerdict;
+import rasterlab.exercises.score.SpeedFigures;
 
 /** Reads the document that a grading server gives of a submission with a result. */
 public final class ServerReport {
@@ -26,7 +28,37 @@ public final class ServerReport {
                 points(submission.path("points")),
                 all(submission.path("cases"), ServerReport::judged),
                 all(submission.path("diagnostics"), ServerReport::diagnostic),
-                text(submission, "isolation"));
+                text(submission, "isolation"),
+                Optional.of(submission.path("speed"))
+                        .filter(JsonNode::isObject)
+                        .flatMap(ServerReport::speed));
+    }
+
+    /** Empty where the figures cannot be used: they are shown beside the result, not in it. */
+    private static Optional<PublishedSpeed> speed(JsonNode speed) {
+        try {
+            return Optional.of(
+                    new PublishedSpeed(
+                            new SpeedFigures(
+                                    speed.path("nanos").asDouble(),
+                                    speed.path("reference").asDouble(),
+                                    error(speed),
+                                    all(speed.path("methods"), ServerReport::method)),
+                            text(speed, "item"),
+                            text(speed, "errorUnit"),
+                            speed.path("fullUpTo").asDouble(),
+                            speed.path("noneAbove").asDouble()));
+        } catch (IllegalArgumentException misfit) {
+            return Optional.empty();
+        }
+    }
+
+    private static SpeedFigures.Method method(JsonNode one) {
+        return new SpeedFigures.Method(text(one, "name"), one.path("ratio").asDouble(), error(one));
+    }
+
+    private static double error(JsonNode of) {
+        return of.path("error").asDouble(Double.POSITIVE_INFINITY);
     }
 
     private static PublishedPoints points(JsonNode points) {
@@ -53,7 +85,8 @@ public final class ServerReport {
                 text(one, "message"),
                 Optional.ofNullable(one.path("place").textValue()),
                 all(one.path("pictures"), ServerReport::picture),
-                one.path("scene").isObject() ? one.path("scene").toString() : "");
+                one.path("scene").isObject() ? one.path("scene").toString() : "",
+                Optional.ofNullable(one.path("why").textValue()));
     }
 
     private static PublishedPicture picture(JsonNode one) {

@@ -84,7 +84,7 @@ public final class StudyChart {
     }
 
     /** A title in the middle over the plot must not end outside the chart. */
-    private static void fitTitle(XYChart chart, int width, Graphics2D graphics) {
+    static void fitTitle(XYChart chart, int width, Graphics2D graphics) {
         XYStyler styler = chart.getStyler();
         Font font = styler.getChartTitleFont();
         int wide = graphics.getFontMetrics(font).stringWidth(chart.getTitle());
@@ -97,6 +97,16 @@ public final class StudyChart {
     }
 
     static XYChart chart(Study study, StudyWords words, ChartLook paper) {
+        return chart(study, words, paper, point -> words.size(study, point));
+    }
+
+    /**
+     * The chart with words beside the first and the last point of each line.
+     *
+     * @param beside what these are
+     */
+    static XYChart chart(
+            Study study, StudyWords words, ChartLook paper, Function<Measurement, String> beside) {
         var costs = CostAxis.over(points(study));
         var errors = ErrorAxis.over(points(study));
         var sizes = new SizeLabels(paper.ground());
@@ -110,7 +120,7 @@ public final class StudyChart {
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
                                 add(chart, words.called(method), look, line, errors);
-                                label(sizes, look, line, errors, point -> words.size(study, point));
+                                label(sizes, look, line, errors, beside);
                             }
                         });
         sizes.avoidEdge(errors.border());

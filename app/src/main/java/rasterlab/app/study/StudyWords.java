@@ -89,6 +89,23 @@ public final class StudyWords {
         return texts.text("chart.cost.brief", item(study));
     }
 
+    /** For times that are multiples of the reference's. */
+    String ratioAxis(Study study) {
+        return texts.text("chart.ratio", item(study));
+    }
+
+    /** A method with its time and its error. */
+    String point(Measurement point) {
+        double error = point.error().worst();
+        return texts.text(
+                "chart.point",
+                called(point.method()),
+                String.format(locale(), "%.2f", point.cost().medianNanos()),
+                error == 0
+                        ? exact()
+                        : Double.isFinite(error) ? String.format(locale(), "%.3g", error) : "∞");
+    }
+
     String errorAxis(Study study) {
         return texts.text("chart.error", errorUnit(study));
     }

@@ -14,8 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.server.FakeServer;
+import rasterlab.exercises.score.SpeedFigures;
 
-/** Pictures of what was handed in, as a server gives them. */
+/** Pictures, reasons and figures of what was handed in, as a server gives them. */
 @Tag("slow")
 @Timeout(300)
 class SubmittedPicturesTest {
@@ -74,6 +75,39 @@ class SubmittedPicturesTest {
             server.on("GET /api/v1/difference.png", 200, "x");
             trial.model.submit();
             assertEquals(Optional.empty(), trial.awaitEnd().outcome());
+        }
+    }
+
+    @Test
+    @DisplayName("what the deadline opened, or the point on the chart, is lost on the way")
+    void whatTheServerTellsBesideTheVerdictIsTakenOver() throws Exception {
+        try (var server = SubmittingTest.server();
+                var trial = joined(server)) {
+            String speed =
+                    "{\"ratio\":1.25,\"nanos\":2.5,\"reference\":2,\"error\":null,\"fullUpTo\":1.5,"
+                            + "\"noneAbove\":8,\"item\":\"pixel\",\"errorUnit\":\"pixels\","
+                            + "\"methods\":[{\"name\":\"dda\",\"ratio\":3,\"error\":0.5}]}";
+            String done =
+                    SubmittingTest.DONE.replace(
+                            "\"scene\":null", "\"scene\":null,\"why\":\"it is rare\"");
+            server.on(
+                    SubmittingTest.RESULT,
+                    200,
+                    done.replaceFirst("[{]", "{\"speed\":" + speed + ","));
+            trial.model.submit();
+            Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals(
+                    new Said(
+                            "pixel (1, 2) is missing\nWhy this case is there: it is rare.",
+                            "pixel (1, 2) is missing\nЗачем этот тест: it is rare."),
+                    outcome.cases().get(0).said());
+            assertEquals(
+                    new SpeedFigures(
+                            2.5,
+                            2,
+                            Double.POSITIVE_INFINITY,
+                            List.of(new SpeedFigures.Method("dda", 3, 0.5))),
+                    outcome.speed().orElseThrow().figures());
         }
     }
 }

@@ -237,11 +237,11 @@ public final class NewFolder {
         drawn.set("title", both("random inputs", "случайные данные"));
         drawn.put("group", "ordinary")
                 .put("kind", "accuracy")
-                .put("visibility", "verdict-only")
+                .put("visibility", "after-deadline")
                 .put("points", hiddenAccuracy());
         drawn.putObject("generate").put("count", 1).set("given", given());
         cases.add(drawn);
-        cases.addAll(cases(names, "stability", "verdict-only", STABILITY));
+        cases.addAll(cases(names, "stability", "after-deadline", STABILITY));
         return cases;
     }
 

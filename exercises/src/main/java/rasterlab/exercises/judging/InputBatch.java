@@ -42,6 +42,11 @@ final class InputBatch<C, I, O> implements Timing {
     }
 
     @Override
+    public long spent(int input, Object method) {
+        return grading.topic().spend(grading.whole(method), inputs.get(input));
+    }
+
+    @Override
     public int mostItems() {
         return grading.topic().mostItems();
     }

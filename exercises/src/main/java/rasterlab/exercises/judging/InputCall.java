@@ -4,7 +4,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
+import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -115,6 +117,16 @@ final class InputCall<C, I, O> implements Call {
         } catch (IllegalArgumentException refused) {
             return false;
         }
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // recorded by this class
+    public OptionalDouble error(Object output) {
+        if (demand.cut()) return OptionalDouble.empty();
+        O actual = (O) output;
+        Deviation deviation = topic().compare(input, right(actual), actual);
+        boolean told = deviation.worst() > 0 || topic().correct(deviation);
+        return OptionalDouble.of(told ? deviation.worst() : Double.POSITIVE_INFINITY);
     }
 
     private O truth(int most) {

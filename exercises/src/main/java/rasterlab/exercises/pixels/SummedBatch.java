@@ -68,6 +68,12 @@ final class SummedBatch<C, I> implements Timing {
     }
 
     @Override
+    @SuppressWarnings("unchecked") // the caller has it from this topic's contract
+    public long spent(int input, Object method) {
+        return topic.spend((C) method, inputs.get(input).input());
+    }
+
+    @Override
     public int mostItems() {
         return (int) topic.mostBeforeEndless(longest);
     }

@@ -17,6 +17,8 @@ import rasterlab.exercises.score.PublishedVerdict;
  * @param place in the answer that the message tells in words, as a path of its JSON; empty where it
  *     tells none
  * @param scene the case as a scene file; "" where there is none
+ * @param why the case is there, of a hidden one that may be seen whole; empty where that is not
+ *     told
  */
 public record PublishedCase(
         String name,
@@ -28,7 +30,8 @@ public record PublishedCase(
         String message,
         Optional<String> place,
         List<PublishedPicture> pictures,
-        String scene)
+        String scene,
+        Optional<String> why)
         implements PublishedPart {
     public PublishedCase {
         pictures = List.copyOf(pictures);
@@ -55,7 +58,28 @@ public record PublishedCase(
                 judged.pictures().stream()
                         .map(one -> PublishedPicture.of(one, language, url.apply(one)))
                         .toList(),
-                judged.scene());
+                judged.scene(),
+                Optional.empty());
+    }
+
+    /**
+     * The same with the reason why the case is there.
+     *
+     * @param reason in the language of the other words
+     */
+    public PublishedCase because(String reason) {
+        return new PublishedCase(
+                name,
+                title,
+                visibility,
+                verdict,
+                points,
+                of,
+                message,
+                place,
+                pictures,
+                scene,
+                Optional.of(reason));
     }
 
     @Override
@@ -76,6 +100,7 @@ public record PublishedCase(
         out.writeFieldName("scene");
         if (scene.isEmpty()) out.writeNull();
         else out.writeRawValue(scene.strip());
+        if (why.isPresent()) out.writeStringField("why", why.get());
         out.writeEndObject();
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.exercises.published;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CasePicture;
@@ -14,6 +15,7 @@ import rasterlab.exercises.score.Report;
  * concern the exercise and the report.
  *
  * @param verdict its code
+ * @param speed the point on the topic's chart; empty where no speed was measured
  */
 public record PublishedReport(
         String exercise,
@@ -22,7 +24,8 @@ public record PublishedReport(
         PublishedPoints points,
         List<PublishedCase> cases,
         List<PublishedDiagnostic> diagnostics,
-        String isolation)
+        String isolation,
+        Optional<PublishedSpeed> speed)
         implements PublishedPart {
     public PublishedReport {
         cases = List.copyOf(cases);
@@ -57,7 +60,8 @@ public record PublishedReport(
                 report.diagnostics().stream()
                         .map(one -> PublishedDiagnostic.of(one, language))
                         .toList(),
-                report.isolation());
+                report.isolation(),
+                report.figures().map(one -> PublishedSpeed.of(exercise.topic(), one)));
     }
 
     @Override
@@ -75,6 +79,9 @@ public record PublishedReport(
         for (PublishedDiagnostic one : diagnostics) one.write(out);
         out.writeEndArray();
         out.writeStringField("isolation", isolation);
+        out.writeFieldName("speed");
+        if (speed.isPresent()) speed.get().write(out);
+        else out.writeNull();
         out.writeEndObject();
     }
 }

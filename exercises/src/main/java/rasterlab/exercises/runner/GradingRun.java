@@ -26,6 +26,7 @@ import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.SpeedFigures;
 import rasterlab.exercises.score.SpeedPoints;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -43,6 +44,7 @@ final class GradingRun {
     private final Models models;
     private boolean tried;
     private boolean again;
+    private Optional<SpeedFigures> figures = Optional.empty();
 
     GradingRun(
             JudgeSettings settings,
@@ -81,6 +83,7 @@ final class GradingRun {
     Report run(Children children, Compiling compiling) throws ChildLost, InterruptedException {
         again = tried;
         tried = true;
+        figures = Optional.empty();
         TimeLimit limit = settings.patience().limit(settings.compileLimit());
         Compilation compiled = compiling.compile(children, source, limit);
         if (compiled.verdict() != GradingVerdict.OK)
@@ -126,7 +129,7 @@ final class GradingRun {
         if (!shared.isEmpty()) said.add(new Diagnostic(0, 0, shared));
         said.addAll(cases.printed());
         double nanos = speed.unsettled() ? 0 : speed.nanosPerPixel();
-        return sheet.graded(reports, marking.withheld(), speedReport, said, nanos);
+        return sheet.graded(reports, marking.withheld(), speedReport, said, nanos).with(figures);
     }
 
     /** The first case tells why the method cannot be loaded. */
@@ -205,7 +208,10 @@ final class GradingRun {
             if (model.isEmpty()) return SpeedTrial.Outcome.none(SpeedTrial.UNSETTLED);
             try (Student reference =
                     student(model.get().entry(), model.get().classes(), children)) {
-                return trial(student, reference, before, marking).measure();
+                SpeedTrial trial = trial(student, reference, before, marking);
+                SpeedTrial.Outcome outcome = trial.measure();
+                figures = figures(outcome, trial, model.get(), marking);
+                return outcome;
             }
         } catch (ChildLost lost) {
             if (lost.isOursToRepeat(again)) throw lost;
@@ -228,5 +234,11 @@ final class GradingRun {
                 before,
                 marking.charged(),
                 settings.patience());
+    }
+
+    private Optional<SpeedFigures> figures(
+            SpeedTrial.Outcome speed, SpeedTrial trial, Models.Model model, Marking marking) {
+        var run = new FiguresRun(exercise, topic, models);
+        return trial.last().flatMap(timing -> run.of(speed, timing, model, marking.cases()));
     }
 }

@@ -18,6 +18,8 @@ final class Models {
     private static final System.Logger LOG = System.getLogger(Models.class.getName());
 
     private final Map<String, Optional<Model>> compiled = new ConcurrentHashMap<>();
+    private final Map<String, Object> instances = new ConcurrentHashMap<>();
+    private final Classics classics = new Classics();
 
     /**
      * A compiled class.
@@ -26,6 +28,11 @@ final class Models {
      * @param classes binary name to class file
      */
     record Model(String entry, Map<String, byte[]> classes) {}
+
+    /** The topic's methods to show beside a student's. */
+    Classics classics() {
+        return classics;
+    }
 
     /** The exercise's; empty where it is none, which is no fault of a student's. */
     Optional<Model> of(
@@ -38,6 +45,25 @@ final class Models {
         Optional<Model> made = compiled(exercise.id(), source, topic, children, settings);
         compiled.put(source, made);
         return made;
+    }
+
+    /**
+     * A method of that model in this process, the same one each time, so that Java knows it after a
+     * while.
+     */
+    Object instance(Exercise exercise, TopicGrading topic, Model model) {
+        return exercise.evidence()
+                .model()
+                .map(
+                        source ->
+                                instances.computeIfAbsent(
+                                        source,
+                                        made ->
+                                                OwnLoader.instance(
+                                                        model.entry(),
+                                                        model.classes(),
+                                                        topic.contract())))
+                .orElseGet(topic::right);
     }
 
     private static Model own(Class<?> method) {

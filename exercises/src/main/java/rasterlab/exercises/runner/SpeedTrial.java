@@ -41,6 +41,7 @@ final class SpeedTrial {
     private final Pace theirs = new Pace();
     private final Pace ours = new Pace();
     private boolean printed;
+    private Optional<TopicGrading.Timing> last = Optional.empty();
 
     /**
      * @param caps limits of a call that the exercise states
@@ -126,6 +127,11 @@ final class SpeedTrial {
         return Outcome.none(obstacle(timing, reply).orElse(UNSETTLED));
     }
 
+    /** The last inputs that both were timed on; empty before there were any. */
+    Optional<TopicGrading.Timing> last() {
+        return last;
+    }
+
     private boolean isSettled() {
         return ours.isRepeated() && theirs.isCredibleBeside(ours);
     }
@@ -143,6 +149,7 @@ final class SpeedTrial {
         long start = System.nanoTime();
         for (int round = 1; round <= LEAST_ROUNDS || !theirs.isSettledBeside(ours); round++) {
             TopicGrading.Timing timing = timings.next();
+            last = Optional.of(timing);
             TimedBatch batch = new TimedBatch(contract, timing, caps);
             StudentRun.Timed reply = student.run().time(batch);
             Optional<Message> obstacle = obstacle(timing, reply);

@@ -27,7 +27,7 @@ public record CaseReport(
     static final String HIDDEN = "hidden";
 
     /** The name of the line on speed, which is no case of the exercise. */
-    static final String SPEED = "speed";
+    public static final String SPEED = "speed";
 
     /** The name of the line that takes off what public cases do not pay. */
     private static final String WITHHELD = "withheld";

@@ -48,7 +48,13 @@ public record Message(List<Sentence> sentences) {
 
     /** The texts whose places may hold keys of others, on a mistake or a property. */
     private static final Set<String> WITHIN =
-            Set.of("known-mistake", "property.broken", "property.held", "property.assumes");
+            Set.of(
+                    "known-mistake",
+                    "why.mistake",
+                    "why.mistakes",
+                    "property.broken",
+                    "property.held",
+                    "property.assumes");
 
     /** The beginning of the keys of texts on a place in an answer, which stands first in them. */
     private static final String AT = "answer.at";

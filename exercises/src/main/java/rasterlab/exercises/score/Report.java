@@ -11,6 +11,7 @@ import java.util.Optional;
  * @param isolation how the method was shut in, such as "bubblewrap" or "process limits only", for
  *     the result page
  * @param nanosPerItem measured cost per item, 0 where not measured
+ * @param figures that cost beside those of the topic's methods; empty where not measured
  */
 public record Report(
         GradingVerdict verdict,
@@ -18,7 +19,8 @@ public record Report(
         List<CaseReport> cases,
         List<Diagnostic> diagnostics,
         String isolation,
-        double nanosPerItem) {
+        double nanosPerItem,
+        Optional<SpeedFigures> figures) {
     /** Names of what shuts a method in, as they are stored. */
     public static final String BUBBLEWRAP = "bubblewrap";
 
@@ -27,6 +29,22 @@ public record Report(
     public Report {
         cases = List.copyOf(cases);
         diagnostics = List.copyOf(diagnostics);
+    }
+
+    /** A report without figures. */
+    public Report(
+            GradingVerdict verdict,
+            Points points,
+            List<CaseReport> cases,
+            List<Diagnostic> diagnostics,
+            String isolation,
+            double nanosPerItem) {
+        this(verdict, points, cases, diagnostics, isolation, nanosPerItem, Optional.empty());
+    }
+
+    /** The same with figures on its speed. */
+    public Report with(Optional<SpeedFigures> measured) {
+        return new Report(verdict, points, cases, diagnostics, isolation, nanosPerItem, measured);
     }
 
     /** Its line on speed; empty where nothing was run. */
@@ -71,6 +89,7 @@ public record Report(
                 cases.stream().map(one -> one.forStudent(afterDeadline)).toList(),
                 diagnostics,
                 isolation,
-                nanosPerItem);
+                nanosPerItem,
+                figures);
     }
 }

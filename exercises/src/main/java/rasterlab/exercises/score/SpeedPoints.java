@@ -105,6 +105,16 @@ public final class SpeedPoints {
                 printingCost ? said.and(Message.of("speed.printing")) : said);
     }
 
+    /** The largest ratio that earns all points. */
+    public static double fullUpTo() {
+        return BANDS.get(0).upTo();
+    }
+
+    /** The ratio above which there are no points. */
+    public static double noneAbove() {
+        return BANDS.get(BANDS.size() - 1).upTo();
+    }
+
     private static String limit(Band band) {
         return BigDecimal.valueOf(band.upTo()).stripTrailingZeros().toPlainString();
     }

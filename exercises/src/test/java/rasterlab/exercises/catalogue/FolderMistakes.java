@@ -291,7 +291,7 @@ final class FolderMistakes {
                 argumentSet(
                         "generated case shown",
                         "hidden-cases.json",
-                        "verdict-only",
+                        "after-deadline",
                         "open",
                         "field 'visibility' must not be open"));
     }

@@ -1,0 +1,75 @@
+package rasterlab.exercises.published;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
+import rasterlab.exercises.score.SpeedFigures;
+import rasterlab.exercises.score.SpeedPoints;
+
+/**
+ * A student's point on the topic's chart of speed and accuracy, and those of the topic's methods.
+ *
+ * @param item what the times are per, in English and the singular
+ * @param errorUnit the unit of errors, in English
+ * @param fullUpTo the largest ratio that earns all points
+ * @param noneAbove the ratio above which there are none
+ */
+public record PublishedSpeed(
+        SpeedFigures figures, String item, String errorUnit, double fullUpTo, double noneAbove)
+        implements PublishedPart {
+    private static final MathContext DIGITS = new MathContext(4);
+
+    /** The figures of a method of that topic. */
+    public static PublishedSpeed of(String topic, SpeedFigures figures) {
+        Topic<?, ?, ?> named = Topics.named(topic);
+        return new PublishedSpeed(
+                figures,
+                named.item(),
+                named.errorUnit(),
+                SpeedPoints.fullUpTo(),
+                SpeedPoints.noneAbove());
+    }
+
+    /** All names of methods, as the figures have them. */
+    public List<SpeedFigures.Method> methods() {
+        return figures.methods();
+    }
+
+    @Override
+    public void write(JsonGenerator out) throws IOException {
+        out.writeStartObject();
+        out.writeNumberField("ratio", rounded(figures.ratio()));
+        out.writeNumberField("nanos", rounded(figures.nanos()));
+        out.writeNumberField("reference", rounded(figures.reference()));
+        write(out, figures.error());
+        out.writeNumberField("fullUpTo", rounded(fullUpTo));
+        out.writeNumberField("noneAbove", rounded(noneAbove));
+        out.writeStringField("item", item);
+        out.writeStringField("errorUnit", errorUnit);
+        out.writeArrayFieldStart("methods");
+        for (SpeedFigures.Method one : figures.methods()) {
+            out.writeStartObject();
+            out.writeStringField("name", one.name());
+            out.writeNumberField("ratio", rounded(one.ratio()));
+            write(out, one.error());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+        out.writeEndObject();
+    }
+
+    /** JSON has no number without end. */
+    private static void write(JsonGenerator out, double error) throws IOException {
+        if (Double.isFinite(error)) out.writeNumberField("error", rounded(error));
+        else out.writeNullField("error");
+    }
+
+    private static BigDecimal rounded(double number) {
+        BigDecimal few = BigDecimal.valueOf(number).round(DIGITS).stripTrailingZeros();
+        return few.scale() < 0 ? few.setScale(0) : few;
+    }
+}

@@ -1,0 +1,79 @@
+package rasterlab.exercises.runner;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.TopicGrading.Call;
+import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.SpeedFigures;
+
+/** Puts a student's speed and error beside those of the topic's methods. */
+final class FiguresRun {
+    private final Exercise exercise;
+    private final TopicGrading topic;
+    private final Models models;
+
+    FiguresRun(Exercise exercise, TopicGrading topic, Models models) {
+        this.exercise = exercise;
+        this.topic = topic;
+        this.models = models;
+    }
+
+    /**
+     * The figures; empty where nothing was measured.
+     *
+     * @param timing what was timed last
+     * @param cases what the student answered
+     */
+    Optional<SpeedFigures> of(
+            SpeedTrial.Outcome speed,
+            TopicGrading.Timing timing,
+            Models.Model model,
+            List<TriedCase> cases) {
+        List<TriedCall> judged =
+                cases.stream()
+                        .filter(FiguresRun::counts)
+                        .flatMap(tried -> tried.calls().stream())
+                        .toList();
+        OptionalDouble error = error(judged);
+        if (!speed.isKnown() || !speed.obstacle().isEmpty() || error.isEmpty())
+            return Optional.empty();
+        List<Call> calls = judged.stream().map(TriedCall::call).toList();
+        Object reference = models.instance(exercise, topic, model);
+        return Optional.of(
+                new SpeedFigures(
+                        speed.nanosPerPixel(),
+                        speed.reference(),
+                        error.getAsDouble(),
+                        models.classics().beside(exercise, topic, timing, reference, calls)));
+    }
+
+    /** What hidden cases found is not told, and hazards ask for more than accuracy. */
+    private static boolean counts(TriedCase tried) {
+        return tried.one().kind() == Kind.ACCURACY && tried.one().visibility() == Disclosure.OPEN;
+    }
+
+    private static OptionalDouble error(List<TriedCall> calls) {
+        return calls.stream()
+                .map(FiguresRun::error)
+                .filter(OptionalDouble::isPresent)
+                .mapToDouble(OptionalDouble::getAsDouble)
+                .max();
+    }
+
+    private static OptionalDouble error(TriedCall tried) {
+        boolean answered =
+                tried.answer()
+                        .filter(one -> one.ending() == Answer.Ending.RETURNED)
+                        .filter(one -> one.output().isPresent())
+                        .isPresent();
+        if (answered) return tried.call().error(tried.answer().get().output().get());
+        return OptionalDouble.of(Double.POSITIVE_INFINITY);
+    }
+}

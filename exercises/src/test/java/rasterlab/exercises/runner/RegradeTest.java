@@ -1,0 +1,88 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Report;
+
+/**
+ * Grading again what was handed in gives the same verdicts and points: 20 programs 50 times with
+ * {@code -Drasterlab.full=true}. Only the time that was measured may be another one.
+ */
+@Tag("slow")
+class RegradeTest {
+    private static final Path PROGRAMS = Path.of("src/test/resources/rasterlab/exercises/programs");
+    private static final boolean FULL = Boolean.getBoolean("rasterlab.full");
+    private static final int SUBMISSIONS = FULL ? 20 : 3;
+    private static final int TIMES = FULL ? 50 : 2;
+
+    /** Evenly out of all, those that are right and those that are not. */
+    private static List<Path> programs() throws IOException {
+        try (Stream<Path> files = Files.walk(PROGRAMS)) {
+            List<Path> all = files.filter(Files::isRegularFile).sorted().toList();
+            List<Path> some = new ArrayList<>();
+            for (int i = 0; i < SUBMISSIONS; i++) some.add(all.get(i * all.size() / SUBMISSIONS));
+            return some;
+        }
+    }
+
+    @Test
+    void gradingAgainGivesTheSame() throws Exception {
+        List<String> differing = new ArrayList<>();
+        List<Path> programs = programs();
+        try (Judge judge = Judge.start(JudgeSettings.defaults())) {
+            List<String> first = new ArrayList<>();
+            for (Path one : programs) first.add(graded(judge, one, first.size()));
+            for (int time = 1; time < TIMES; time++)
+                for (int i = 0; i < programs.size(); i++) {
+                    String again = graded(judge, programs.get(i), i);
+                    if (!again.equals(first.get(i)))
+                        differing.add(
+                                programs.get(i)
+                                        + ", time "
+                                        + time
+                                        + ":\n"
+                                        + first.get(i)
+                                        + "\n"
+                                        + again);
+                }
+        }
+        assertEquals(List.of(), differing);
+    }
+
+    private static String graded(Judge judge, Path program, long seed)
+            throws IOException, InterruptedException {
+        String id = PROGRAMS.relativize(program).getName(0).toString();
+        Exercise exercise = Catalogue.builtIn().named(id);
+        String source = Files.readString(program);
+        Report report = judge.grade(exercise, source, CaseSelection.all(seed), done -> {});
+        List<String> lines = new ArrayList<>();
+        lines.add(report.verdict() + " " + report.points());
+        for (CaseReport one : report.cases()) lines.add(line(one));
+        report.diagnostics().forEach(one -> lines.add(one.message("en")));
+        return String.join("\n", lines);
+    }
+
+    /** Of speed the points alone: a busy machine may not let it be measured, at the same points. */
+    private static String line(CaseReport one) {
+        boolean speed = one.name().equals(CaseReport.SPEED);
+        return one.name()
+                + " "
+                + one.points()
+                + Optional.of(" " + one.verdict() + " " + one.message())
+                        .filter(said -> !speed)
+                        .orElse("");
+    }
+}

@@ -1,0 +1,62 @@
+package rasterlab.exercises.topic;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.Message;
+
+/** Each hidden case has a sentence on why it is there, and the mistake in it is one it catches. */
+class CaseReasonsTest {
+    private static final Catalogue CATALOGUE = Catalogue.builtIn();
+
+    static Stream<String> written() {
+        return CATALOGUE.all().stream()
+                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .map(Exercise::id);
+    }
+
+    @ParameterizedTest(name = "a hidden case of {0} has no reason, or one in English only")
+    @MethodSource("written")
+    void everyHiddenCaseHasAReason(String id) {
+        Exercise exercise = CATALOGUE.named(id);
+        var reasons = new CaseReasons(exercise);
+        List<Exercise.Case> hidden =
+                exercise.cases().stream()
+                        .filter(one -> one.visibility() != Disclosure.OPEN)
+                        .toList();
+        assertFalse(hidden.isEmpty());
+        int naming = 0;
+        for (Exercise.Case one : hidden) {
+            Message why = reasons.of(one.name());
+            assertTrue(why.in("ru").matches("[а-яё].*"), one.name() + ": " + why.in("ru"));
+            assertFalse(why.in("ru").contains("mutant."), why.in("ru"));
+            if (why.sentences().size() > 1) naming++;
+        }
+        assertTrue(naming > 0, "no case names a mistake");
+    }
+
+    @ParameterizedTest(name = "the reason of {1} does not name its mistake")
+    @CsvSource({
+        "triangulate, random-clockwise, it draws its inputs anew",
+        "triangulate, small-units, an area below an absolute ε counts as none",
+    })
+    void caseNamesTheMistakeThatFewOthersCatch(String id, String name, String said) {
+        String why = new CaseReasons(CATALOGUE.named(id)).of(name).in("en");
+        assertTrue(why.contains(said), why);
+    }
+
+    @Test
+    void aCaseThatIsNotThereHasNoReason() {
+        assertEquals(Message.NONE, new CaseReasons(CATALOGUE.named("triangulate")).of("none"));
+    }
+}
