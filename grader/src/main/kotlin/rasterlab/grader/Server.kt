@@ -89,7 +89,7 @@ class Server(
     private val live = Live()
     private val submissions = Submissions(database)
     private val reports = Reports(database)
-    private val results = Results(submissions, reports, live, exercises)
+    private val results = Results(submissions, reports, live, exercises, deadlines, clock)
     private val intake = Intake(database, settings.intake, clock)
     private val sheets = Sheets(database)
     private val hints = Hints(database, clock)
@@ -111,6 +111,7 @@ class Server(
             results,
             live,
             isolation,
+            clock,
         )
 
     /** Begins to grade what waits. */

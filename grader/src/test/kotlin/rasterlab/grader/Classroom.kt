@@ -40,6 +40,7 @@ import rasterlab.grader.storage.Database
 import java.net.InetAddress
 import java.net.InetSocketAddress
 import java.nio.file.Path
+import java.time.InstantSource
 import java.util.Optional
 
 /** A server on a real SQLite file in [folder], graded by [grading]. */
@@ -57,6 +58,7 @@ class Classroom(
     private val settings: ServerSettings = ServerSettings(),
     private val exercise: Exercise = EXERCISE,
     private val kept: (String, String) -> Exercise? = { _, _ -> null },
+    private val clock: InstantSource = InstantSource.system(),
 ) {
     val file: Path = folder.resolve("test.db")
 
@@ -83,7 +85,7 @@ class Classroom(
 
     private fun serve(use: (Server, Database, String) -> Unit) =
         Database.open(file).use { database ->
-            Server(database, Exercises(listOf(exercise), kept), grading, ISOLATION, settings).use { server ->
+            Server(database, Exercises(listOf(exercise), kept), grading, ISOLATION, settings, clock).use { server ->
                 val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
                 server.accounts.instructorAnnounced()
                 use(server, database, token)

@@ -11,8 +11,12 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
 import java.time.Instant
 import java.time.format.DateTimeParseException
+import kotlin.jvm.optionals.getOrNull
 
-/** Until when a course's students are to hand in. What comes later is graded all the same. */
+/**
+ * Until when a course's students are to hand in. What comes later is graded all the same, and marked as late; and
+ * what hidden cases found is shown with everything from then on.
+ */
 class Deadlines(
     private val database: Database,
 ) {
@@ -29,6 +33,25 @@ class Deadlines(
                 .map { row, _ -> row.getString("exercise") to Instant.parse(row.getString("due_at")) }
                 .list()
                 .toMap()
+        }
+
+    /** That of an exercise in the course of a student, or null where there is none. */
+    fun of(
+        student: String,
+        exercise: String,
+    ): Instant? =
+        database.read { handle ->
+            handle
+                .createQuery(
+                    """SELECT due_at FROM deadlines
+                       WHERE exercise = :exercise
+                           AND course_id = (SELECT course_id FROM students WHERE id = :student)""",
+                ).bind("student", student)
+                .bind("exercise", exercise)
+                .mapTo(String::class.java)
+                .findOne()
+                .map { Instant.parse(it) }
+                .getOrNull()
         }
 
     /**

@@ -11,8 +11,10 @@ import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import rasterlab.exercises.Exercise
+import rasterlab.exercises.published.PublishedSpeed
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
+import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
@@ -23,6 +25,7 @@ import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submission
 import rasterlab.grader.submission.Submissions
+import java.time.InstantSource
 import kotlin.jvm.optionals.getOrNull
 
 /** Ends the name of a picture. */
@@ -34,7 +37,11 @@ class Results(
     private val reports: Reports,
     private val live: Live,
     private val exercises: Exercises,
+    private val deadlines: Deadlines,
+    private val clock: InstantSource,
 ) {
+    private val reasons = Reasons()
+
     /** @param language of the messages and of the cases' titles, "en" or "ru" */
     fun view(
         who: Identity,
@@ -46,10 +53,28 @@ class Results(
         val revision = recorded?.revision ?: submission.revision
         val exercise = exercises.at(submission.exercise, revision)
         val against = GradedAgainst(revision, exercises.isCurrent(submission.exercise, revision))
-        return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, language) { name ->
-            exercise?.caseTitle(name, language) ?: name
+        val due = due(submission)
+        val words =
+            CaseWords(
+                language,
+                title = { exercise?.caseTitle(it.name(), language) ?: it.name() },
+                reason = { case ->
+                    exercise
+                        ?.takeIf { recorded != null && case.isOpenTo(who, due) }
+                        ?.let { reasons.of(it, case.name(), language) }
+                },
+            )
+        return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, due, words) {
+            exercise?.let { known -> PublishedSpeed.of(known.topic(), it) }
         }
     }
+
+    private fun due(submission: Submission) =
+        Due.of(
+            deadlines.of(submission.student, submission.exercise),
+            submission.receivedAt,
+            clock.instant(),
+        )
 
     /** @param picture its kind with [PNG] behind it, such as "difference.png" */
     fun picture(
@@ -97,9 +122,9 @@ class Results(
         who: Identity,
         id: String,
     ): List<CaseReport> {
-        submissions.seenBy(who, id)
-        val recorded = reports.of(id)?.report?.seenBy(who)
-        return recorded?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
+        val due = due(submissions.seenBy(who, id))
+        val recorded = reports.of(id)?.report?.seenBy(who, due)
+        return recorded?.cases() ?: live.casesOf(id).map { it.seenBy(who, due) }
     }
 }
 

@@ -15,17 +15,23 @@ import rasterlab.exercises.published.PublishedCase
 import rasterlab.exercises.published.PublishedDiagnostic
 import rasterlab.exercises.published.PublishedPart
 import rasterlab.exercises.published.PublishedPoints
+import rasterlab.exercises.published.PublishedSpeed
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.SpeedFigures
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Recorded
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
+import java.time.Instant
+import kotlin.jvm.optionals.getOrNull
 
 /**
  * @param revision of the exercise that it was or will be graded against
  * @param current whether that is the exercise as it is now
+ * @param late whether it was handed in after the deadline
+ * @param opened whether the deadline has passed, so that hidden cases answer with everything
  */
 @Serializable
 data class SubmissionView(
@@ -47,14 +53,47 @@ data class SubmissionView(
         PublishedDiagnostic,
     >,
     val isolation: String?,
+    @Serializable(with = SpeedAsPublished::class) val speed: PublishedSpeed?,
     val receivedAt: String,
     val gradedAt: String?,
+    val deadline: String?,
+    val late: Boolean,
+    val opened: Boolean,
 )
 
 /** @param current whether that revision is the exercise as it is now */
 class GradedAgainst(
     val revision: String,
     val current: Boolean,
+)
+
+/**
+ * What the deadline means for a submission.
+ *
+ * @param at the deadline, or null where there is none
+ * @param late whether it was handed in after it
+ * @param passed whether it has passed by now, so that hidden cases answer with everything
+ */
+class Due(
+    val at: Instant?,
+    val late: Boolean,
+    val passed: Boolean,
+) {
+    companion object {
+        /** A submission of the exact moment is in time. */
+        fun of(
+            at: Instant?,
+            receivedAt: Instant,
+            now: Instant,
+        ) = Due(at, late = at != null && receivedAt > at, passed = at != null && now > at)
+    }
+}
+
+/** What is said beside a case, in one language. */
+class CaseWords(
+    val language: String,
+    val title: (CaseReport) -> String,
+    val reason: (CaseReport) -> String?,
 )
 
 /** A part of a published report in our JSON, as it writes itself. */
@@ -72,20 +111,27 @@ abstract class AsPublished<T : PublishedPart> : KSerializer<T> {
 
 object PointsAsPublished : AsPublished<PublishedPoints>()
 
+object SpeedAsPublished : AsPublished<PublishedSpeed>()
+
 object CaseAsPublished : AsPublished<PublishedCase>()
 
 object DiagnosticAsPublished : AsPublished<PublishedDiagnostic>()
 
-/** What is left of a report for these eyes. Deadlines cannot be set yet, so none has passed. */
-fun Report.seenBy(who: Identity): Report = if (who is Identity.Student) forStudent(false) else this
+/** What is left of a report for these eyes. */
+fun Report.seenBy(
+    who: Identity,
+    due: Due,
+): Report = if (who is Identity.Student) forStudent(due.passed) else this
 
-fun CaseReport.seenBy(who: Identity): CaseReport = if (who is Identity.Student) forStudent(false) else this
+fun CaseReport.seenBy(
+    who: Identity,
+    due: Due,
+): CaseReport = if (who is Identity.Student) forStudent(due.passed) else this
 
 /**
  * @param recorded with nothing hidden; null as long as there is no result
  * @param against what the result was, or will be, graded against
- * @param language of the messages
- * @param title of a case in that language, by its name
+ * @param speed puts figures on the topic's chart; null where the topic is not known any more
  */
 fun Submission.view(
     who: Identity,
@@ -93,12 +139,13 @@ fun Submission.view(
     running: List<CaseReport>,
     recorded: Recorded?,
     against: GradedAgainst,
-    language: String,
-    title: (String) -> String,
+    due: Due,
+    words: CaseWords,
+    speed: (SpeedFigures) -> PublishedSpeed?,
 ): SubmissionView {
     // Row and result are read one after the other, so a result may be there that the row does not know of yet.
-    val report = recorded?.report?.seenBy(who)
-    val cases = report?.cases() ?: running.map { it.seenBy(who) }
+    val report = recorded?.report?.seenBy(who, due)
+    val cases = report?.cases() ?: running.map { it.seenBy(who, due) }
     return SubmissionView(
         id,
         exercise,
@@ -109,19 +156,23 @@ fun Submission.view(
         if (report == null) position else 0,
         report?.verdict()?.code(),
         report?.points()?.let { PublishedPoints.of(it, hintCost) },
-        cases.map { it.view(id, language, title(it.name())) },
-        report?.diagnostics().orEmpty().map { PublishedDiagnostic.of(it, language) },
+        cases.map { it.view(id, words) },
+        report?.diagnostics().orEmpty().map { PublishedDiagnostic.of(it, words.language) },
         report?.isolation(),
+        report?.figures()?.getOrNull()?.let { speed(it) },
         receivedAt.text(),
         recorded?.gradedAt?.text(),
+        due.at?.text(),
+        due.late,
+        due.passed,
     )
 }
 
 fun CaseReport.view(
     submission: String,
-    language: String,
-    title: String,
+    words: CaseWords,
 ): PublishedCase {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
-    return PublishedCase.of(this, language, title) { "$folder/${it.kind()}.png" }
+    val case = PublishedCase.of(this, words.language, words.title(this)) { "$folder/${it.kind()}.png" }
+    return words.reason(this)?.let(case::because) ?: case
 }

@@ -12,6 +12,7 @@ import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
 import java.sql.ResultSet
 import java.time.Instant
+import java.util.Optional
 import kotlin.jvm.optionals.getOrNull
 
 /**
@@ -52,6 +53,7 @@ class Reports(
                             diagnostics(handle, submission, revision),
                             row.getString("isolation"),
                             row.getDouble("nanos_per_item"),
+                            Optional.ofNullable(SpeedRows(handle, submission, revision).of(row)),
                         ),
                         revision,
                         Instant.parse(row.getString("graded_at")),
@@ -84,6 +86,7 @@ class Reports(
             .bind("nanos", report.nanosPerItem())
             .bind("now", gradedAt.text())
             .execute()
+        SpeedRows(handle, submission, revision).replace(report.figures().getOrNull())
         for ((position, case) in report.cases().withIndex()) {
             insert(handle, submission, revision, position, case)
         }
@@ -119,6 +122,13 @@ class Reports(
             .bind("points", speed.points())
             .bind("nanos", report.nanosPerItem())
             .execute()
+        val revision =
+            handle
+                .createQuery("SELECT revision FROM results WHERE $latest")
+                .bind("id", submission)
+                .mapTo(String::class.java)
+                .one()
+        SpeedRows(handle, submission, revision).replace(report.figures().getOrNull())
     }
 
     private fun insert(

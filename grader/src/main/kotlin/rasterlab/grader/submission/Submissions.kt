@@ -12,6 +12,7 @@ import kotlin.jvm.optionals.getOrNull
  * One line of a list of submissions.
  *
  * @param revision of the exercise that it was or will be graded against
+ * @param late whether it was handed in after the deadline
  */
 data class Listed(
     val submission: Submission,
@@ -20,6 +21,7 @@ data class Listed(
     val points: Int?,
     val of: Int?,
     val revision: String,
+    val late: Boolean,
 )
 
 /** Reads submissions. */
@@ -92,9 +94,11 @@ class Submissions(
             .createQuery(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
                           s.state, s.tries, s.hint_cost, students.name AS student_name, r.verdict,
-                          r.revision AS graded_against, $NET AS total, r.points_of
+                          r.revision AS graded_against, $NET AS total, r.points_of,
+                          coalesce(s.received_at > deadlines.due_at, 0) AS late
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
+                   LEFT JOIN deadlines ON deadlines.course_id = students.course_id AND deadlines.exercise = s.exercise
                    LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
                        (SELECT max(graded_at) FROM results WHERE submission_id = s.id)
                    $condition ORDER BY s.sequence DESC LIMIT $LISTED""",
@@ -109,6 +113,7 @@ class Submissions(
                     if (graded) row.getInt("total") else null,
                     if (graded) row.getInt("points_of") else null,
                     if (graded) row.getString("graded_against") else row.getString("revision"),
+                    row.getInt("late") == 1,
                 )
             }.list()
     }

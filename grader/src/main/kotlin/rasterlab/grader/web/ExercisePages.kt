@@ -45,6 +45,7 @@ import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.receiveFields
 import rasterlab.grader.submission.sourceOf
 import java.time.Instant
+import java.time.InstantSource
 import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 
@@ -58,6 +59,7 @@ fun Route.exercisePages(
     submissions: Submissions,
     intake: Intake,
     queue: GradingQueue,
+    clock: InstantSource,
 ) {
     val formulas = Formulas()
     get("/exercises") { call.respondExercises(call.someone(accounts), exercises, deadlines, submissions) }
@@ -66,7 +68,9 @@ fun Route.exercisePages(
         val who = call.someone(accounts)
         val sheet = if (exercise.form() == Exercise.Form.PREDICT) sheets.starter(who, exercise) else ""
         val taken = if (who is Identity.Student) hints.taken(who, exercise) else emptyList()
-        call.respondExercise(who, exercises, exercise, sheet, submissions, taken, formulas)
+        val due = deadlines.of(who)[exercise.id()]
+        val stand = ExerciseStand(sheet, taken, due, over = due != null && clock.instant() > due)
+        call.respondExercise(who, exercises, exercise, stand, submissions, formulas)
     }
     get("/exercises/{id}/starter") {
         val who = call.someone(accounts)
@@ -168,13 +172,26 @@ private fun state(
     return texts.say("exercises.state.best", best, exercise.points().total())
 }
 
+/**
+ * Where somebody stands with an exercise.
+ *
+ * @param sheet that the next attempt answers; empty where there is none
+ * @param due the deadline, or null
+ * @param over whether that has passed
+ */
+private class ExerciseStand(
+    val sheet: String,
+    val taken: List<TakenHint>,
+    val due: Instant?,
+    val over: Boolean,
+)
+
 private suspend fun ApplicationCall.respondExercise(
     who: Identity,
     exercises: Exercises,
     exercise: Exercise,
-    sheet: String,
+    stand: ExerciseStand,
     submissions: Submissions,
-    taken: List<TakenHint>,
     formulas: Formulas,
 ) {
     val texts = texts()
@@ -188,6 +205,9 @@ private suspend fun ApplicationCall.respondExercise(
                 +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
             }
         }
+        stand.due?.let { due ->
+            p("plan") { +texts.say(if (stand.over) "exercise.over" else "exercise.due", UTC_MINUTE.format(due)) }
+        }
         div("columns wide") {
             article("card statement") {
                 val statement = exercise.statement(texts.language).withoutTitle()
@@ -199,12 +219,12 @@ private suspend fun ApplicationCall.respondExercise(
                 div("card") {
                     p {
                         val starter = "/exercises/${exercise.id()}/starter"
-                        val words = if (sheet.isEmpty()) "exercise.starter" else "exercise.sheet"
+                        val words = if (stand.sheet.isEmpty()) "exercise.starter" else "exercise.sheet"
                         a(starter) { +"${texts.say(words)} (${exercise.starterFile()})" }
                     }
-                    if (mine != null) handIn(texts, exercise, sheet)
+                    if (mine != null) handIn(texts, exercise, stand.sheet)
                 }
-                if (mine != null && exercise.hints().isNotEmpty()) hintSteps(texts, exercise, taken, formulas)
+                if (mine != null && exercise.hints().isNotEmpty()) hintSteps(texts, exercise, stand.taken, formulas)
                 if (mine != null) {
                     h2 { +texts.say("exercise.mine") }
                     if (mine.isEmpty()) p { +texts.say("exercise.mine.none") } else attemptTable(texts, exercises, mine)

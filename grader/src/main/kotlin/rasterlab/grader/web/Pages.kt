@@ -20,6 +20,7 @@ import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
+import java.time.InstantSource
 
 /** The pages for people, and the files that they use. */
 fun Route.pages(
@@ -29,7 +30,7 @@ fun Route.pages(
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
-    exercisePages(accounts, deadlines, exercises, sheets, hints, submissions, intake, queue)
+    exercisePages(accounts, deadlines, exercises, sheets, hints, submissions, intake, queue, clock)
     hintPages(accounts, exercises, hints)
     resultPages(accounts, exercises, submissions, results)
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
@@ -49,4 +50,5 @@ class PageParts(
     val results: Results,
     val live: Live,
     val isolation: Isolation,
+    val clock: InstantSource,
 )

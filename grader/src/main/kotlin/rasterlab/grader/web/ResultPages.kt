@@ -6,6 +6,7 @@ import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
+import kotlinx.html.FlowContent
 import kotlinx.html.details
 import kotlinx.html.div
 import kotlinx.html.id
@@ -16,9 +17,11 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.report.Results
+import rasterlab.grader.report.SubmissionView
 import rasterlab.grader.report.submissionId
 import rasterlab.grader.submission.Submission
 import rasterlab.grader.submission.Submissions
+import java.time.Instant
 
 /** One submission; the page asks for its inner part again whenever the server says that something is new. */
 fun Route.resultPages(
@@ -51,6 +54,16 @@ fun Route.resultPages(
     }
 }
 
+/** What the deadline means for this submission, where there is one. */
+private fun FlowContent.deadline(
+    texts: Texts,
+    view: SubmissionView,
+) {
+    val due = view.deadline?.let { Instant.parse(it).forPeople() } ?: return
+    if (view.late) p("late") { +texts.say("result.late", due) }
+    p("plan") { +texts.say(if (view.opened) "result.opened" else "result.due", due) }
+}
+
 /** The inner part of a page. */
 suspend fun ApplicationCall.respondFragment(html: String) =
     respondText(html, ContentType.Text.Html.withCharset(Charsets.UTF_8))
@@ -65,6 +78,7 @@ private suspend fun ApplicationCall.respondResult(
     val view = results.view(who, submission.id, texts.language)
     respondPage(texts, who, "$title — ${texts.say("result.title", submission.attempt)}") {
         p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
+        deadline(texts, view)
         div {
             id = "live"
             attributes["aria-live"] = "polite"

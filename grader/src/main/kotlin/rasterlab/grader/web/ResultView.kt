@@ -61,6 +61,7 @@ fun DIV.result(
         if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
         view.cases.forEach { case(texts, it, files, "/api/v1/submissions/${view.id}") }
     }
+    view.speed?.let { speedChart(texts, it) }
     view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
         p("isolation") {
             +texts.say("result.isolation", Report.isolationIn(texts.language, isolation))
@@ -144,6 +145,7 @@ private fun FlowContent.case(
         span("earned") { +earned(texts, case) }
     }
     if (case.message.isNotEmpty()) message(texts, case.message)
+    case.why.getOrNull()?.let { p("why") { +texts.say("result.why", it) } }
     if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
     val passed = case.verdict.told(case.points, case.of) == GradingVerdict.OK.code()
     if (case.scene.isNotEmpty() && !passed) inLab(texts, case.name, files, address)

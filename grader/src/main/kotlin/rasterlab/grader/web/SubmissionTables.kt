@@ -90,7 +90,10 @@ private fun FlowContent.listing(
                             span("hint-cost") { +texts.say("table.hints", row.submission.hintCost) }
                         }
                     }
-                    td { +row.submission.receivedAt.forPeople() }
+                    td {
+                        +row.submission.receivedAt.forPeople()
+                        if (row.late) span("late") { +texts.say("table.late") }
+                    }
                 }
             }
         }

@@ -27,10 +27,27 @@ class Texts private constructor(
     /** The name of a kind of picture; the kind itself where there is none. */
     fun picture(kind: String): String = if (wording.has("picture.$kind")) say("picture.$kind") else kind
 
+    /** What times are per, as it stands behind "per"; in English where it has no translation. */
+    fun item(english: String): String = own("item", english)
+
+    /** The unit of errors; in English where it has no translation. */
+    fun unit(english: String): String = own("unit", english)
+
+    /** Keys have hyphens where the engine's words have others. */
+    private fun own(
+        kind: String,
+        english: String,
+    ): String {
+        val key = "$kind." + english.replace(OTHERS, "-").removePrefix("-")
+        return if (wording.has(key)) say(key) else english
+    }
+
     /** What happened and what to do about it. */
     fun problem(code: String): String = say(if (wording.has("problem.$code")) "problem.$code" else "problem.other")
 
     companion object {
+        private val OTHERS = Regex("[^a-z]+")
+
         fun of(language: String) = Texts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
     }
 }

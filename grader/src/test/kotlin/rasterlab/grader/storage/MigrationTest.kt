@@ -2,6 +2,7 @@ package rasterlab.grader.storage
 
 import org.flywaydb.core.Flyway
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -113,6 +114,18 @@ class MigrationTest {
         Database.open(file).use { database ->
             assertEquals(mapOf("draw-dot" to 9), Submissions(database).bests("a"))
             assertEquals(0, Submissions(database).find("s")?.hintCost)
+        }
+    }
+
+    @Test
+    @DisplayName("what was graded before speeds had figures cannot be read, or has some")
+    fun whatWasGradedBeforeSpeedsHadFiguresHasNone() {
+        of("9")
+        graded()
+        Database.open(file).use { database ->
+            val report = checkNotNull(Reports(database).of("s")).report
+            assertEquals(10, report.points().total())
+            assertTrue(report.figures().isEmpty)
         }
     }
 

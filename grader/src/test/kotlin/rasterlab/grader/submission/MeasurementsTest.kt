@@ -12,6 +12,7 @@ import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.SpeedFigures
 import rasterlab.exercises.score.SpeedPoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
@@ -20,6 +21,7 @@ import rasterlab.grader.storage.Database
 import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
+import java.util.Optional
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit.SECONDS
 
@@ -37,8 +39,10 @@ class MeasurementsTest {
     private val graded = mutableListOf<String>()
     private var stopping = false
     private val unsettled = report(GradingVerdict.OK, accuracy = 6, nanos = 0.0, SpeedPoints.unsettled(1, 0))
+    private val figures = Optional.of(SpeedFigures(90.0, 9.0, 0.0, listOf(SpeedFigures.Method("dda", 2.0, 0.0))))
     private val slow =
         report(GradingVerdict.WRONG, accuracy = 2, nanos = 90.0, SpeedPoints.measured(90.0, 9.0, false, 1))
+            .with(figures)
 
     @BeforeEach
     fun open() {
@@ -68,6 +72,7 @@ class MeasurementsTest {
         assertEquals(listOf(6, 3, 1), points(waiting))
         val now = checkNotNull(reports.of(unmeasured)).report
         assertEquals(GradingVerdict.OK to 90.0, now.verdict() to now.nanosPerItem())
+        assertEquals(figures, now.figures())
         val cases = now.cases().associate { it.name() to it.verdict() }
         assertEquals(
             mapOf("open-case" to GradingVerdict.OK, "speed" to GradingVerdict.TOO_SLOW),

@@ -19,6 +19,7 @@ import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.SpeedFigures
 import rasterlab.grader.Classroom
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
@@ -57,6 +58,17 @@ class ReportsTest {
         assertEquals(written.isolation(), found.report.isolation())
         assertEquals(written.nanosPerItem(), found.report.nanosPerItem())
         assertEquals(now, found.gradedAt)
+    }
+
+    @Test
+    fun keepsTheFiguresOfItsSpeed() {
+        val methods = listOf(SpeedFigures.Method("dda", 2.5, 0.125), SpeedFigures.Method("wu", 4.25, INFINITE))
+        for (error in listOf(0.0, 0.75, INFINITE)) {
+            val figures = SpeedFigures(12.625, 3.5, error, methods)
+            val written = Report(GradingVerdict.OK, Points(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
+            assertEquals(Optional.of(figures), recorded(written.with(Optional.of(figures))).report.figures())
+        }
+        assertEquals(Optional.empty<SpeedFigures>(), recorded(report()).report.figures())
     }
 
     @Test
@@ -132,6 +144,10 @@ class ReportsTest {
         val id = submission()
         leases.finish(checkNotNull(leases.claimNext()), "r1", report)
         return checkNotNull(reports.of(id))
+    }
+
+    private companion object {
+        const val INFINITE = Double.POSITIVE_INFINITY
     }
 
     private fun submission(): String {

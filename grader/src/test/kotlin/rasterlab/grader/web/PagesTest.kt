@@ -25,6 +25,7 @@ import rasterlab.exercises.score.Report
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
+import rasterlab.grader.report.CaseWords
 import rasterlab.grader.report.view
 import java.nio.file.Path
 import java.util.Properties
@@ -76,12 +77,12 @@ class PagesTest {
     @Test
     fun tellsScriptsNoNewVerdictOfACaseThatWasNotRun() {
         val case = Classroom.case("open-case", Disclosure.OPEN, GradingVerdict.NOT_RUN)
-        val view = case.view("s1", "en", "one pixel")
+        val view = case.view("s1", CaseWords("en", title = { "one pixel" }, reason = { null }))
         assertEquals("no_result" to false, view.verdict.code to view.verdict.run)
         assertTrue(
             Classroom
                 .case("open-case", Disclosure.OPEN, GradingVerdict.WRONG)
-                .view("s1", "en", "one")
+                .view("s1", CaseWords("en", title = { "one" }, reason = { null }))
                 .verdict.run,
         )
     }
@@ -89,7 +90,7 @@ class PagesTest {
     @Test
     fun tellsScriptsNoNewVerdictOfASpeedWithoutPoints() {
         val case = Classroom.case("speed", Disclosure.OPEN, GradingVerdict.TOO_SLOW)
-        val view = case.view("s1", "en", "speed")
+        val view = case.view("s1", CaseWords("en", title = { "speed" }, reason = { null }))
         assertEquals("ok" to true, view.verdict.code to view.verdict.run)
     }
 

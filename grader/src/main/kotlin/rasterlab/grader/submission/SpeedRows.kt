@@ -1,0 +1,73 @@
+package rasterlab.grader.submission
+
+import org.jdbi.v3.core.Handle
+import rasterlab.exercises.score.SpeedFigures
+import java.sql.ResultSet
+
+/** The figures of one report's speed. */
+internal class SpeedRows(
+    private val handle: Handle,
+    private val submission: String,
+    private val revision: String,
+) {
+    /** Puts them in the place of those of before. */
+    fun replace(figures: SpeedFigures?) {
+        handle
+            .createUpdate("DELETE FROM speed_methods WHERE submission_id = :id AND revision = :revision")
+            .bind("id", submission)
+            .bind("revision", revision)
+            .execute()
+        handle
+            .createUpdate(
+                """UPDATE results SET reference_nanos = :reference, error = :error
+                   WHERE submission_id = :id AND revision = :revision""",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .bind("reference", figures?.reference())
+            .bind("error", figures?.error()?.stored())
+            .execute()
+        figures?.methods()?.forEachIndexed { position, method -> insert(position, method) }
+    }
+
+    private fun insert(
+        position: Int,
+        method: SpeedFigures.Method,
+    ) {
+        handle
+            .createUpdate(
+                """INSERT INTO speed_methods (submission_id, revision, position, method, ratio, error)
+                   VALUES (:id, :revision, :position, :method, :ratio, :error)""",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .bind("position", position)
+            .bind("method", method.name())
+            .bind("ratio", method.ratio())
+            .bind("error", method.error().stored())
+            .execute()
+    }
+
+    /**
+     * Those of a report, or null where it has none.
+     *
+     * @param result its row in `results`
+     */
+    fun of(result: ResultSet): SpeedFigures? {
+        val nanos = result.getDouble("nanos_per_item")
+        val reference = result.getDouble("reference_nanos")
+        if (reference == 0.0 || nanos == 0.0) return null
+        return SpeedFigures(nanos, reference, result.error(), methods())
+    }
+
+    private fun methods(): List<SpeedFigures.Method> =
+        handle
+            .createQuery(
+                "SELECT * FROM speed_methods WHERE submission_id = :id AND revision = :revision ORDER BY position",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .map { row, _ -> SpeedFigures.Method(row.getString("method"), row.getDouble("ratio"), row.error()) }
+            .list()
+
+    private fun Double.stored(): Double? = takeIf { it.isFinite() }
+
+    private fun ResultSet.error(): Double = getDouble("error").takeUnless { wasNull() } ?: Double.POSITIVE_INFINITY
+}
