@@ -157,7 +157,7 @@ private fun about(
     val minutes = exercise.minutes()
     return listOfNotNull(
         texts.say("exercises.kind.${exercise.form().code()}"),
-        texts.say("exercises.points", exercise.points().total()),
+        texts.say("exercises.points.among", exercise.points().total()),
         if (minutes.isPresent) texts.say("exercises.minutes", minutes.asInt) else null,
     ).joinToString(" · ")
 }

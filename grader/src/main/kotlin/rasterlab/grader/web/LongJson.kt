@@ -1,6 +1,7 @@
 package rasterlab.grader.web
 
 import kotlinx.html.FlowContent
+import kotlinx.html.FlowOrPhrasingContent
 import kotlinx.html.code
 import kotlinx.html.details
 import kotlinx.html.p
@@ -30,13 +31,22 @@ fun FlowContent.message(
     texts: Texts,
     message: String,
 ) {
-    val parts = partsOf(message)
-    p {
-        parts.forEach { part ->
-            if (part.json) code { +shown(part) } else +part.text
-        }
+    p { sentence(message) }
+    folded(texts, message)
+}
+
+/** The message with long JSON shortened. */
+fun FlowOrPhrasingContent.sentence(message: String) =
+    partsOf(message).forEach { part ->
+        if (part.json) code { +shown(part) } else +part.text
     }
-    parts.filter { it.isFolded }.forEach { part ->
+
+/** What [sentence] leaves out. */
+fun FlowContent.folded(
+    texts: Texts,
+    message: String,
+) {
+    partsOf(message).filter { it.isFolded }.forEach { part ->
         details {
             summary { +texts.say("result.json", part.text.length) }
             pre("json") { code { +part.text } }

@@ -50,7 +50,7 @@ fun DIV.result(
     div("verdict card") {
         status(texts, view.verdict, view.state)
         progress(texts, view)
-        view.points?.let { points(texts, it) }
+        view.points?.let { points(texts, it, files.asksForPrograms) }
         if (!view.current) p("earlier") { +texts.say("result.earlier", view.revision) }
         if (view.verdict == "internal") p { +texts.say("result.internal") }
     }
@@ -85,14 +85,17 @@ private fun FlowContent.progress(
     }
 }
 
+/** @param byKind whether they are of several kinds, as those of programs are */
 private fun FlowContent.points(
     texts: Texts,
     points: PublishedPoints,
+    byKind: Boolean,
 ) {
     p("total") {
         +texts.say("result.points", points.total, points.of)
         if (points.hints > 0) span("hint-cost") { +texts.say("table.hints", points.hints) }
     }
+    if (!byKind) return
     val kinds = listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed)
     ul("points") {
         kinds.forEach { (kind, earned) ->
@@ -114,10 +117,11 @@ private fun FlowContent.diagnostics(
         diagnostics.forEach { diagnostic ->
             li {
                 if (diagnostic.line > 0) span("place") { +place(texts, diagnostic) }
-                span("message") { +diagnostic.message }
+                span("message") { sentence(diagnostic.message) }
                 partOfLine(source, diagnostic.line, diagnostic.column).takeIf { it.isNotBlank() }?.let { line ->
                     pre { code { +line.trimEnd() } }
                 }
+                folded(texts, diagnostic.message)
             }
         }
     }
@@ -214,7 +218,23 @@ private fun FlowContent.pictures(
     if (turns.size == 2) {
         details {
             summary { +texts.say("result.blink") }
-            div("blink") { turns.forEach { img(src = it.url, alt = "$case: ${texts.picture(it.kind)}") } }
+            div(
+                if (pictures.any {
+                        isOfPixels(it)
+                    }
+                ) {
+                    "blink pixels"
+                } else {
+                    "blink"
+                },
+            ) {
+                turns.forEach {
+                    img(
+                        src = it.url,
+                        alt = "$case: ${texts.picture(it.kind)}",
+                    )
+                }
+            }
         }
     }
     pictures.find { it.kind == CasePicture.DIFFERENCE }?.let { difference ->
