@@ -1,16 +1,17 @@
 package rasterlab.app.row;
 
-import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.visibility.triangle.DepthTriangleTopic;
 import rasterlab.engine.visibility.triangle.DepthTriangles;
-import rasterlab.engine.visibility.triangle.ShownTriangles;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** Triangles in a depth buffer as what each pixel of the picture shows, row behind row. */
-final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangles, ShownTriangles> {
+final class DepthTriangleKind
+        extends RowKind<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
     private static final int BACKGROUND = 0xFF7F7F7F;
     private static final int[] COLOURS = {0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7};
 
@@ -36,16 +37,16 @@ final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangle
     }
 
     @Override
-    List<RowScene.Band> right(DepthTriangles input, ShownTriangles exact) {
+    List<RowScene.Band> right(DepthTriangles input, DepthTriangles.Shown exact) {
         return List.of(band("right", exact));
     }
 
     @Override
-    List<RowScene.Band> made(DepthTriangles input, ShownTriangles actual) {
+    List<RowScene.Band> made(DepthTriangles input, DepthTriangles.Shown actual) {
         return List.of(band("method", actual));
     }
 
-    private static RowScene.Band band(String key, ShownTriangles picture) {
+    private static RowScene.Band band(String key, DepthTriangles.Shown picture) {
         return new RowScene.Band(
                 key,
                 IntStream.of(picture.shown()).map(DepthTriangleKind::colour).toArray(),
@@ -57,12 +58,20 @@ final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangle
     }
 
     @Override
-    double error(DepthTriangles input, ShownTriangles exact, ShownTriangles actual, int pixel) {
+    double error(
+            DepthTriangles input,
+            DepthTriangles.Shown exact,
+            DepthTriangles.Shown actual,
+            int pixel) {
         return Math.abs(exact.depths()[pixel] - actual.depths()[pixel]);
     }
 
     @Override
-    boolean wrong(DepthTriangles input, ShownTriangles exact, ShownTriangles actual, int pixel) {
+    boolean wrong(
+            DepthTriangles input,
+            DepthTriangles.Shown exact,
+            DepthTriangles.Shown actual,
+            int pixel) {
         return exact.shown()[pixel] != actual.shown()[pixel]
                 || error(input, exact, actual, pixel) > USABLE;
     }
@@ -70,10 +79,10 @@ final class DepthTriangleKind extends RowKind<DepthTriangleFiller, DepthTriangle
     @Override
     RowScene.Numbers numbers(
             DepthTriangles input,
-            ShownTriangles exact,
-            Optional<ShownTriangles> actual,
+            DepthTriangles.Shown exact,
+            Optional<DepthTriangles.Shown> actual,
             int pixel) {
-        ShownTriangles made = actual.orElseThrow();
+        DepthTriangles.Shown made = actual.orElseThrow();
         int x = pixel % input.width();
         int y = pixel / input.width();
         return new RowScene.Numbers(

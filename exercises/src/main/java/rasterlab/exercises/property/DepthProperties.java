@@ -1,15 +1,15 @@
 package rasterlab.exercises.property;
 
+import rasterlab.engine.visibility.triangle.DepthTriangles;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import rasterlab.engine.visibility.triangle.DepthTriangles;
-import rasterlab.engine.visibility.triangle.ShownTriangles;
 
 /** Properties of the depth buffer: it shows the same in whatever order triangles come. */
 final class DepthProperties {
-    static final List<Property<DepthTriangles, ShownTriangles>> ALL =
+    static final List<Property<DepthTriangles, DepthTriangles.Shown>> ALL =
             List.of(
                     new Property<>(
                             "depth-triangle",
@@ -36,10 +36,11 @@ final class DepthProperties {
     }
 
     /** Each pixel shows the same triangle, by its number in the other order. */
-    private static ShownTriangles renumbered(DepthTriangles input, ShownTriangles answer) {
+    private static DepthTriangles.Shown renumbered(
+            DepthTriangles input, DepthTriangles.Shown answer) {
         int count = input.triangles().size();
         int[] shown =
                 Arrays.stream(answer.shown()).map(one -> one == 0 ? 0 : count + 1 - one).toArray();
-        return new ShownTriangles(answer.width(), shown, answer.depths().clone());
+        return new DepthTriangles.Shown(answer.width(), shown, answer.depths().clone());
     }
 }

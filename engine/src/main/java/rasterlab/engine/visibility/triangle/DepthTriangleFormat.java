@@ -1,8 +1,5 @@
 package rasterlab.engine.visibility.triangle;
 
-import java.io.IOException;
-import java.util.ArrayList;
-import java.util.List;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
@@ -15,12 +12,16 @@ import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
 
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * Triangles with depths from outside: {@code triangles}, {@code size}, {@code background}; {@code
  * pixels} out.
  */
 final class DepthTriangleFormat
-        extends Format<DepthTriangleFiller, DepthTriangles, ShownTriangles> {
+        extends Format<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
     private static final String DECISION = "depth − stored: the pixel is written below 0";
     private static final Shape<Double> PLACE =
             Shape.number(-DepthTriangleFiller.LARGEST, DepthTriangleFiller.LARGEST);
@@ -45,7 +46,7 @@ final class DepthTriangleFormat
     private static final Field<?> PIXELS =
             Field.required("pixels", Shape.list(Shape.numbersOrNull(4, 4))).as(FieldKind.PIXELS);
 
-    DepthTriangleFormat(Topic<DepthTriangleFiller, DepthTriangles, ShownTriangles> topic) {
+    DepthTriangleFormat(Topic<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> topic) {
         super(topic);
     }
 
@@ -62,16 +63,18 @@ final class DepthTriangleFormat
     @Override
     public String reads() {
         return """
-            {"triangles":[[[x,y,depth],[x,y,depth],[x,y,depth]],...], "size":[w,h], \
-            "background":depth}, x and y multiples of 1/256, depths from 0 to 1; without \
-            background it is 1""";
+        {"triangles":[[[x,y,depth],[x,y,depth],[x,y,depth]],...], "size":[w,h], \
+        "background":depth}, x and y multiples of 1/256, depths from 0 to 1; without \
+        background it is 1\
+        """;
     }
 
     @Override
     public String answers() {
         return """
-            {"pixels":[[x,y,k,depth],...]} row by row, where triangle k is seen, of n from 1 \
-            to n""";
+        {"pixels":[[x,y,k,depth],...]} row by row, where triangle k is seen, of n from 1 \
+        to n\
+        """;
     }
 
     @Override
@@ -100,7 +103,7 @@ final class DepthTriangleFormat
     }
 
     @Override
-    public void write(DepthTriangles input, ShownTriangles picture, ValueSink out)
+    public void write(DepthTriangles input, DepthTriangles.Shown picture, ValueSink out)
             throws IOException {
         out.name(PIXELS.name());
         out.startArray();
@@ -132,12 +135,12 @@ final class DepthTriangleFormat
 
     @Override
     protected Written steps(Call<DepthTriangleFiller> call, DepthTriangles input) {
-        var stepped = call.stepped(SteppedTriangle.class);
-        double[] stored = ShownTriangles.empty(input).depths();
+        call.stepped(RowsTriangle.class);
+        double[] stored = DepthTriangles.Shown.empty(input).depths();
         var steps = new ArrayList<Step>();
         for (int t = 0; t < input.triangles().size(); t++) {
-            RowsWalk walk =
-                    stepped.walk(
+            var walk =
+                    new RowsTriangle.Walk(
                             input.axis(t, 0),
                             input.axis(t, 1),
                             input.axis(t, 2),

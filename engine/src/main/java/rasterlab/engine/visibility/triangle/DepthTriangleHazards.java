@@ -3,11 +3,12 @@ package rasterlab.engine.visibility.triangle;
 import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.Verdict;
 
 /** Triangles that one mistake shows on, in pictures of a few pixels. */
 final class DepthTriangleHazards {
@@ -135,6 +136,6 @@ final class DepthTriangleHazards {
 
     private static Hazard<DepthTriangles> hazard(
             String name, Map<String, Verdict.Kind> failing, DepthTriangles input) {
-        return Hazard.allExactBut(failing, DepthTriangleMethods.all(), name, input);
+        return Hazard.allExactBut(failing, new DepthTriangleTopic().methods(), name, input);
     }
 }

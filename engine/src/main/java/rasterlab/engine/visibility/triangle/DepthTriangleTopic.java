@@ -1,7 +1,5 @@
 package rasterlab.engine.visibility.triangle;
 
-import java.math.BigDecimal;
-import java.util.List;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
@@ -10,6 +8,9 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
+
+import java.math.BigDecimal;
+import java.util.List;
 
 /**
  * Filling triangles into a depth buffer.
@@ -21,7 +22,7 @@ import rasterlab.engine.study.Workload;
  * a buffer of 16 bits.
  */
 public final class DepthTriangleTopic
-        implements Topic<DepthTriangleFiller, DepthTriangles, ShownTriangles> {
+        implements Topic<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> {
     private static final double CORRECT = 1e-11;
     private static final double SAME = 1e-12;
     private static final double BEHIND = 2;
@@ -44,7 +45,12 @@ public final class DepthTriangleTopic
 
     @Override
     public List<Method<DepthTriangleFiller>> methods() {
-        return DepthTriangleMethods.all();
+        return List.of(
+                Method.failing("left-edge-textbook", new LeftEdgeTriangle()),
+                Method.failing("slopes", new SlopesTriangle()),
+                Method.failing("rows-float", new FloatRowsTriangle()),
+                Method.right("rows", new RowsTriangle()),
+                Method.right("weights", new WeightsTriangle()));
     }
 
     @Override
@@ -54,7 +60,17 @@ public final class DepthTriangleTopic
 
     @Override
     public List<Workload<DepthTriangles>> workloads() {
-        return DepthTriangleWorkloads.all();
+        return List.of(square(16), square(64), square(256));
+    }
+
+    /** Two triangles that pass through each other and fill most of a square picture. */
+    private static Workload<DepthTriangles> square(int side) {
+        double[] rising = {0, 0, 0.1, side, 0, 0.9, 0, side, 0.3};
+        double[] falling = {side, 0, 0.2, side, side, 0.6, 0, 0, 0.8};
+        return new Workload<>(
+                "side-" + side,
+                side * side,
+                List.of(new DepthTriangles(List.of(rising, falling), side, side, 1)));
     }
 
     @Override
@@ -63,22 +79,23 @@ public final class DepthTriangleTopic
     }
 
     @Override
-    public ShownTriangles run(DepthTriangleFiller method, DepthTriangles input, int limit) {
-        return ShownTriangles.by(method, input);
+    public DepthTriangles.Shown run(DepthTriangleFiller method, DepthTriangles input, int limit) {
+        return DepthTriangles.Shown.by(method, input);
     }
 
     @Override
     public long spend(DepthTriangleFiller method, DepthTriangles input) {
-        return ShownTriangles.by(method, input).shown().length;
+        return DepthTriangles.Shown.by(method, input).shown().length;
     }
 
     @Override
-    public ShownTriangles exact(DepthTriangles input, int limit) {
+    public DepthTriangles.Shown exact(DepthTriangles input, int limit) {
         return new ExactTriangles(input).picture();
     }
 
     @Override
-    public Deviation compare(DepthTriangles input, ShownTriangles exact, ShownTriangles actual) {
+    public Deviation compare(
+            DepthTriangles input, DepthTriangles.Shown exact, DepthTriangles.Shown actual) {
         double worst = 0;
         long wrong = 0;
         String first = "";
@@ -96,7 +113,8 @@ public final class DepthTriangleTopic
     }
 
     /** Whether rounding alone decides between what a pixel shows and what is right. */
-    private static boolean mayShow(DepthTriangles input, int at, int shown, ShownTriangles right) {
+    private static boolean mayShow(
+            DepthTriangles input, int at, int shown, DepthTriangles.Shown right) {
         if (shown < 0 || shown > input.triangles().size()) return false;
         var exact = new ExactTriangles(input);
         if (shown > 0 && exact.again(shown - 1)) return false;
@@ -110,7 +128,7 @@ public final class DepthTriangleTopic
         return exact.depth(shown - 1, at).map(BigDecimal::doubleValue).orElse(BEHIND);
     }
 
-    private static String shown(int at, ShownTriangles exact, ShownTriangles actual) {
+    private static String shown(int at, DepthTriangles.Shown exact, DepthTriangles.Shown actual) {
         return "pixel (%d, %d) shows triangle %d, right is %d, 0 is the background"
                 .formatted(
                         at % exact.width(),
@@ -119,7 +137,7 @@ public final class DepthTriangleTopic
                         exact.shown()[at]);
     }
 
-    private static String depth(int at, ShownTriangles exact, ShownTriangles actual) {
+    private static String depth(int at, DepthTriangles.Shown exact, DepthTriangles.Shown actual) {
         return "depth at pixel (%d, %d) is %s, right is %s"
                 .formatted(
                         at % exact.width(),
@@ -155,7 +173,7 @@ public final class DepthTriangleTopic
     }
 
     @Override
-    public Format<DepthTriangleFiller, DepthTriangles, ShownTriangles> format() {
+    public Format<DepthTriangleFiller, DepthTriangles, DepthTriangles.Shown> format() {
         return new DepthTriangleFormat(this);
     }
 }

@@ -1,7 +1,9 @@
 package rasterlab.engine.visibility.triangle;
 
-import java.util.List;
 import rasterlab.contract.DepthTriangleFiller;
+
+import java.util.Arrays;
+import java.util.List;
 
 /**
  * Triangles in the order of drawing, over a background of one depth.
@@ -55,5 +57,42 @@ public record DepthTriangles(List<double[]> triangles, int width, int height, do
     double[] axis(int triangle, int axis) {
         double[] corners = triangles.get(triangle);
         return new double[] {corners[axis], corners[3 + axis], corners[6 + axis]};
+    }
+
+    /**
+     * A picture of triangles, row by row.
+     *
+     * @param width of the picture
+     * @param shown number of the triangle in each pixel, the first is 1; 0 where the background is
+     * @param depths stored in each pixel
+     */
+    public record Shown(int width, int[] shown, double[] depths) {
+        /** Fills the triangles in their order. */
+        static Shown by(DepthTriangleFiller method, DepthTriangles input) {
+            Shown picture = empty(input);
+            for (int t = 0; t < input.triangles().size(); t++)
+                method.fill(
+                        input.axis(t, 0),
+                        input.axis(t, 1),
+                        input.axis(t, 2),
+                        t + 1,
+                        input.width(),
+                        input.height(),
+                        picture.depths,
+                        picture.shown);
+            return picture;
+        }
+
+        static Shown empty(DepthTriangles input) {
+            var depths = new double[input.pixels()];
+            Arrays.fill(depths, input.background());
+            return new Shown(input.width(), new int[depths.length], depths);
+        }
+
+        int covered() {
+            int covered = 0;
+            for (int number : shown) if (number != 0) covered++;
+            return covered;
+        }
     }
 }

@@ -1,10 +1,11 @@
 package rasterlab.engine.visibility.triangle;
 
+import rasterlab.contract.DepthTriangleFiller;
+
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.Optional;
-import rasterlab.contract.DepthTriangleFiller;
 
 /**
  * What triangles show: areas in whole steps of the corners' grid, which no long overflows, and
@@ -19,8 +20,8 @@ final class ExactTriangles {
         this.input = input;
     }
 
-    ShownTriangles picture() {
-        ShownTriangles picture = ShownTriangles.empty(input);
+    DepthTriangles.Shown picture() {
+        DepthTriangles.Shown picture = DepthTriangles.Shown.empty(input);
         for (int at = 0; at < input.pixels(); at++) {
             BigDecimal nearest = new BigDecimal(input.background());
             for (int t = 0; t < input.triangles().size(); t++) {

@@ -17,7 +17,7 @@ final class FloatRowsTriangle implements DepthTriangleFiller {
         var plane = new TrianglePlane(x, y, z);
         if (plane.area() == 0) return;
         float step = (float) plane.perColumn();
-        var rows = new TriangleRows(x, y, width, height);
+        var rows = new RowsTriangle.Rows(x, y, width, height);
         while (rows.advance()) {
             float depth = (float) plane.depth(rows.from(), rows.row());
             int end = rows.row() * width + rows.to();

@@ -20,7 +20,7 @@ final class LeftEdgeTriangle implements DepthTriangleFiller {
         var plane = new TrianglePlane(x, y, z);
         if (plane.area() == 0) return;
         double step = plane.perColumn();
-        var rows = new TriangleRows(x, y, width, height);
+        var rows = new RowsTriangle.Rows(x, y, width, height);
         while (rows.advance()) {
             double depth = plane.depth(rows.left(), rows.row());
             int end = rows.row() * width + rows.to();

@@ -21,7 +21,7 @@ final class SlopesTriangle implements DepthTriangleFiller {
         if (plane.area() == 0) return;
         double perColumn = plane.perColumn();
         double perRow = plane.perRow();
-        var rows = new TriangleRows(x, y, width, height);
+        var rows = new RowsTriangle.Rows(x, y, width, height);
         while (rows.advance()) {
             int line = rows.row() * width;
             for (int column = rows.from(); column < rows.to(); column++) {

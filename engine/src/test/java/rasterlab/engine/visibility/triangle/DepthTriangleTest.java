@@ -6,12 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+
 import rasterlab.contract.DepthTriangleFiller;
+
+import java.util.List;
 
 class DepthTriangleTest {
     private static final DepthTriangleTopic TOPIC = new DepthTriangleTopic();
@@ -34,9 +36,9 @@ class DepthTriangleTest {
     @ValueSource(strings = {"rows", "weights", "slopes"})
     void nearerPixelsAloneAreWrittenWithTheDepthsOfTheirCentres(String name) {
         var input = new DepthTriangles(List.of(TALL), 10, 6, 0.625);
-        ShownTriangles picture = TOPIC.run(method(name), input, Integer.MAX_VALUE);
+        DepthTriangles.Shown picture = TOPIC.run(method(name), input, Integer.MAX_VALUE);
         int[] shown = new int[60];
-        double[] depths = ShownTriangles.empty(input).depths();
+        double[] depths = DepthTriangles.Shown.empty(input).depths();
         for (int x = 3; x <= 4; x++) depths[20 + x] = 0.55 + 0.05 * (x - 3);
         for (int x = 2; x <= 6; x++) depths[30 + x] = 0.4 + 0.05 * (x - 2);
         for (int at = 0; at < 60; at++) if (depths[at] < 0.625) shown[at] = 1;
@@ -47,7 +49,8 @@ class DepthTriangleTest {
     @Test
     void fromTheLeftEdgeARowBeginsWithAnotherDepth() {
         var input = new DepthTriangles(List.of(TALL), 10, 6, 1);
-        ShownTriangles picture = TOPIC.run(method("left-edge-textbook"), input, Integer.MAX_VALUE);
+        DepthTriangles.Shown picture =
+                TOPIC.run(method("left-edge-textbook"), input, Integer.MAX_VALUE);
         assertEquals(0.525, picture.depths()[23], 1e-12);
     }
 
@@ -56,25 +59,25 @@ class DepthTriangleTest {
     void eitherOfTwoTrianglesIsRightWhereRoundingAloneDecides(
             double first, double second, boolean right) {
         DepthTriangles input = walls(first, second);
-        ShownTriangles exact = TOPIC.exact(input, Integer.MAX_VALUE);
-        var other = new ShownTriangles(1, new int[] {2}, exact.depths());
+        DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
+        var other = new DepthTriangles.Shown(1, new int[] {2}, exact.depths());
         assertEquals(right, TOPIC.correct(TOPIC.compare(input, exact, other)));
     }
 
     @Test
     void theSameCornersAgainAreNeverShown() {
         DepthTriangles input = walls(0.3, 0.3);
-        ShownTriangles exact = TOPIC.exact(input, Integer.MAX_VALUE);
+        DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
         assertArrayEquals(new int[] {1}, exact.shown());
-        var later = new ShownTriangles(1, new int[] {2}, exact.depths());
+        var later = new DepthTriangles.Shown(1, new int[] {2}, exact.depths());
         assertFalse(TOPIC.correct(TOPIC.compare(input, exact, later)));
     }
 
     @Test
     void aDepthThatIsNoNumberIsWrong() {
         DepthTriangles input = walls(0.3, 0.6);
-        ShownTriangles exact = TOPIC.exact(input, Integer.MAX_VALUE);
-        var none = new ShownTriangles(1, exact.shown(), new double[] {Double.NaN});
+        DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
+        var none = new DepthTriangles.Shown(1, exact.shown(), new double[] {Double.NaN});
         assertFalse(TOPIC.usable(TOPIC.compare(input, exact, none)));
     }
 
