@@ -11,6 +11,7 @@ import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.CourseServer.Patience;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.predicting.SheetText;
 
 /**
@@ -38,20 +39,42 @@ record Beginning(Exercise exercise, Optional<Account> account, Patience patience
         else begin.accept(asked(take), refused(tell));
     }
 
+    /**
+     * The sheet to go on with: as it is so far or, where none of it is answered, the server's.
+     * Takes long.
+     *
+     * @throws UnreadableSheet if the text is no sheet
+     */
+    HandedAnswers sheet(String text) throws IOException, InterruptedException {
+        HandedAnswers begun = UnreadableSheet.read(exercise, text);
+        boolean untouched =
+                begun.sheet().questions().stream()
+                        .allMatch(one -> one.isOpen(begun.answers().get(one.number() - 1)));
+        return untouched && account.isPresent() ? UnreadableSheet.read(exercise, asked()) : begun;
+    }
+
     /** Asks the server for the sheet of the next attempt. */
     private Background.Task asked(Consumer<String> take) {
-        Account holder = account.orElseThrow();
         return tell -> {
-            byte[] sheet =
-                    new CourseServer(holder.server(), patience)
-                            .get("/api/v1/exercises/" + exercise.id() + "/starter", holder.token());
-            String text = new String(sheet, StandardCharsets.UTF_8);
+            String text = asked();
             return () -> take.accept(text);
         };
     }
 
-    /** Tells why the server did not give it. */
-    private Consumer<IOException> refused(Consumer<Notice> tell) {
-        return failure -> tell.accept(ServerNotices.of(account.orElseThrow().server(), failure));
+    private String asked() throws IOException, InterruptedException {
+        Account holder = account.orElseThrow();
+        byte[] sheet =
+                new CourseServer(holder.server(), patience)
+                        .get("/api/v1/exercises/" + exercise.id() + "/starter", holder.token());
+        return new String(sheet, StandardCharsets.UTF_8);
+    }
+
+    /** Tells why the server did not give it, or why a sheet cannot be read. */
+    Consumer<IOException> refused(Consumer<Notice> tell) {
+        return failure ->
+                tell.accept(
+                        failure instanceof UnreadableSheet sheet
+                                ? sheet.notice()
+                                : ServerNotices.of(account.orElseThrow().server(), failure));
     }
 }

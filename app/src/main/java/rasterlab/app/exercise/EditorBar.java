@@ -115,19 +115,16 @@ final class EditorBar extends JPanel {
         }
     }
 
-    /** Reads the sheet as it is so far, and goes on with it in the tab of its topic. */
+    /** Goes on with the sheet in the tab of its topic. */
     private void answerSteps(Exercise exercise, String source) {
+        Beginning beginning = model.beginning();
         model.begin(
-                Work.of(Work.Phase.CHECKING),
+                Work.of(Work.Phase.READING),
                 tell -> {
-                    HandedAnswers begun = UnreadableSheet.read(exercise, source);
+                    HandedAnswers begun = beginning.sheet(source);
                     return () -> lab.answerSteps(exercise.id(), begun);
                 },
-                failure ->
-                        model.tell(
-                                failure instanceof UnreadableSheet sheet
-                                        ? sheet.notice()
-                                        : Notice.of("failed", failure.toString())));
+                beginning.refused(model::tell));
     }
 
     private void offerLab(Exercise exercise) {

@@ -1,7 +1,7 @@
 package rasterlab.app.exercise;
 
 import static rasterlab.app.exercise.Work.Phase.CHECKING;
-import static rasterlab.app.exercise.Work.Phase.JOINING;
+import static rasterlab.app.exercise.Work.Phase.READING;
 import static rasterlab.app.exercise.Work.Phase.SENDING;
 
 import java.io.IOException;
@@ -179,6 +179,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         outcomes.read(next, outcome -> show(next, outcome));
     }
 
+    Beginning beginning() {
+        return new Beginning(state().exercise(), state.account(), patience);
+    }
+
     /** Takes the text as the user has just left it, and keeps it. */
     public void type(String source) {
         if (source.equals(state().source())) return;
@@ -188,8 +192,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Begins anew with the exercise's own text, or with a new sheet. */
     public void restoreStarter() {
-        var beginning = new Beginning(state().exercise(), state.account(), patience);
-        beginning.give(this::type, this::tell, (task, no) -> begin(Work.of(JOINING), task, no));
+        beginning().give(this::type, this::tell, (task, no) -> begin(Work.of(READING), task, no));
     }
 
     /** Shows the next hint, or asks the server what it costs. */

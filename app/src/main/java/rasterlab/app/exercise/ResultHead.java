@@ -117,7 +117,7 @@ final class ResultHead extends JPanel {
 
     private static String nothingYet(Work.Phase phase) {
         return switch (phase) {
-            case NONE -> "none";
+            case NONE, READING -> "none";
             case JOINING -> "joining";
             case CHECKING, SENDING, WAITING, GRADING -> "running";
         };

@@ -16,6 +16,7 @@ record Work(Phase phase, int done, int of, List<TriedCase> cases) {
         NONE,
         CHECKING,
         JOINING,
+        READING,
         SENDING,
         WAITING,
         GRADING
@@ -36,7 +37,7 @@ record Work(Phase phase, int done, int of, List<TriedCase> cases) {
         return switch (phase) {
             case SENDING -> "cancelled.sending";
             case WAITING, GRADING -> "cancelled.handedIn";
-            case NONE, CHECKING, JOINING -> "cancelled";
+            case NONE, CHECKING, JOINING, READING -> "cancelled";
         };
     }
 
