@@ -21,6 +21,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.tests.ChildProcess;
+import rasterlab.tests.Repository;
 
 /** What needs the fresh copy stands in one class: another process would build one of its own. */
 @Tag("slow")
@@ -81,6 +82,20 @@ class FrontDoorTest {
         var commands = Readme.commands();
         assertTrue(commands.containsAll(TRIED_ELSEWHERE), "README lacks one of " + TRIED_ELSEWHERE);
         for (var command : commands) if (!TRIED_ELSEWHERE.contains(command)) succeed(copy, command);
+    }
+
+    /** Maven and the benchmarks would build once more; ContributingTest looks at those lines. */
+    @Test
+    @Timeout(value = 20, unit = TimeUnit.MINUTES)
+    void everyCommandForContributorsWorks(FreshCopy copy) {
+        var text = Repository.text(Repository.root().resolve("CONTRIBUTING.md"));
+        var commands =
+                Readme.commands(text).stream()
+                        .filter(command -> command.startsWith("./lab"))
+                        .filter(command -> !command.startsWith("./lab bench"))
+                        .toList();
+        assertFalse(commands.isEmpty(), "no command of CONTRIBUTING.md was found");
+        for (var command : commands) succeed(copy, command);
     }
 
     @Test
