@@ -20,7 +20,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 class BundlesTest {
     private static final List<Path> ROOTS =
-            List.of(Path.of("src/main/resources/rasterlab/app"), Translations.FOLDER);
+            List.of(
+                    Path.of("src/main/resources/rasterlab/app"),
+                    Translations.FOLDER,
+                    Translations.FOLDER.resolveSibling("complaint"));
 
     /** What is written on keys, the same in both languages. */
     private static final String KEYS = "\\b(Delete|Enter|Home|Shift|Space)\\b";

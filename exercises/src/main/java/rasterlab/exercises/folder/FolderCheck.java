@@ -65,7 +65,9 @@ public final class FolderCheck {
                 add(
                         one.file(),
                         Phrase.of(
-                                "picture.broken", one.file(), Phrase.quoted(refused.getMessage())));
+                                "picture.broken",
+                                one.file(),
+                                Phrase.ofTheEngine(refused.getMessage())));
             }
     }
 

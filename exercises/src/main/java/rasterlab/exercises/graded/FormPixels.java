@@ -9,6 +9,7 @@ import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.exercises.drawing.PixelPictures;
+import rasterlab.exercises.pixels.Turns;
 import rasterlab.exercises.score.CasePicture;
 
 /**
@@ -22,18 +23,20 @@ final class FormPixels {
         this.fields = fields;
     }
 
-    /** None where the answers have no pixels, or the same ones. */
+    /**
+     * None where the answers have no pixels, or the same ones. Where none is missing or extra,
+     * those that come again are shown, or those out of turn.
+     */
     List<CasePicture> pictures(JsonNode exact, JsonNode actual) {
         PixelRecording right = pixels(exact);
         PixelRecording mine = pixels(actual);
         PixelDifference difference = PixelDifference.of(right, mine);
-        return Stream.of(difference.missing(), difference.extra())
+        PixelSet amiss = PixelSet.of(new Turns(right, mine).amiss(difference));
+        PixelSet again = amiss.filter(difference.right()::contains);
+        return Stream.of(difference.missing(), difference.extra(), again)
                 .filter(set -> !set.isEmpty())
                 .findFirst()
-                .map(
-                        set ->
-                                PixelPictures.of(
-                                        difference, PixelSet.EMPTY, new Pixel(set.x(0), set.y(0))))
+                .map(set -> PixelPictures.of(difference, again, new Pixel(set.x(0), set.y(0))))
                 .orElse(List.of());
     }
 

@@ -1,17 +1,27 @@
 package rasterlab.exercises.judging;
 
+import java.util.Set;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.score.Message;
 
 /** Says how an answer differs from another one, in words that fit its kind. */
 final class AnswerDifference {
+    /**
+     * Topics with many right answers to an input: what is wrong is not where one of them differs.
+     */
+    private static final Set<String> OF_MANY_ANSWERS =
+            Set.of("triangulate", "depth-order", "clip-polygon");
+
     private AnswerDifference() {}
 
     /** The first part of an answer that differs, and how far all of it is from right. */
     static <C, I, O> Message of(Topic<C, I, O> topic, I input, O exact, O actual) {
-        return exact instanceof PixelRecording right && actual instanceof PixelRecording mine
-                ? new PixelsAmiss(right, mine).said()
+        if (exact instanceof PixelRecording right && actual instanceof PixelRecording mine)
+            return new PixelsAmiss(right, mine).said();
+        String first = topic.compare(input, exact, actual).first();
+        return OF_MANY_ANSWERS.contains(topic.name()) && !first.isEmpty()
+                ? Message.of("answer.engine", first)
                 : Leaves.difference(topic, input, exact, actual);
     }
 

@@ -63,13 +63,15 @@ public final class MethodsOnInput<C, I, O> {
             return new MethodsOnInput<>(topic, JsonFields.parse(place, json).input(format));
         } catch (Misfit misfit) {
             throw new CatalogueException(
-                    Phrase.of("field.wrong", place, Phrase.quoted(placed(misfit, format, json))),
+                    Phrase.of(
+                            "field.wrong", place, Phrase.ofTheEngine(placed(misfit, format, json))),
                     misfit);
         } catch (CatalogueException placed) {
             throw placed;
         } catch (IllegalArgumentException refused) {
             throw new CatalogueException(
-                    Phrase.of("field.wrong", place, Phrase.quoted(refused.getMessage())), refused);
+                    Phrase.of("field.wrong", place, Phrase.ofTheEngine(refused.getMessage())),
+                    refused);
         }
     }
 

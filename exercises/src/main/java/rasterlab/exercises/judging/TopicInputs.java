@@ -178,7 +178,7 @@ final class TopicInputs<C, I> {
                     : JsonFields.of(place, json, names).input(format);
         } catch (Misfit misfit) {
             throw new CatalogueException(
-                    Phrase.of("field.wrong", place, Phrase.quoted(misfit.getMessage())));
+                    Phrase.of("field.wrong", place, Phrase.ofTheEngine(misfit.getMessage())));
         }
     }
 

@@ -5,14 +5,14 @@ import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 
 /** The order in which pixels are drawn, which a picture of them does not show. */
-record Turns(PixelRecording wanted, PixelRecording actual) {
+public record Turns(PixelRecording wanted, PixelRecording actual) {
     /**
      * Pixels that are drawn again; where each is drawn once and they are the right ones, those out
      * of turn.
      *
      * @param difference of the two
      */
-    PixelRecording amiss(PixelDifference difference) {
+    public PixelRecording amiss(PixelDifference difference) {
         var amiss = new PixelRecording(Math.max(1, actual.size()));
         var drawn = new HashSet<Long>();
         for (int i = 0; i < actual.size(); i++)

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import rasterlab.exercises.complaint.ComplaintTexts;
 import rasterlab.exercises.document.OwnJson;
 
 /**
@@ -45,6 +46,16 @@ public record Message(List<Sentence> sentences) {
 
     /** The texts whose places hold values of steps. */
     private static final Pattern STEPS = Pattern.compile("predict\\.(?:right|wrong|open|why)");
+
+    /** The texts whose places hold what the engine says in English. */
+    private static final Set<String> OF_THE_ENGINE =
+            Set.of(
+                    "engine",
+                    "answer.engine",
+                    "answer.unusable",
+                    "break.refuses",
+                    "break.crashes",
+                    "timed.refused");
 
     /** The texts whose places may hold keys of others, on a mistake or a property. */
     private static final Set<String> WITHIN =
@@ -85,6 +96,8 @@ public record Message(List<Sentence> sentences) {
          */
         private String said(String argument, ReportTexts texts) {
             if (WITHIN.contains(key) && texts.has(argument)) return texts.text(argument);
+            if (OF_THE_ENGINE.contains(key) && !texts.locale().getLanguage().isEmpty())
+                return ComplaintTexts.said(texts.locale(), argument);
             if (STEPS.matcher(key).matches())
                 return StepValue.in(
                         argument, texts.text("minus"), point(texts), texts.text("apart"));

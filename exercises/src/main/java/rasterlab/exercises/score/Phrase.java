@@ -31,6 +31,11 @@ public record Phrase(String key, List<Object> arguments) {
         return of("quoted", text);
     }
 
+    /** A sentence of the engine, which is said in the language of whoever reads it. */
+    public static Phrase ofTheEngine(String english) {
+        return of("engine", english);
+    }
+
     /**
      * In words; English where there are none in that language.
      *

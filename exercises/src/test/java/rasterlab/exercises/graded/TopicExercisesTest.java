@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.SegmentClipper;
+import rasterlab.contract.Triangulator;
 import rasterlab.engine.Topics;
 import rasterlab.engine.circle.MidpointCircle;
 import rasterlab.engine.raster.PixelRecording;
@@ -137,7 +138,13 @@ class TopicExercisesTest {
                             out.plot(x, y);
                             if (x == 0 && y < 0) out.plot(x, y);
                         });
-        assertTold(again, "pixel (0, -5) is drawn again", "пиксель (0; −5) нарисован снова");
+        List<CasePicture> shown =
+                assertTold(
+                        again, "pixel (0, -5) is drawn again", "пиксель (0; −5) нарисован снова");
+        assertTrue(
+                shown.stream().noneMatch(one -> one.text().in("en").contains("row pixels[0]")),
+                "a table in the order of drawing");
+        assertEquals(3, shown.size());
     }
 
     @Test
@@ -147,6 +154,30 @@ class TopicExercisesTest {
                 moved,
                 "pixel (5, 0) is missing; pixel (5, 1000) is extra",
                 "нет пикселя (5; 0); лишний пиксель (5; 1000)");
+    }
+
+    @Test
+    @DisplayName("a triangle is told as wrong where it only is none of the reference's")
+    void aTriangulationIsToldByWhatIsWrongWithIt() {
+        Triangulator fan =
+                (x, y) -> {
+                    int[] all = new int[3 * (x.length - 2)];
+                    for (int i = 0; i < all.length; i++) all[i] = i % 3 == 0 ? 0 : i / 3 + i % 3;
+                    return all;
+                };
+        String dart = "{\"given\": {\"polygon\": [[0, 0], [4, 4], [8, 0], [4, 9]]}}";
+        Finding told = judged("triangulate", dart, fan);
+        String english = told.said().in("en");
+        assertTrue(english.startsWith("triangle 0 (0, 1, 2) goes clockwise; "), english);
+        String russian = told.said().in("ru");
+        assertTrue(russian.startsWith("обход треугольника 0 (0, 1, 2) — по"), russian);
+    }
+
+    private static Finding judged(String topic, String input, Object method) {
+        Case one = new Case("a-case", Map.of(), Kind.ACCURACY, Disclosure.OPEN, 1, input, false);
+        TopicGrading.Call call =
+                TopicGradings.named(topic).calls(one, new Tolerance(false), 1).get(0);
+        return call.judge(TriedMethod.answer(call, method));
     }
 
     private interface Plot {
@@ -162,21 +193,14 @@ class TopicExercisesTest {
         };
     }
 
-    private static void assertTold(CircleRasterizer method, String english, String russian) {
-        Case one =
-                new Case(
-                        "a-circle",
-                        Map.of(),
-                        Kind.ACCURACY,
-                        Disclosure.OPEN,
-                        1,
-                        "{\"given\": {\"center\": [0, 0], \"radius\": 5}}",
-                        false);
-        TopicGrading.Call call =
-                TopicGradings.named("circle").calls(one, new Tolerance(false), 1).get(0);
-        Finding told = call.judge(TriedMethod.answer(call, method));
+    /** The pictures beside the words. */
+    private static List<CasePicture> assertTold(
+            CircleRasterizer method, String english, String russian) {
+        String circle = "{\"given\": {\"center\": [0, 0], \"radius\": 5}}";
+        Finding told = judged("circle", circle, method);
         assertEquals(english, told.said().in("en"));
         assertEquals(russian, told.said().in("ru"));
+        return told.pictures();
     }
 
     /** What came of all cases. */

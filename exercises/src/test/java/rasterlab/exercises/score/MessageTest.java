@@ -31,7 +31,15 @@ class MessageTest {
 
     /** What other sentences only stand in. */
     private static final Set<String> SAME =
-            Set.of("join.list", "join.example", "join.end", "quoted", "rows", "folder.at");
+            Set.of(
+                    "join.list",
+                    "join.example",
+                    "join.end",
+                    "quoted",
+                    "engine",
+                    "answer.engine",
+                    "rows",
+                    "folder.at");
 
     private static final Message TWO =
             Message.of("pixel.missing", "(1, 2)").and(Message.of("known-fault", "naive"));
@@ -93,6 +101,22 @@ class MessageTest {
 
     private static String right(String value, String language) {
         return Message.of("predict.right", value).in(language);
+    }
+
+    @ParameterizedTest(name = "the engine''s reason stays English within a Russian sentence: {0}")
+    @ValueSource(
+            strings = {
+                "break.refuses",
+                "break.crashes",
+                "engine",
+                "answer.engine",
+                "answer.unusable"
+            })
+    void theEnginesReasonIsSaidInTheLanguageAskedFor(String key) {
+        String english = "pixels × edges in their rows must be at most 1000000000, got 2000000000";
+        assertTrue(Message.of(key, english).in("en").contains(english));
+        String said = Message.of(key, english).in("ru");
+        assertTrue(said.contains("получено 2000000000") && !said.contains("must"), said);
     }
 
     @ParameterizedTest(name = "a folder or field called 1.5 gets a Russian comma: {0}")

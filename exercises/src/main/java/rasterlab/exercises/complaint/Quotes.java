@@ -1,5 +1,6 @@
-package rasterlab.app.language;
+package rasterlab.exercises.complaint;
 
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -15,8 +16,8 @@ final class Quotes {
     private Quotes() {}
 
     /** The sentence with marks of the language for straight ones. */
-    static String of(Language language, String sentence) {
-        String marked = language == Language.ENGLISH ? "“%s”" : "«%s»";
+    static String of(Locale language, String sentence) {
+        String marked = language.getLanguage().equals("en") ? "“%s”" : "«%s»";
         return QUOTED.matcher(sentence)
                 .replaceAll(
                         found ->

@@ -1,8 +1,9 @@
-package rasterlab.app.language;
+package rasterlab.exercises.complaint;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.text.DecimalFormatSymbols;
+import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -33,9 +34,9 @@ final class NumberForm {
     private NumberForm() {}
 
     /** The text itself where it is something else, such as a number as a file has it: 1e309. */
-    static String of(String text, Language language) {
+    static String of(String text, Locale language) {
         if (!NUMBERS.matcher(text).matches()) return text;
-        char point = DecimalFormatSymbols.getInstance(language.locale()).getDecimalSeparator();
+        char point = DecimalFormatSymbols.getInstance(language).getDecimalSeparator();
         boolean fractions = point == ',' && text.contains(".");
         return NUMBER.matcher(fractions ? text.replace(", ", "; ") : text)
                 .replaceAll(number -> Matcher.quoteReplacement(one(number, point)));
@@ -60,7 +61,7 @@ final class NumberForm {
     }
 
     /** The number to six digits; the text itself where it is something else. */
-    static String rounded(String number, Language language) {
+    static String rounded(String number, Locale language) {
         if (!NUMBER.matcher(number).matches() || !Double.isFinite(Double.parseDouble(number)))
             return of(number, language);
         double value = new BigDecimal(number).round(DIGITS).doubleValue();
