@@ -94,7 +94,7 @@ final class ProofText {
         for (RightMethod one : proof.right())
             table.add(
                     List.of(
-                            one.name(),
+                            one.promised() ? one.name() : texts.text("proof.may-err", one.name()),
                             "" + one.accuracy(),
                             "" + one.stability(),
                             one.failed().isEmpty() ? NONE : String.join(", ", one.failed())));

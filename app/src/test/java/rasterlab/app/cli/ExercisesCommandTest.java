@@ -132,6 +132,30 @@ class ExercisesCommandTest {
         assertEquals("proving point-in-triangle (1 of 1)\n", ran.err());
     }
 
+    @Test
+    @DisplayName("a method that is known to err passes for a right one, or no table is at the end")
+    void provesSeveralWithOneTableAtTheEnd() {
+        Ran ran = Ran.lab("exercises", "prove", "break-polygon-fill", "polygon-fill");
+        ran.assertDone();
+        assertTrue(ran.out().contains("\n  naive (promises nothing) "), ran.out());
+        assertTrue(ran.out().contains("\n  scanline "), ran.out());
+        assertTrue(ran.out().contains("model solution: accuracy 75, stability 15, speed –"));
+        String table = ran.out().substring(ran.out().indexOf("\nExercise ") + 1);
+        assertTrue(
+                table.matches(
+                        "(?s).*\nbreak-polygon-fill +9 +9 +9 +–\npolygon-fill +8 +8 +8 +–\n.*"),
+                table);
+        assertTrue(ran.out().endsWith("2 of 2 exercises are proved\n"), ran.out());
+        assertEquals(2, ran.err().lines().filter(one -> one.startsWith("proving ")).count());
+    }
+
+    @Test
+    void theCommandThatNewPrintsTakesAFolderWithSpaces() {
+        Path made = folder.resolve("my course's").resolve("my-line");
+        String told = Ran.lab("exercises", "new", "line", made + "").out();
+        assertTrue(told.endsWith(" --exercises '" + folder + "/my course'\\''s'\n"), told);
+    }
+
     @ParameterizedTest(name = "./lab exercises {0} is not refused in one line")
     @CsvSource({
         "new cube DIR/my-cube, no exercise of topic 'cube'",

@@ -25,6 +25,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.judging.InputJson;
 import rasterlab.exercises.proving.TriedMethod;
+import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -193,8 +194,17 @@ public final class NewFolder {
         hazards.forEach(left::remove);
         return topic.mutants().stream()
                 .filter(one -> left.contains(one.hazard()))
+                .filter(one -> chosen.stream().noneMatch(name -> tells(name, one)))
                 .map(Mutant::name)
                 .toList();
+    }
+
+    /** Whether the mistake is told by its name on a hazard that is there for another one. */
+    private boolean tells(String hazard, Mutant<?> mistake) {
+        return calls(hazard).stream()
+                .map(call -> call.check(TriedMethod.answer(call, mistake.implementation())))
+                .flatMap(finding -> finding.explanations().stream())
+                .anyMatch(causes -> Cause.codes(causes).contains(mistake.name()));
     }
 
     private static ObjectNode both(String english, String russian) {
