@@ -19,10 +19,10 @@ public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
      * and on its sides; NaN is beyond none.
      */
     public int code(double x, double y) {
-        return (y > ymax ? WindowWalk.TOP : 0)
-                | (y < ymin ? WindowWalk.BOTTOM : 0)
-                | (x > xmax ? WindowWalk.RIGHT : 0)
-                | (x < xmin ? WindowWalk.LEFT : 0);
+        return (y > ymax ? CohenSutherland.TOP : 0)
+                | (y < ymin ? CohenSutherland.BOTTOM : 0)
+                | (x > xmax ? CohenSutherland.RIGHT : 0)
+                | (x < xmin ? CohenSutherland.LEFT : 0);
     }
 
     /** The sides as an array: xmin, ymin, xmax, ymax. */

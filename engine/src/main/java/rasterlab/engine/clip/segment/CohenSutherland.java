@@ -21,6 +21,11 @@ import rasterlab.contract.SegmentSink;
  * where the method of D. Cohen and I. Sutherland is described.
  */
 public final class CohenSutherland implements SteppedSegmentClipper {
+    static final int TOP = 1;
+    static final int BOTTOM = 2;
+    static final int RIGHT = 4;
+    static final int LEFT = 8;
+
     @Override
     public void clip(
             double xmin,
@@ -55,7 +60,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         return "code of the end that is moved: 1 above, 2 below, 4 right, 8 left";
     }
 
-    private static final class Walk extends WindowWalk {
+    static final class Walk extends WindowWalk {
         private double fromX;
         private double fromY;
         private double toX;
@@ -82,6 +87,28 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             toCode = code(toX, toY);
         }
 
+        /**
+         * Which sides a point lies beyond: the signs of four differences, bit by bit. A difference
+         * of doubles has the right sign always, and that of equals is +0, none of them being −0.
+         */
+        int code(double x, double y) {
+            return columnCode(x) | rowCode(y);
+        }
+
+        private int columnCode(double x) {
+            return sign(xmax - x) * RIGHT | sign(x - xmin) * LEFT;
+        }
+
+        private int rowCode(double y) {
+            return sign(ymax - y) * TOP | sign(y - ymin) * BOTTOM;
+        }
+
+        /** 1 for what is below 0, else 0, without a branch. */
+        private static int sign(double difference) {
+            return (int) (Double.doubleToRawLongBits(difference) >>> 63);
+        }
+
+        /** Whether the codes leave something to decide, and doubles are good enough for it. */
         boolean open() {
             return (fromCode & toCode) == 0 && (fromCode | toCode) != 0 && !unsure();
         }
@@ -93,7 +120,10 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             return true;
         }
 
-        /** Moves an end onto a side; on the other axis it lies anywhere, on this one within. */
+        /**
+         * Moves an end onto a side; on the other axis it lies anywhere, on this one within. What
+         * {@code picked} takes is the second number where the code has the bit, else the first.
+         */
         void cut() {
             code = fromCode != 0 ? fromCode : toCode;
             divisions++;

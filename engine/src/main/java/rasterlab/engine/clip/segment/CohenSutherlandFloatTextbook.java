@@ -45,9 +45,9 @@ public final class CohenSutherlandFloatTextbook implements SteppedSegmentClipper
 
         @Override
         String move(int outcode) {
-            if ((outcode & WindowWalk.TOP) != 0) return moveToRow(window.ymax(), "top");
-            if ((outcode & WindowWalk.BOTTOM) != 0) return moveToRow(window.ymin(), "bottom");
-            if ((outcode & WindowWalk.RIGHT) != 0) return moveToColumn(window.xmax(), "right");
+            if ((outcode & CohenSutherland.TOP) != 0) return moveToRow(window.ymax(), "top");
+            if ((outcode & CohenSutherland.BOTTOM) != 0) return moveToRow(window.ymin(), "bottom");
+            if ((outcode & CohenSutherland.RIGHT) != 0) return moveToColumn(window.xmax(), "right");
             return moveToColumn(window.xmin(), "left");
         }
 

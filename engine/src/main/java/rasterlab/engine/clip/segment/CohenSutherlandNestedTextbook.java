@@ -40,14 +40,14 @@ public final class CohenSutherlandNestedTextbook implements SteppedSegmentClippe
 
         @Override
         String move(int outcode) {
-            boolean above = (outcode & WindowWalk.TOP) != 0;
-            boolean below = (outcode & WindowWalk.BOTTOM) != 0;
+            boolean above = (outcode & CohenSutherland.TOP) != 0;
+            boolean below = (outcode & CohenSutherland.BOTTOM) != 0;
             if (above) return moveToRow(window.ymax(), "top");
             else if (below)
                 if (above) return moveToRow(window.ymin(), "bottom");
-                else if ((outcode & WindowWalk.RIGHT) != 0)
+                else if ((outcode & CohenSutherland.RIGHT) != 0)
                     return moveToColumn(window.ymax(), window.xmax(), "right");
-                else if ((outcode & WindowWalk.LEFT) != 0)
+                else if ((outcode & CohenSutherland.LEFT) != 0)
                     return moveToColumn(window.ymin(), window.xmin(), "left");
             return "";
         }

@@ -77,6 +77,13 @@ public final class MidpointClip implements SteppedSegmentClipper {
             else if (leaveCode == 0) found(1);
         }
 
+        private int code(double x, double y) {
+            return (y > ymax ? CohenSutherland.TOP : 0)
+                    | (y < ymin ? CohenSutherland.BOTTOM : 0)
+                    | (x > xmax ? CohenSutherland.RIGHT : 0)
+                    | (x < xmin ? CohenSutherland.LEFT : 0);
+        }
+
         private void found(double at) {
             visible = at;
             part = enterCode != 0 ? Part.ENTERING : leaveCode != 0 ? Part.LEAVING : Part.OVER;
@@ -148,10 +155,10 @@ public final class MidpointClip implements SteppedSegmentClipper {
         private int middle() {
             double right = t * dx;
             double up = t * dy;
-            return (up > ymax - y0 ? TOP : 0)
-                    | (up < ymin - y0 ? BOTTOM : 0)
-                    | (right > xmax - x0 ? RIGHT : 0)
-                    | (right < xmin - x0 ? LEFT : 0);
+            return (up > ymax - y0 ? CohenSutherland.TOP : 0)
+                    | (up < ymin - y0 ? CohenSutherland.BOTTOM : 0)
+                    | (right > xmax - x0 ? CohenSutherland.RIGHT : 0)
+                    | (right < xmin - x0 ? CohenSutherland.LEFT : 0);
         }
 
         @Override

@@ -13,11 +13,6 @@ import rasterlab.contract.SegmentSink;
  * #unsure} from the start.
  */
 abstract class WindowWalk implements SegmentWalk {
-    static final int TOP = 1;
-    static final int BOTTOM = 2;
-    static final int RIGHT = 4;
-    static final int LEFT = 8;
-
     private static final double LONGEST = 512;
     private static final double SMALLEST = 0x1p-300;
     private static final double FLATTEST = 0x1p-600;
@@ -80,26 +75,6 @@ abstract class WindowWalk implements SegmentWalk {
      */
     static boolean vanishing(double length) {
         return Math.abs(length) < FLATTEST && length != 0;
-    }
-
-    /**
-     * Which sides a point lies beyond: the signs of four differences, bit by bit. A difference of
-     * doubles has the right sign always, and that of equals is +0, none of them being −0.
-     */
-    final int code(double x, double y) {
-        return columnCode(x) | rowCode(y);
-    }
-
-    final int columnCode(double x) {
-        return sign(xmax - x) * RIGHT | sign(x - xmin) * LEFT;
-    }
-
-    final int rowCode(double y) {
-        return sign(ymax - y) * TOP | sign(y - ymin) * BOTTOM;
-    }
-
-    private static int sign(double difference) {
-        return (int) (Double.doubleToRawLongBits(difference) >>> 63);
     }
 
     /**

@@ -1,5 +1,8 @@
 package rasterlab.engine.visibility.triangle;
 
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
@@ -11,10 +14,6 @@ import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
-
-import java.io.IOException;
-import java.util.ArrayList;
-import java.util.List;
 
 /**
  * Triangles with depths from outside: {@code triangles}, {@code size}, {@code background}; {@code

@@ -3,12 +3,11 @@ package rasterlab.engine.visibility.triangle;
 import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
-import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.Verdict;
-
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
 
 /** Triangles that one mistake shows on, in pictures of a few pixels. */
 final class DepthTriangleHazards {

@@ -1,5 +1,7 @@
 package rasterlab.engine.visibility.triangle;
 
+import java.math.BigDecimal;
+import java.util.List;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
@@ -8,9 +10,6 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
-
-import java.math.BigDecimal;
-import java.util.List;
 
 /**
  * Filling triangles into a depth buffer.

@@ -1,9 +1,8 @@
 package rasterlab.engine.visibility.triangle;
 
-import rasterlab.contract.DepthTriangleFiller;
-
 import java.util.Arrays;
 import java.util.List;
+import rasterlab.contract.DepthTriangleFiller;
 
 /**
  * Triangles in the order of drawing, over a background of one depth.

@@ -1,11 +1,10 @@
 package rasterlab.engine.visibility.triangle;
 
-import rasterlab.contract.DepthTriangleFiller;
-
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.Optional;
+import rasterlab.contract.DepthTriangleFiller;
 
 /**
  * What triangles show: areas in whole steps of the corners' grid, which no long overflows, and

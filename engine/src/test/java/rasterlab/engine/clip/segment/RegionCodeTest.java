@@ -12,7 +12,7 @@ class RegionCodeTest {
 
     private static int code(double x, double y) {
         var walk = new CohenSutherland().walk(0, 0, 10, 10, x, y, x, y);
-        return ((WindowWalk) walk).code(x, y);
+        return ((CohenSutherland.Walk) walk).code(x, y);
     }
 
     /** Bits from the left: 4 left of the window, 3 right of it, 2 below, 1 above. */
@@ -38,8 +38,9 @@ class RegionCodeTest {
     void course5ASideBelongsToTheWindow() {
         for (double x : new double[] {0, 10})
             for (double y : new double[] {0, 10}) assertEquals(0, code(x, y));
-        assertEquals(WindowWalk.RIGHT, code(Math.nextUp(10.0), 10));
-        assertEquals(WindowWalk.LEFT | WindowWalk.BOTTOM, code(-Double.MIN_VALUE, -1e-300));
+        assertEquals(CohenSutherland.RIGHT, code(Math.nextUp(10.0), 10));
+        assertEquals(
+                CohenSutherland.LEFT | CohenSutherland.BOTTOM, code(-Double.MIN_VALUE, -1e-300));
     }
 
     /** c0 ∧ c1 ≠ 0 rejects, c0 ∨ c1 = 0 accepts, else the segment is cut: all 81 pairs. */
