@@ -49,7 +49,7 @@ final class ClipReadings {
                         : ((PolygonScene) scene).window();
         if (!window.upright() && step.border() >= 0)
             return texts.text("at.edge", step.border() + 1);
-        if (scene instanceof PolygonScene)
+        if (scene instanceof PolygonScene && step.border() >= 0)
             return worded(new String[] {"bottom", "right", "top", "left"}[step.border() % 4]);
         return worded(step.at());
     }

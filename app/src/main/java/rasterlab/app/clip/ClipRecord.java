@@ -38,6 +38,13 @@ final class ClipRecord {
         capture.next();
     }
 
+    /** Closes it with the step of a method that tells nothing but what it sent. */
+    void written(int item) {
+        next();
+        List<Optional<double[]>> sent = capture.captured().parts();
+        add(ClipStep.written(item, sent.get(sent.size() - 1).orElse(new double[0])));
+    }
+
     void endless() {
         end(Clipping.Ending.ENDLESS, "");
     }

@@ -1,5 +1,7 @@
 package rasterlab.app.clip;
 
+import java.util.Arrays;
+
 /**
  * One step of a method.
  *
@@ -19,6 +21,25 @@ public record ClipStep(
         Passing passing,
         double[] places,
         double[] left) {
+    /** What a method without steps, such as the user's program, sent for an item. */
+    private static final String WRITTEN = "written";
+
+    /**
+     * The step of a method that tells nothing but what it sent.
+     *
+     * @param left the two ends that it sent; none where it sent none
+     */
+    static ClipStep written(int item, double[] left) {
+        return new ClipStep(item, WRITTEN, -1, Double.NaN, Passing.NONE, new double[0], left);
+    }
+
+    /** The same of a piece of a polygon, which is drawn all around. */
+    static ClipStep writtenPiece(double[] piece) {
+        double[] around = Arrays.copyOf(piece, piece.length + 2);
+        System.arraycopy(piece, 0, around, piece.length, 2);
+        return new ClipStep(0, WRITTEN, -1, piece.length / 2, Passing.NONE, new double[0], around);
+    }
+
     /** Which way something passes a border. */
     public enum Passing {
         /** It comes in. */

@@ -37,7 +37,10 @@ final class PolygonClipping {
         try {
             if (clipper instanceof SteppedPolygonClipper stepped)
                 clip(stepped, scene, steps, pieces);
-            else pieces.addAll(topic.record(clipper, input(scene), Integer.MAX_VALUE));
+            else {
+                pieces.addAll(topic.record(clipper, input(scene), Integer.MAX_VALUE));
+                pieces.stream().map(ClipStep::writtenPiece).forEach(steps::add);
+            }
         } catch (IllegalArgumentException e) {
             return stopped(method, Clipping.Ending.REFUSED, e.getMessage());
         } catch (RuntimeException e) {

@@ -114,9 +114,10 @@ final class SegmentClipping {
 
     /** Clips by a method without steps, up to the first segment that it does not answer. */
     private static void clipAll(SegmentClipper method, SegmentScene scene, ClipRecord run) {
-        for (PlaneSegment segment : scene.segments()) {
-            SegmentClipTopic.clip(method, scene.window().rectangle(), segment.ends(), run.sink());
-            run.next();
+        for (int i = 0; i < scene.segments().size(); i++) {
+            double[] ends = scene.segments().get(i).ends();
+            SegmentClipTopic.clip(method, scene.window().rectangle(), ends, run.sink());
+            run.written(i);
         }
     }
 

@@ -59,9 +59,10 @@ final class VolumeClipping {
 
     /** Clips by a method without steps, up to the first segment that it does not answer. */
     private static void clipAll(VolumeClipper method, VolumeScene scene, ClipRecord run) {
-        for (SpaceSegment segment : scene.segments()) {
-            VolumeClipTopic.clip(method, scene.zmin(), segment.ends(), run.sink());
-            run.next();
+        for (int i = 0; i < scene.segments().size(); i++) {
+            double[] ends = scene.segments().get(i).ends();
+            VolumeClipTopic.clip(method, scene.zmin(), ends, run.sink());
+            run.written(i);
         }
     }
 

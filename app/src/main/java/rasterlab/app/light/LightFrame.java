@@ -52,6 +52,7 @@ record LightFrame(LightChoice choice, int width, int height) {
      * @param places where the lamps are on them
      * @param faceArrows normals of faces: x and y of both ends of each, in pixels
      * @param cornerArrows normals of corners likewise
+     * @param rightArrows right normals of corners, where the user's own program found the others
      * @param point the formula at the chosen point; empty where no face is
      * @param own what there is to say of the user's own program; empty where it does nothing
      */
@@ -63,23 +64,28 @@ record LightFrame(LightChoice choice, int width, int height) {
             PicturePlaces places,
             double[] faceArrows,
             double[] cornerArrows,
+            double[] rightArrows,
             Optional<PointReading> point,
             Optional<OwnTold> own) {}
 
     /**
      * @param body the choice's scene
-     * @param normals what there is to say of the program by whose normals it is lit
+     * @param normals of the user's own program, if the body is lit by those
      * @param mine the user's own programs
      */
     Drawn drawn(
             Scene body,
-            Optional<OwnTold> normals,
+            Optional<OwnNormals> normals,
             OwnMethods mine,
             PictureMaker maker,
             BooleanSupplier cancelled) {
         var places = PicturePlaces.of(choice, body, width, height);
         if (choice.shaded().isEmpty())
-            return drawn(shadings(body, maker, cancelled), places, normals);
+            return drawn(
+                    shadings(body, maker, cancelled),
+                    places,
+                    normals.map(OwnNormals::right),
+                    normals.map(OwnNormals::told));
         int[] at = {column(), row()};
         var light = OwnLight.of(choice, places, body.backgroundRgb(), at, mine, cancelled);
         return drawn(
@@ -88,6 +94,7 @@ record LightFrame(LightChoice choice, int width, int height) {
                         profiled(RIGHT, light.right()),
                         new Picture(OFF, light.off(), new double[0], new double[0])),
                 places,
+                Optional.empty(),
                 Optional.of(light.told()));
     }
 
@@ -100,7 +107,14 @@ record LightFrame(LightChoice choice, int width, int height) {
         return List.copyOf(pictures);
     }
 
-    private Drawn drawn(List<Picture> pictures, PicturePlaces places, Optional<OwnTold> own) {
+    /**
+     * @param right the body with right normals, where its own may be wrong
+     */
+    private Drawn drawn(
+            List<Picture> pictures,
+            PicturePlaces places,
+            Optional<Scene> right,
+            Optional<OwnTold> own) {
         ViewedMesh view = places.view();
         boolean arrows = choice.arrows();
         return new Drawn(
@@ -111,6 +125,9 @@ record LightFrame(LightChoice choice, int width, int height) {
                 places,
                 arrows ? places.faceArrows() : new double[0],
                 arrows ? places.cornerArrows() : new double[0],
+                right.filter(body -> arrows)
+                        .map(body -> PicturePlaces.of(choice, body, width, height).cornerArrows())
+                        .orElse(new double[0]),
                 SeenPoint.at(view, column(), row())
                         .map(point -> PointReading.of(choice, view, point)),
                 own);

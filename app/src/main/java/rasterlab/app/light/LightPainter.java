@@ -62,7 +62,8 @@ final class LightPainter {
         DevicePixels.paint((Graphics2D) over.create(), picture.raster().image());
         over.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         over.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        arrows(over, index == 0 ? drawn.faceArrows() : drawn.cornerArrows());
+        if (index > 0) arrows(over, drawn.rightArrows(), MethodColours.SKY_BLUE);
+        arrows(over, index == 0 ? drawn.faceArrows() : drawn.cornerArrows(), MethodColours.YELLOW);
         String name = texts.text("shading." + picture.name());
         over.setFont(over.getFont().deriveFont(Font.BOLD));
         FontMetrics bold = over.getFontMetrics();
@@ -88,12 +89,12 @@ final class LightPainter {
         over.dispose();
     }
 
-    private void arrows(Graphics2D over, double[] ends) {
+    private void arrows(Graphics2D over, double[] ends, Color colour) {
         over.setStroke(ARROW);
         for (int at = 0; at < ends.length; at += 4) {
             double x = ends[at + 2] / scale;
             double y = ends[at + 3] / scale;
-            over.setColor(MethodColours.YELLOW);
+            over.setColor(colour);
             over.draw(new Line2D.Double(ends[at] / scale, ends[at + 1] / scale, x, y));
             over.fill(new Ellipse2D.Double(x - 1.6, y - 1.6, 3.2, 3.2));
         }

@@ -16,9 +16,10 @@ final class MadeBody {
      * A body that was drawn.
      *
      * @param by the user's own program that found its normals
-     * @param told what there is to say of that
+     * @param normals those, beside the right ones
      */
-    private record Made(Body body, Optional<OwnProgram> by, Scene scene, Optional<OwnTold> told) {}
+    private record Made(
+            Body body, Optional<OwnProgram> by, Scene scene, Optional<OwnNormals> normals) {}
 
     MadeBody(OwnMethods own) {
         this.own = own;
@@ -30,12 +31,12 @@ final class MadeBody {
         if (last.filter(made -> made.body().equals(body) && made.by().equals(by)).isEmpty())
             last = Optional.of(made(body, by));
         Made made = last.get();
-        return frame.drawn(made.scene(), made.told(), own, maker, cancelled);
+        return frame.drawn(made.scene(), made.normals(), own, maker, cancelled);
     }
 
     private Made made(Body body, Optional<OwnProgram> by) {
         if (!body.asksProgram()) return new Made(body, by, body.scene(), Optional.empty());
         var normals = OwnNormals.of(body, own);
-        return new Made(body, by, normals.scene(), Optional.of(normals.told()));
+        return new Made(body, by, normals.scene(), Optional.of(normals));
     }
 }

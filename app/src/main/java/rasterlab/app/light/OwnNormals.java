@@ -9,7 +9,6 @@ import rasterlab.engine.light.UnitVector;
 import rasterlab.engine.light.normals.NormalsTopic;
 import rasterlab.engine.light.normals.Triangles;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.WrongLength;
 import rasterlab.engine.transform.Images;
 
@@ -17,9 +16,10 @@ import rasterlab.engine.transform.Images;
  * A body with the normals that the user's own program finds.
  *
  * @param scene with the scene's own normals where the program gave none
+ * @param right the same with the normals that its exercise asks for
  * @param told what there is to say of them
  */
-record OwnNormals(Scene scene, OwnTold told) {
+record OwnNormals(Scene scene, Scene right, OwnTold told) {
     static final String TOPIC = new NormalsTopic().name();
 
     /** What normals are held against where the program's exercise does not say. */
@@ -31,18 +31,19 @@ record OwnNormals(Scene scene, OwnTold told) {
     /** On any thread; the program is asked once. */
     static OwnNormals of(Body body, OwnMethods own) {
         var asked = new Asked(own);
+        VertexNormals truth = new NormalsTopic().method(truth(own)).implementation();
+        Scene right = body.scene(truth);
         try {
-            Scene scene = body.scene(asked);
-            return new OwnNormals(scene, OwnTold.ofNormals(asked.off(truth(own)), RIGHT));
+            return new OwnNormals(body.scene(asked), right, asked.told(truth));
         } catch (WrongLength length) {
-            return refused(body, OwnMethods.misshapen(length));
+            return refused(body, right, OwnMethods.misshapen(length));
         } catch (IllegalArgumentException refusal) {
-            return refused(body, refusal);
+            return refused(body, right, refusal);
         }
     }
 
-    private static OwnNormals refused(Body body, IllegalArgumentException refusal) {
-        return new OwnNormals(body.scene(), OwnTold.refused(refusal.getMessage()));
+    private static OwnNormals refused(Body body, Scene right, IllegalArgumentException refusal) {
+        return new OwnNormals(body.scene(), right, OwnTold.refused(refusal.getMessage()));
     }
 
     private static String truth(OwnMethods own) {
@@ -74,10 +75,25 @@ record OwnNormals(Scene scene, OwnTold told) {
             return usable;
         }
 
-        Deviation off(String truth) {
-            VertexNormals right = topic.method(truth).implementation();
-            Images exact = topic.record(right, surface, Integer.MAX_VALUE);
-            return topic.compare(surface, exact, found);
+        /** Holds what it answered against the right normals. */
+        OwnTold told(VertexNormals truth) {
+            Images exact = topic.record(truth, surface, Integer.MAX_VALUE);
+            Optional<OwnTold.WrongNormal> first = Optional.empty();
+            long wrong = 0;
+            for (int v = 0; v < exact.size(); v++) {
+                double[] mine = Arrays.copyOfRange(found.coordinates(), 3 * v, 3 * v + 3);
+                double[] right = Arrays.copyOfRange(exact.coordinates(), 3 * v, 3 * v + 3);
+                if (apart(mine, right) <= RIGHT) continue;
+                if (wrong++ == 0) first = Optional.of(new OwnTold.WrongNormal(v, mine, right));
+            }
+            return OwnTold.ofNormals(wrong, exact.size(), first);
+        }
+
+        private static double apart(double[] mine, double[] right) {
+            var between = new double[3];
+            for (int axis = 0; axis < 3; axis++) between[axis] = mine[axis] - right[axis];
+            double apart = UnitVector.length(between);
+            return Double.isNaN(apart) ? Double.POSITIVE_INFINITY : apart;
         }
     }
 }

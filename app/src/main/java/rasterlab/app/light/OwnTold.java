@@ -1,12 +1,12 @@
 package rasterlab.app.light;
 
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.engine.study.Deviation;
 
 /**
  * What there is to say of the user's own program beside a picture.
@@ -16,7 +16,7 @@ import rasterlab.engine.study.Deviation;
  * @param wrong number of wrong answers
  * @param of number of all
  * @param worst levels of 255 by which one is off
- * @param first the first wrong answer, in English; "" where that is seen in the picture
+ * @param first the first wrong normal; empty where there is none
  * @param light that it finds at the chosen point: red, green and blue; empty where it finds none
  */
 record OwnTold(
@@ -25,35 +25,46 @@ record OwnTold(
         long wrong,
         long of,
         double worst,
-        String first,
+        Optional<WrongNormal> first,
         Optional<double[]> light) {
+    /** A normal that is not the right one. */
+    record WrongNormal(int vertex, double[] mine, double[] right) {}
+
     static OwnTold refused(String refusal) {
-        return new OwnTold(refusal, "", 0, 0, 0, "", Optional.empty());
+        return new OwnTold(refusal, "", 0, 0, 0, Optional.empty(), Optional.empty());
     }
 
-    /**
-     * @param right the largest error that is none
-     */
-    static OwnTold ofNormals(Deviation off, double right) {
-        return off.worst() <= right
-                ? new OwnTold("", "own.normals.right", 0, off.of(), 0, "", Optional.empty())
-                : new OwnTold("", "own.normals.off", 0, off.of(), 0, off.first(), Optional.empty());
+    static OwnTold ofNormals(long wrong, long of, Optional<WrongNormal> first) {
+        String key = wrong == 0 ? "own.normals.right" : "own.normals.off";
+        return new OwnTold("", key, wrong, of, 0, first, Optional.empty());
     }
 
     static OwnTold ofLight(long wrong, long of, double worst, Optional<double[]> light) {
         String key = wrong == 0 ? "own.light.right" : "own.light.off";
-        return new OwnTold("", key, wrong, of, worst, "", light);
+        return new OwnTold("", key, wrong, of, worst, Optional.empty(), light);
     }
 
     /** The sentence in the language of the lab's texts. */
     String in(Texts texts) {
         if (!refusal.isEmpty())
             return OwnWords.refusal(OwnMethods.NAME, refusal, texts.language()).orElseThrow();
-        if (!first.isEmpty()) return texts.text(key, VerdictDetail.said(texts.language(), first));
-        return texts.text(
-                key,
-                Long.toString(of),
-                Long.toString(wrong),
-                Shown.number(worst, 1, texts.locale()));
+        String all = Long.toString(of);
+        String bad = Long.toString(wrong);
+        return first.map(
+                        one ->
+                                texts.text(
+                                        key,
+                                        all,
+                                        bad,
+                                        Integer.toString(one.vertex()),
+                                        numbers(one.mine(), texts),
+                                        numbers(one.right(), texts)))
+                .orElseGet(() -> texts.text(key, all, bad, Shown.number(worst, 1, texts.locale())));
+    }
+
+    private static String numbers(double[] normal, Texts texts) {
+        return DoubleStream.of(normal)
+                .mapToObj(number -> Shown.number(number, 3, texts.locale()))
+                .collect(Collectors.joining(Shown.apart(texts.locale()), "(", ")"));
     }
 }

@@ -1,13 +1,12 @@
 package rasterlab.app.row;
 
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.visibility.triangle.DepthTriangleTopic;
 import rasterlab.engine.visibility.triangle.DepthTriangles;
-
-import java.util.List;
-import java.util.Optional;
-import java.util.stream.IntStream;
 
 /** Triangles in a depth buffer as what each pixel of the picture shows, row behind row. */
 final class DepthTriangleKind

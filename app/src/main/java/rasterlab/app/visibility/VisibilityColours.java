@@ -21,6 +21,7 @@ import static rasterlab.app.canvas.MethodColours.YELLOW;
 
 import java.util.Map;
 import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.mine.OwnMethods;
 
 /** The colours of the methods for hidden surfaces. */
 final class VisibilityColours {
@@ -44,7 +45,9 @@ final class VisibilityColours {
                             Map.entry("raycast", GREEN),
                             Map.entry("plain", VIOLET),
                             Map.entry("pipeline", SLATE),
-                            Map.entry("auto", SAND)));
+                            Map.entry("auto", SAND),
+                            // Never beside "auto", which no picture of the lab names.
+                            Map.entry(OwnMethods.NAME, SAND)));
 
     private VisibilityColours() {}
 }

@@ -3,19 +3,16 @@ package rasterlab.app.light;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Locale;
+import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.Reflection;
-
-import java.util.List;
-import java.util.Locale;
-
-import javax.swing.text.BadLocationException;
 
 /** What the lab says about the methods that light its body. */
 class LightMethodsTest {

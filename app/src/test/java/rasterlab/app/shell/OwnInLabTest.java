@@ -203,6 +203,17 @@ class OwnInLabTest {
     }
 
     @ParameterizedTest
+    @ValueSource(strings = {"clip-segment", "clip-polygon", "clip-volume"})
+    void aClippersStepsAreWhatItSends(String id) throws InterruptedException {
+        showModel(Catalogue.builtIn().named(id));
+        models.clip().settle();
+        drain();
+        var clipping = models.clip().state().results().clipping();
+        assertTrue(clipping.steps().size() >= clipping.parts().size(), clipping.message());
+        assertTrue(clipping.parts().size() > 0, clipping.message());
+    }
+
+    @ParameterizedTest
     @ValueSource(strings = {"bezier-point", "hermite", "flatten-curve"})
     void theModelSolutionIsRightInTheLabOfCurves(String id) throws InterruptedException {
         showModel(Catalogue.builtIn().named(id));
