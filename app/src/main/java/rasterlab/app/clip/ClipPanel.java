@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -13,10 +12,9 @@ import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
-import rasterlab.app.card.TopicTexts;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Hazard;
 
 /** The clipping lab as the window shows it, in one language. */
 public final class ClipPanel extends LabPanel {
@@ -113,16 +111,11 @@ public final class ClipPanel extends LabPanel {
     }
 
     private Chips chips(ClipMode mode) {
-        var row = new Chips(texts, "hazards");
-        TopicTexts said = TopicTexts.of(mode.topic(), texts.language());
-        for (Hazard<?> hazard : model.hazards(mode))
-            row.add(
-                    HazardCase.of(
-                            hazard,
-                            said.title(hazard),
-                            said.hazard(hazard),
-                            model.methods(mode),
-                            () -> model.show(mode, hazard.name())));
-        return row;
+        return TopicChips.of(
+                texts,
+                mode.topic(),
+                model.hazards(mode),
+                model.methods(mode),
+                hazard -> model.show(mode, hazard.name()));
     }
 }

@@ -5,7 +5,6 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -14,10 +13,9 @@ import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.WrappedText;
-import rasterlab.app.card.TopicTexts;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Hazard;
 
 /** Circles, ellipses, lines of a pen and the chart of brightness, in one language. */
 final class FigurePanel extends LabPanel {
@@ -118,16 +116,11 @@ final class FigurePanel extends LabPanel {
     }
 
     private Chips chips(LineMode mode) {
-        var row = new Chips(texts, "hazards");
-        TopicTexts said = TopicTexts.of(mode.code(), texts.language());
-        for (Hazard<?> hazard : model.hazards(mode))
-            row.add(
-                    HazardCase.of(
-                            hazard,
-                            said.title(hazard),
-                            said.hazard(hazard),
-                            model.methods(mode),
-                            () -> model.show(mode, hazard.name())));
-        return row;
+        return TopicChips.of(
+                texts,
+                mode.code(),
+                model.hazards(mode),
+                model.methods(mode),
+                hazard -> model.show(mode, hazard.name()));
     }
 }

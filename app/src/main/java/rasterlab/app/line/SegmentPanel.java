@@ -5,18 +5,15 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
-import rasterlab.app.card.TopicTexts;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.line.Segment;
-import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /** The lab of segments as the window shows it, in one language. */
@@ -106,17 +103,11 @@ final class SegmentPanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts, "hazards");
-        TopicTexts said = TopicTexts.of("line", texts.language());
-        List<String> methods = model.methods().stream().map(Method::name).toList();
-        for (Hazard<Segment> hazard : model.hazards())
-            chips.add(
-                    HazardCase.of(
-                            hazard,
-                            said.title(hazard),
-                            said.hazard(hazard),
-                            methods,
-                            () -> model.show(hazard.input())));
-        return chips;
+        return TopicChips.of(
+                texts,
+                "line",
+                model.hazards(),
+                model.methods().stream().map(Method::name).toList(),
+                hazard -> model.show(hazard.input()));
     }
 }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -16,11 +15,9 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
-import rasterlab.app.card.TopicTexts;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.spline.CurveTask;
-import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /** The lab of curves as the tab shows it, in one language. */
@@ -29,7 +26,6 @@ final class CurvePanel extends LabPanel {
 
     private final transient CurveLabModel model;
     private final transient Texts texts;
-    private final transient TopicTexts said;
     private final PlaneView stage;
     private final transient CurveInspector inspector;
     private final StepPlayer player;
@@ -49,7 +45,6 @@ final class CurvePanel extends LabPanel {
         this.model = model;
         setName("curve");
         texts = Texts.of("spline", language);
-        said = TopicTexts.of("curve", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -139,17 +134,12 @@ final class CurvePanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts, "hazards");
-        List<String> methods = model.methods().stream().map(Method::name).toList();
-        for (Hazard<CurveTask> hazard : model.hazards())
-            chips.add(
-                    HazardCase.of(
-                            hazard,
-                            said.title(hazard),
-                            said.hazard(hazard),
-                            methods,
-                            () -> model.show(hazard.input())));
-        return chips;
+        return TopicChips.of(
+                texts,
+                "curve",
+                model.hazards(),
+                model.methods().stream().map(Method::name).toList(),
+                hazard -> model.show(hazard.input()));
     }
 
     private final class Edits implements PlaneEdits {

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -16,12 +15,10 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
-import rasterlab.app.card.TopicTexts;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.spline.SplineProblem;
-import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /** The lab of functions through knots as the tab shows it, in one language. */
@@ -33,7 +30,6 @@ final class FunctionPanel extends LabPanel {
 
     private final transient FunctionLabModel model;
     private final transient Texts texts;
-    private final transient TopicTexts said;
     private final PlaneView stage;
     private final transient FunctionInspector inspector;
     private final StepPlayer player;
@@ -53,7 +49,6 @@ final class FunctionPanel extends LabPanel {
         this.model = model;
         setName("function");
         texts = Texts.of("spline", language);
-        said = TopicTexts.of("spline-function", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -149,17 +144,12 @@ final class FunctionPanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts, "hazards");
-        List<String> methods = model.methods().stream().map(Method::name).toList();
-        for (Hazard<SplineProblem> hazard : model.hazards())
-            chips.add(
-                    HazardCase.of(
-                            hazard,
-                            said.title(hazard),
-                            said.hazard(hazard),
-                            methods,
-                            () -> model.show(hazard.input())));
-        return chips;
+        return TopicChips.of(
+                texts,
+                "spline-function",
+                model.hazards(),
+                model.methods().stream().map(Method::name).toList(),
+                hazard -> model.show(hazard.input()));
     }
 
     private final class Edits implements PlaneEdits {

@@ -1,14 +1,11 @@
 package rasterlab.app.coordinates.figure;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import rasterlab.app.canvas.Actions;
-import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.LabLayout;
@@ -19,10 +16,8 @@ import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.canvas.SvgDrawing;
-import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Hazard;
 
 /**
  * One of the tab's labs, in one language: chips above, stage, inspector, the buttons that all labs
@@ -141,32 +136,6 @@ public abstract class LabCard extends LabPanel {
         stop();
         unsubscribe.run();
         closeStage();
-    }
-
-    /**
-     * A chip for each hazard.
-     *
-     * @param texts the lab's
-     * @param topic whose hazards they are
-     * @param methods names of those that the lab offers
-     */
-    protected static <I> Chips hazards(
-            Texts texts,
-            String topic,
-            List<Hazard<I>> hazards,
-            List<String> methods,
-            Consumer<Hazard<I>> chosen) {
-        var chips = new Chips(texts, "hazards");
-        TopicTexts said = TopicTexts.of(topic, texts.language());
-        for (Hazard<I> each : hazards)
-            chips.add(
-                    HazardCase.of(
-                            each,
-                            said.title(each),
-                            said.hazard(each),
-                            methods,
-                            () -> chosen.accept(each)));
-        return chips;
     }
 
     /** Adds a row that leads to the other labs; in this one it always shows this one's name. */

@@ -4,16 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.ModeRows;
-import rasterlab.app.card.TopicTexts;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /** The lab of lists as the tab shows it, in one language. */
@@ -53,24 +51,19 @@ public final class ListPanel extends LabCard {
     }
 
     private static Chips chips(ListLabModel model, String topic, Texts texts) {
-        if (topic.equals(TrialRows.MATRICES))
-            return hazards(
-                    texts,
-                    "matrix",
-                    model.hazards(),
-                    model.methods().stream().map(Method::name).toList(),
-                    model::show);
-        var chips = new Chips(texts, "hazards");
-        TopicTexts said = TopicTexts.of(topic, texts.language());
-        for (Hazard<?> hazard : model.trials().hazards(topic))
-            chips.add(
-                    HazardCase.of(
-                            hazard,
-                            said.title(hazard),
-                            said.hazard(hazard),
-                            model.trials().methods(topic).stream().map(Method::name).toList(),
-                            () -> model.show(topic, hazard.name(), "")));
-        return chips;
+        return topic.equals(TrialRows.MATRICES)
+                ? TopicChips.of(
+                        texts,
+                        "matrix",
+                        model.hazards(),
+                        model.methods().stream().map(Method::name).toList(),
+                        model::show)
+                : TopicChips.of(
+                        texts,
+                        topic,
+                        model.trials().hazards(topic),
+                        model.trials().methods(topic).stream().map(Method::name).toList(),
+                        hazard -> model.show(topic, hazard.name(), ""));
     }
 
     @Override

@@ -3,6 +3,7 @@ package rasterlab.app.coordinates.meeting;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabInput;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
@@ -39,7 +40,7 @@ public final class MeetingPanel extends LabCard {
         var legend = new WrappedText("legend");
         legend.show(texts.text("legend"));
         arrange(
-                hazards(
+                TopicChips.of(
                         texts,
                         "line-plane",
                         model.hazards(),

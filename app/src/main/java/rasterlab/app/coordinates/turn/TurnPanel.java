@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabInput;
+import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.LabCard;
@@ -39,7 +40,7 @@ public final class TurnPanel extends LabCard {
         addCopies(() -> stage, stage::svg, () -> Optional.of(model.command()), onFailure);
         actions().addQuestions(() -> "rotate");
         play(
-                hazards(
+                TopicChips.of(
                         texts,
                         "rotate",
                         model.hazards(),
