@@ -25,10 +25,13 @@ class LocalTriesTest {
     void bestOfAllWindowsIsTold() throws IOException {
         note("circle", 40, 100);
         note("circle.2", 70, 100);
+        note("ellipse", 70, 100);
+        note("ellipse.2", 40, 100);
         note("line-bresenham", 1, 10);
         assertEquals(
                 Map.of(
                         "circle", Standing.graded(new Earned(70, 100)),
+                        "ellipse", Standing.graded(new Earned(70, 100)),
                         "line-bresenham", Standing.graded(new Earned(1, 10))),
                 found());
     }

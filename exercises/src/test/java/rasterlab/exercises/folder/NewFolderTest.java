@@ -115,5 +115,7 @@ class NewFolderTest {
         for (Map.Entry<String, byte[]> file : files.entrySet())
             Files.write(folder.resolve(file.getKey()), file.getValue());
         assertEquals(List.of(), FolderCheck.faults(folder));
+        for (String statement : List.of("statement.en.md", "statement.ru.md"))
+            assertTrue(Files.readString(folder.resolve(statement)).contains("new-one"), statement);
     }
 }

@@ -54,7 +54,9 @@ class SmallerInputsTest {
             for (List<Smaller> next = SmallerInputs.of(at).toList();
                     !next.isEmpty();
                     next = SmallerInputs.of(at).toList()) {
-                at = next.get(random.nextInt(next.size()));
+                // The last one takes the smallest step.
+                int chosen = start % 2 == 0 ? random.nextInt(next.size()) : next.size() - 1;
+                at = next.get(chosen);
                 assertTrue(steps++ < 1000, "seed " + SEED + ", at " + at);
             }
         }

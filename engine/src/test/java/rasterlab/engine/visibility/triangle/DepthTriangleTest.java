@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.DepthTriangleFiller;
+import rasterlab.engine.study.Deviation;
 
 class DepthTriangleTest {
     private static final DepthTriangleTopic TOPIC = new DepthTriangleTopic();
@@ -76,7 +77,9 @@ class DepthTriangleTest {
         DepthTriangles input = walls(0.3, 0.6);
         DepthTriangles.Shown exact = TOPIC.exact(input, Integer.MAX_VALUE);
         var none = new DepthTriangles.Shown(1, exact.shown(), new double[] {Double.NaN});
-        assertFalse(TOPIC.usable(TOPIC.compare(input, exact, none)));
+        Deviation deviation = TOPIC.compare(input, exact, none);
+        assertFalse(TOPIC.usable(deviation));
+        assertEquals("depth at pixel (0, 0) is NaN, right is 0.3", deviation.first());
     }
 
     @ParameterizedTest
