@@ -5,8 +5,8 @@ import java.util.Locale;
 /**
  * A stretch of distances z'/dz' over which γ behaves alike.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "simple perspective transformation": γ
- * runs away for z' below 2 to 3 dz'.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "simple
+ * perspective transformation": γ runs away for z' below 2 to 3 dz'.
  */
 public enum Stretch {
     RUNS_AWAY(2),

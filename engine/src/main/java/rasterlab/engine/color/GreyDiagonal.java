@@ -11,8 +11,9 @@ import rasterlab.engine.transform.Angle;
  * as √(r² + g² + b² − value²) would lose half its digits close to grey. hue = the perpendicular's
  * angle from red: atan2(√3·(g − b), (r − g) + (r − b)).
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 7, "the RGB cube" (value and
- * saturation; of the hue it says only that it tells the nearest pure colour: the angle is ours).
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 7,
+ * "the RGB cube" (value and saturation; of the hue it says only that it tells the nearest pure
+ * colour: the angle is ours).
  */
 final class GreyDiagonal {
     /** How far beyond the cube's faces rounding may lead. */

@@ -6,9 +6,9 @@ package rasterlab.engine.color;
  * <p>c = 1 − r, m = 1 − g, y = 1 − b; with black k = 1 − max and c' = (max − r)/max, the share of
  * what black leaves. Black itself has no other ink.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 7, "the RGB cube" (cmy, and what
- * the fourth ink is for); J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics:
- * Principles and Practice, 1990, chapter 13 (taking out black).
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 7,
+ * "the RGB cube" (cmy, and what the fourth ink is for); J. D. Foley, A. van Dam, S. K. Feiner, J.
+ * F. Hughes, Computer Graphics: Principles and Practice, 1990, chapter 13 (taking out black).
  */
 final class Inks {
     private Inks() {}

@@ -9,7 +9,7 @@ import rasterlab.engine.color.Levels;
  * <p>The rule is not symmetric, so surfaces must be laid one over the other from back to front: in
  * any other order the picture shows a different arrangement, not a rounding error.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 7.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 7.
  */
 public final class Transparency {
     private Transparency() {}

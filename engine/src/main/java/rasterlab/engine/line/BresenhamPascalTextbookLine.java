@@ -15,8 +15,8 @@ import rasterlab.engine.raster.Work;
  * any line; it also has one {@code end} too many there, and a comment says that this one ends the
  * loop. It is read so: the pixel is lit in the loop.
  *
- * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers (Osnovy kompyuternoi
- * grafiki dlya programmistov), Kazan, 2005, ch. 4, procedure Bresenham.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 4,
+ * procedure Bresenham.
  */
 public final class BresenhamPascalTextbookLine implements SteppedLine {
     @Override

@@ -13,7 +13,8 @@ import rasterlab.engine.raster.Work;
  * what it takes to be exact.
  *
  * <p>Sources: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch.
- * 4; J. D. Foley et al., Computer Graphics: Principles and Practice, 2nd ed., 1990, section 3.2.1.
+ * 4; J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics: Principles and
+ * Practice, 1990, section 3.2.1.
  */
 public final class FloatDdaLine implements SteppedLine {
     @Override

@@ -13,7 +13,7 @@ import rasterlab.engine.geometry.Orientation;
  * order before the line reaches their common point, so only neighbours are tested: O(n log n) for n
  * corners. All tests are exact.
  *
- * <p>Source: M. I. Shamos and D. Hoey, Geometric intersection problems, 17th Annual Symposium on
+ * <p>Source: M. I. Shamos, D. Hoey, Geometric intersection problems, 17th Annual Symposium on
  * Foundations of Computer Science, 1976, pp. 208–215.
  */
 public final class MeetingEdges {

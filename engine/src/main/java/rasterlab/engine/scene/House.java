@@ -8,8 +8,8 @@ import rasterlab.engine.transform.SphericalView;
  * <p>The scene shows it 16 times as large with the middle of its bounding box at the origin, where
  * a spherical view looks; {@link HouseStages} has the textbook's own stages.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "forming the picture" (the vertices and
- * the scale; colours and faces are ours).
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "forming the
+ * picture" (the vertices and the scale; colours and faces are ours).
  */
 public final class House {
     public static final double SCALE = 16;

@@ -11,7 +11,8 @@ import rasterlab.engine.transform.TextbookMatrices;
  * and about x by 10°. Screen is eye shifted by −150 along y and divided by H = 1 − z/700, the
  * observer standing at z = 700.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "forming the picture".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "forming the
+ * picture".
  */
 public final class HouseStages {
     public static final double SHIFT_Y = -150;

@@ -9,7 +9,7 @@ import rasterlab.contract.Curve;
  * to more than 1 between the ends, and the curve leaves its hull away from the origin. There are
  * formulas for cubics in these two forms only.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 8.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 8.
  */
 public final class BlendingTextbookCurve extends EvaluatedCurve {
     @Override

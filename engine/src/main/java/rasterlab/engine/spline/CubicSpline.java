@@ -14,7 +14,7 @@ import rasterlab.contract.SplineEnds;
  * between wide ones they are nearly equal and their small differences carry everything. O(m) time
  * and memory.
  *
- * <p>Source: J. H. Ahlberg, E. N. Nilson and J. L. Walsh, The Theory of Splines and Their
+ * <p>Source: J. H. Ahlberg, E. N. Nilson, J. L. Walsh, The Theory of Splines and Their
  * Applications, 1967, chapter II.
  */
 public final class CubicSpline implements SteppedSpline {

@@ -4,7 +4,8 @@ package rasterlab.engine.spline;
  * How smoothly one piece of a curve goes over into the next.
  *
  * <p>Differences up to {@value #SAME} of the numbers' size are taken for rounding. Source of the
- * kinds: J. D. Foley and others, Computer Graphics: Principles and Practice, 1990, chapter 11.
+ * kinds: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics: Principles and
+ * Practice, 1990, chapter 11.
  *
  * @param before the end of one piece
  * @param after the start of the next

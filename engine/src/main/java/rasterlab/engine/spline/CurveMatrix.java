@@ -6,7 +6,7 @@ import rasterlab.contract.Curve;
  * The matrices M that make a span from its control points: point(u) = [uⁿ … u² u 1]·M·G.
  *
  * <p>Rows by falling powers of u, columns by control points: in the textbook's layout. Source: J.
- * D. Foley, A. van Dam, S. K. Feiner and J. F. Hughes, Computer Graphics: Principles and Practice,
+ * D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics: Principles and Practice,
  * 1990, chapter 11.
  */
 public final class CurveMatrix {

@@ -12,8 +12,8 @@ import rasterlab.contract.Curve;
  * <p>Only means of control points are taken, so that nothing grows and no degree is too high: n·(n
  * + 1)/2 means per coordinate.
  *
- * <p>Source: P. de Casteljau, Outillages méthodes calcul, Citroën, 1959; W. Boehm and A. Müller, On
- * de Casteljau's algorithm, Computer Aided Geometric Design 16, 1999.
+ * <p>Source: P. de Casteljau, Outillages méthodes calcul, Citroën, 1959; W. Boehm, A. Müller, On de
+ * Casteljau's algorithm, Computer Aided Geometric Design 16, 1999.
  */
 public final class DeCasteljauCurve extends EvaluatedCurve implements SteppedPoint {
     @Override

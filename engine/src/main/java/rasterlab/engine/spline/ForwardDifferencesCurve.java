@@ -8,7 +8,8 @@ package rasterlab.engine.spline;
  * + 1)·h. The highest does not change. Rounding adds up from step to step: after n steps the point
  * is off by about n·2⁻⁵³ of its size.
  *
- * <p>Source: J. D. Foley and others, Computer Graphics: Principles and Practice, 1990, chapter 11.
+ * <p>Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics: Principles and
+ * Practice, 1990, chapter 11.
  */
 public final class ForwardDifferencesCurve extends DifferencesCurve {
     @Override

@@ -4,7 +4,8 @@ package rasterlab.engine.spline;
  * Forward differences in floats, as they were long taught for speed: after n steps the point is off
  * by about n·2⁻²⁴ of its size, which a long curve shows.
  *
- * <p>Source: J. D. Foley and others, Computer Graphics: Principles and Practice, 1990, chapter 11.
+ * <p>Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics: Principles and
+ * Practice, 1990, chapter 11.
  */
 public final class ForwardDifferencesFloatCurve extends DifferencesCurve {
     @Override

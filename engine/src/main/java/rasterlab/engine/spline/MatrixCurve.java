@@ -10,7 +10,8 @@ import rasterlab.contract.Curve;
  * <p>The weights are the blending functions; their sum is 1 but for Hermite's, where those of the
  * two points are.
  *
- * <p>Source: J. D. Foley and others, Computer Graphics: Principles and Practice, 1990, chapter 11.
+ * <p>Source: J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, Computer Graphics: Principles and
+ * Practice, 1990, chapter 11.
  */
 public final class MatrixCurve extends EvaluatedCurve implements SteppedPoint {
     @Override

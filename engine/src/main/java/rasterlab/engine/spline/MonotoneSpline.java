@@ -13,8 +13,8 @@ import rasterlab.contract.SplineEnds;
  * <p>Ends: given slopes are limited too; natural takes k[0] = (3·δ[0] − k[1])/2; not-a-knot the
  * slope of the parabola through three points; periodic treats the first knot as an inner one.
  *
- * <p>Source: F. N. Fritsch and R. E. Carlson, Monotone piecewise cubic interpolation, SIAM Journal
- * on Numerical Analysis 17(2), 1980.
+ * <p>Source: F. N. Fritsch, R. E. Carlson, Monotone piecewise cubic interpolation, SIAM Journal on
+ * Numerical Analysis 17(2), 1980.
  */
 public final class MonotoneSpline implements SteppedSpline {
     @Override

@@ -8,7 +8,7 @@ package rasterlab.engine.spline;
  * steps down the first i columns are zero below the diagonal. 2·n − 1 steps for n unknowns, in
  * memory for n rows; each right-hand side is solved along.
  *
- * <p>Source: G. H. Golub and C. F. Van Loan, Matrix Computations, on banded systems.
+ * <p>Source: G. H. Golub, C. F. Van Loan, Matrix Computations, on banded systems.
  */
 final class TridiagonalWalk implements SplineWalk {
     private final double[] lower;

@@ -17,9 +17,9 @@ import rasterlab.engine.lanes.Lanes;
  * REPLACE    Lt, Af               Lt, At               Ct, Af              Ct, At
  * </pre>
  *
- * <p>Sources: Kazantsev, course text on computer graphics, chapter 15 (MODULATE, DECAL, BLEND;
- * BLEND for 1 and 2 components only); M. Segal, K. Akeley, The OpenGL Graphics System: A
- * Specification, version 1.1, 1997, section 3.8.5 (the rest).
+ * <p>Sources: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch.
+ * 15 (MODULATE, DECAL, BLEND; BLEND for 1 and 2 components only); M. Segal, K. Akeley, The OpenGL
+ * Graphics System: A Specification, version 1.1, 1997, section 3.8.5 (the rest).
  *
  * @param mode the row of the table
  * @param components the column of the table, 1 to 4: those of the texture

@@ -10,7 +10,8 @@ import java.util.List;
  * z' + dz'. Their images, of points at one height, have the ratio γ = 1 + 2·dz'/z'. It does not
  * depend on the picture plane's distance d, which only scales. Below z' = 2 to 3 dz' it runs away.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "simple perspective transformation".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "simple
+ * perspective transformation".
  */
 public final class PerspectiveAmount {
     private PerspectiveAmount() {}

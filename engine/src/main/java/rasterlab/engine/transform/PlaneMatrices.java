@@ -6,7 +6,8 @@ import org.joml.Matrix3d;
  * The course's 3×3 matrices for row points {@code [x y 1] · M} of the plane, in the textbook's
  * reading order: the 2×2 transformation stands in the corner, the shift in the last row.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "affine transformations".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "affine
+ * transformations".
  */
 public final class PlaneMatrices {
     private PlaneMatrices() {}

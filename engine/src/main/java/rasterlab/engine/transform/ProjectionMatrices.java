@@ -5,8 +5,9 @@ import org.joml.Matrix4d;
 /**
  * The course's projections as 4×4 matrices in the textbook's reading order for row points.
  *
- * <p>Sources: Ponomarev, course text on computer graphics, appendix; Kazantsev, course text on
- * computer graphics, chapters 2 (central projection) and 5 (normal and canonical volume).
+ * <p>Sources: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, appendix; A.
+ * V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 2 (central
+ * projection) and 5 (normal and canonical volume).
  */
 public final class ProjectionMatrices {
     /** Cavalier's a, the slanted axis in its full length: cos 45°. */

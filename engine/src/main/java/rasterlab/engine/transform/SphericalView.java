@@ -6,8 +6,8 @@ import org.joml.Vector3d;
 /**
  * An eye at e = ρ(sin φ cos θ, sin φ sin θ, cos φ) that looks at the origin.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "view transformation"; the vase
- * coursework uses the same matrix.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "view
+ * transformation"; the vase coursework uses the same matrix.
  *
  * @param thetaRadians θ, the eye's longitude about the z axis, any finite angle
  * @param phiRadians φ, the angle between the z axis and the direction to the eye, any finite angle

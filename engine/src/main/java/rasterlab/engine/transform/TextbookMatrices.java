@@ -10,8 +10,8 @@ import org.joml.Vector3d;
  * JOML's column order, so {@link Matrix4d#transformPosition} applies it as the textbook does. A
  * positive angle turns counter-clockwise seen from the positive end of the axis.
  *
- * <p>Source: Ponomarev, course text on computer graphics, appendix, whose scales and shift are
- * printed with zeros on the diagonal where ones belong.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, appendix,
+ * whose scales and shift are printed with zeros on the diagonal where ones belong.
  */
 public final class TextbookMatrices {
     /**

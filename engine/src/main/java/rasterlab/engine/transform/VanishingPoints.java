@@ -14,7 +14,8 @@ import org.joml.Vector4d;
  * x = 1/p, and the centre of projection for that axis is x = −1/p, where H = 0. Likewise y and z.
  * An axis whose number is 0 has neither: its parallels stay parallel.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "perspective transformations".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "perspective
+ * transformations".
  */
 public final class VanishingPoints {
     private VanishingPoints() {}

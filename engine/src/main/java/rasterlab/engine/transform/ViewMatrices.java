@@ -6,8 +6,8 @@ import org.joml.Vector3d;
 /**
  * From the world to the eye, in the textbook's reading order for row points.
  *
- * <p>Sources: Ponomarev, course text on computer graphics, "view transformation" (by spherical
- * coordinates); the OpenGL Utility Library's gluLookAt.
+ * <p>Sources: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "view
+ * transformation" (by spherical coordinates); the OpenGL Utility Library's gluLookAt.
  */
 public final class ViewMatrices {
     private ViewMatrices() {}

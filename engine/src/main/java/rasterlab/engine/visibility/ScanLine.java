@@ -11,7 +11,7 @@ import rasterlab.engine.raster.Raster;
  * so that every method owns the same pixels.
  *
  * <p>Sources: C. Wylie, G. Romney, D. Evans, A. Erdahl, Half-tone perspective drawings by computer,
- * AFIPS Fall Joint Computer Conference 1967; G. S. Watkins, PhD thesis, University of Utah, 1970.
+ * AFIPS 1967; G. S. Watkins, PhD thesis, University of Utah, 1970.
  */
 final class ScanLine implements SteppedVisibility {
     @Override

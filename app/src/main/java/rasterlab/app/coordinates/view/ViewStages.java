@@ -15,8 +15,8 @@ import rasterlab.engine.transform.matrix.MatrixCall;
  * <p>The object's frame and the world are right-handed, z up. How the eye's frame lies depends on
  * the kind: x right, y up and z towards the viewer, or away where it is left-handed.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "forming the picture", "view
- * transformation" and appendix.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "forming the
+ * picture", "view transformation" and appendix.
  */
 final class ViewStages {
     /** Pixels per unit of the picture plane in a window of 800×600. */

@@ -20,8 +20,8 @@ import rasterlab.contract.PolygonSink;
  * subject and window, as given, share points inside both ({@link Overlap}), and three corners or
  * more are left of it.
  *
- * <p>Source: I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping, Communications of the
- * ACM 17(1), 1974, pp. 32–42.
+ * <p>Source: I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM
+ * 17(1), 1974, pp. 32–42.
  */
 public final class SutherlandHodgman implements SteppedPolygonClipper {
     @Override

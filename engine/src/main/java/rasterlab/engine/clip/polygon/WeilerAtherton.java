@@ -19,7 +19,7 @@ import rasterlab.contract.PolygonSink;
  * place: a corner turning left goes straight on, one turning right leaves the rim on both sides to
  * the subject, and the piece goes on to the next place.
  *
- * <p>Source: K. Weiler and P. Atherton, Hidden surface removal using polygon area sorting, Computer
+ * <p>Source: K. Weiler, P. Atherton, Hidden surface removal using polygon area sorting, Computer
  * Graphics (SIGGRAPH) 11(2), 1977, pp. 214–222.
  */
 public final class WeilerAtherton implements SteppedPolygonClipper {

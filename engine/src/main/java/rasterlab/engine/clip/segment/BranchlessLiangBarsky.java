@@ -21,7 +21,7 @@ import rasterlab.contract.SegmentSink;
  * often, which costs more than the arithmetic between two of them (the clipping benchmark shows
  * it); near and far sides and larger shares are therefore picked by sign bits.
  *
- * <p>Source: Y.-D. Liang and B. A. Barsky, A new concept and method for line clipping, ACM
+ * <p>Source: Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, ACM
  * Transactions on Graphics 3(1), 1984, pp. 1–22.
  */
 public final class BranchlessLiangBarsky implements SteppedSegmentClipper {

@@ -17,8 +17,8 @@ import rasterlab.contract.SegmentSink;
  * coordinate a cut sets is the side's own, and where the computed one is so near a side that its
  * rounding might change a bit, the segment is handed over instead.
  *
- * <p>Source: W. M. Newman and R. F. Sproull, Principles of Interactive Computer Graphics, 1973,
- * where the method of D. Cohen and I. Sutherland is described.
+ * <p>Source: W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics, 1973, where
+ * the method of D. Cohen and I. Sutherland is described.
  */
 public final class CohenSutherland implements SteppedSegmentClipper {
     static final int TOP = 1;

@@ -14,7 +14,7 @@ import rasterlab.engine.clip.polygon.ConvexWindow;
  * times it does not fit in a double, which is handed over; {@link ConvexWindowWalk} takes any other
  * convex window.
  *
- * <p>Source: M. Cyrus and J. Beck, Generalized two- and three-dimensional clipping, Computers and
+ * <p>Source: M. Cyrus, J. Beck, Generalized two- and three-dimensional clipping, Computers and
  * Graphics 3, 1978, pp. 23–28.
  */
 public final class CyrusBeck implements SteppedSegmentClipper {

@@ -21,7 +21,7 @@ import rasterlab.contract.SegmentSink;
  * <p>A t errs by a share of 3·u (u = 2⁻⁵³). An interval closer to a single point than {@value
  * #SURE} is handed over.
  *
- * <p>Source: Y.-D. Liang and B. A. Barsky, A new concept and method for line clipping, ACM
+ * <p>Source: Y.-D. Liang, B. A. Barsky, A new concept and method for line clipping, ACM
  * Transactions on Graphics 3(1), 1984, pp. 1–22.
  */
 public final class LiangBarsky implements SteppedSegmentClipper {

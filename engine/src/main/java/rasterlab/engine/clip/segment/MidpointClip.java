@@ -16,7 +16,7 @@ import rasterlab.contract.SegmentSink;
  * handed over; near a corner that is what the seeking comes down to. So is a segment of which one
  * extent is about as short as the smallest double, which cannot be halved.
  *
- * <p>Source: R. F. Sproull and I. E. Sutherland, A clipping divider, AFIPS Fall Joint Computer
+ * <p>Source: R. F. Sproull, I. E. Sutherland, A clipping divider, AFIPS Fall Joint Computer
  * Conference, 1968, pp. 765–776.
  */
 public final class MidpointClip implements SteppedSegmentClipper {

@@ -15,7 +15,7 @@ package rasterlab.engine.clip.volume;
  * where they are more than {@value #SURE} apart their order is the exact one; nearer, it is handed
  * over.
  *
- * <p>Source: the course's textbook, chapter on the view volume; W. M. Newman and R. F. Sproull,
+ * <p>Source: the course's textbook, chapter on the view volume; W. M. Newman, R. F. Sproull,
  * Principles of Interactive Computer Graphics, 1973.
  */
 public final class CohenSutherland6 implements SteppedVolumeClipper {

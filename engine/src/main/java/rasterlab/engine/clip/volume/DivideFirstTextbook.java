@@ -13,8 +13,8 @@ import rasterlab.contract.SpaceSegmentSink;
  * lie between the ends. At the eye (z = 0) there is nothing to divide by: infinities and NaN come
  * out.
  *
- * <p>Source: what the order "clip, then divide" of J. F. Blinn and M. E. Newell, Clipping using
- * homogeneous coordinates, Computer Graphics (SIGGRAPH) 12(3), 1978, is there to avoid.
+ * <p>Source: what the order "clip, then divide" of J. F. Blinn, M. E. Newell, Clipping using
+ * homogeneous coordinates, SIGGRAPH 1978, is there to avoid.
  */
 public final class DivideFirstTextbook implements SteppedVolumeClipper {
     private static final String[] PLANES = {"X = 1", "X = -1", "Y = 1", "Y = -1", "Z = 0", "Z = 1"};

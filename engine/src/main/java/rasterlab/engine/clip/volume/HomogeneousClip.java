@@ -17,8 +17,8 @@ package rasterlab.engine.clip.volume;
  * each t errs by less than that, and where enter and leave are more than {@value #SURE} apart, over
  * twice as much, their order is the exact one; nearer, it is handed over too.
  *
- * <p>Source: J. F. Blinn and M. E. Newell, Clipping using homogeneous coordinates, Computer
- * Graphics (SIGGRAPH) 12(3), 1978, pp. 245–251; the matrix is the course textbook's.
+ * <p>Source: J. F. Blinn, M. E. Newell, Clipping using homogeneous coordinates, SIGGRAPH 1978, pp.
+ * 245–251; the matrix is the course textbook's.
  */
 public final class HomogeneousClip implements SteppedVolumeClipper {
     private static final double MOST_SHIFT = 0x1p-42;

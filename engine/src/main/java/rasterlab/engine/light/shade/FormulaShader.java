@@ -14,10 +14,10 @@ import rasterlab.engine.transform.Angle;
 /**
  * The formula with every direction brought to length 1 first and every cosine cut at 0.
  *
- * <p>Sources: J. H. Lambert, Photometria, 1760; Kazantsev, course text on computer graphics,
- * chapter 7, empirical model; B. T. Phong, Illumination for computer generated pictures,
- * Communications of the ACM 18(6), 1975; J. F. Blinn, Models of light reflection for computer
- * synthesized pictures, SIGGRAPH 1977.
+ * <p>Sources: J. H. Lambert, Photometria, 1760; A. V. Kazantsev, Foundations of computer graphics
+ * for programmers, Kazan, 2005, ch. 7, empirical model; B. T. Phong, Illumination for computer
+ * generated pictures, Communications of the ACM 18(6), 1975; J. F. Blinn, Models of light
+ * reflection for computer synthesized pictures, SIGGRAPH 1977.
  */
 public final class FormulaShader implements PointShader, TermShader {
     /** A computed n·l nearer to 0 may have the wrong sign. */

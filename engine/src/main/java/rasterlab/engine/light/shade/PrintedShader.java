@@ -8,7 +8,7 @@ import rasterlab.contract.PointShader;
  * taken to have length 1, a negative cosine is as good as any, the distance does not weaken the
  * light's ambient term, and the sum is not cut.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 7.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 7.
  */
 final class PrintedShader implements PointShader, TermShader {
     @Override

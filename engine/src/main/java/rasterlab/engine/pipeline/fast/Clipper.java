@@ -10,8 +10,9 @@ import rasterlab.engine.scene.VertexQuantity;
  * an edge get bit-equal vertices on it. Clip coordinates, and all that a vertex carries, are linear
  * along an edge here, which they are no longer after the division.
  *
- * <p>Source: I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, 1974; in homogeneous
- * coordinates: J. F. Blinn, M. E. Newell, Clipping using homogeneous coordinates, 1978.
+ * <p>Source: I. E. Sutherland, G. W. Hodgman, Reentrant polygon clipping, Communications of the ACM
+ * 17(1), 1974; in homogeneous coordinates: J. F. Blinn, M. E. Newell, Clipping using homogeneous
+ * coordinates, SIGGRAPH 1978.
  */
 final class Clipper {
     /** Each plane adds a corner at most: 3 + 7 + 6. */

@@ -13,7 +13,8 @@ import rasterlab.engine.scene.VertexQuantity;
  * brought to length 1, l to the light, {@code h} halfway between l and the direction to the eye; a
  * face turned from the light has no highlight. Sums above 1 are cut. The power is made of squares.
  *
- * <p>Source: J. F. Blinn, Models of light reflection for computer synthesized pictures, 1977.
+ * <p>Source: J. F. Blinn, Models of light reflection for computer synthesized pictures, SIGGRAPH
+ * 1977.
  */
 public final class DistantLight implements VertexColors, PixelColors {
     /** The largest shininess, as in OpenGL's successors and the course. */

@@ -9,7 +9,7 @@ package rasterlab.engine.pipeline.fast;
  * the edge is a left one or a level top one, so triangles that share an edge own each pixel once.
  * All is whole numbers below 2⁵² (see {@link Subpixels}): a sliver is as exact as any other.
  *
- * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, 1988.
+ * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988.
  */
 final class TriangleScan extends Scan {
     /** A row's band is its number without so many lowest bits. */

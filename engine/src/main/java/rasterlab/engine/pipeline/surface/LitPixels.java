@@ -23,7 +23,8 @@ import rasterlab.engine.scene.VertexQuantity;
  * The light of a whole scene on each pixel: Phong's way, with normals between those of the vertices
  * brought back to length 1.
  *
- * <p>Source: B. T. Phong, Illumination for computer generated pictures, 1975.
+ * <p>Source: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
+ * 18(6), 1975.
  */
 public final class LitPixels implements PixelColors {
     private final ThreadLocal<PointShade> shades;

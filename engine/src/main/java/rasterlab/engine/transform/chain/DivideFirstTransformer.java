@@ -10,8 +10,8 @@ import rasterlab.contract.PointTransformer;
  * it stood before it, since the sign of H, by which it could be clipped, is divided away; at the
  * eye, and for a point at infinity, the division is by 0.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "homogeneous coordinates" and
- * "perspective transformations", where no H is looked at before the division.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "homogeneous
+ * coordinates" and "perspective transformations", where no H is looked at before the division.
  */
 final class DivideFirstTransformer implements PointTransformer {
     @Override

@@ -12,7 +12,8 @@ import rasterlab.engine.transform.axis.SevenStepsTextbook;
  * right, though the angles printed beside them are not; ROTAXIS follows the printed seven steps,
  * which do not bring the axis onto z.
  *
- * <p>Source: Ponomarev, course text on computer graphics, appendix and "rotation about a line".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, appendix and
+ * "rotation about a line".
  */
 public final class AppendixFormula implements MatrixFormula {
     /** Printed as α for DIMETRIC, where it is right, and for ISOMETRIC, where 45° would be. */

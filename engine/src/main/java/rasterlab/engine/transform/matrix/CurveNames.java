@@ -10,8 +10,8 @@ import rasterlab.engine.spline.CurveMatrix;
 /**
  * Names of the matrices of cubic curves: {@code [t³ t² t 1] · M · G}.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 8; G holds P1, P4, R1, R4 for
- * Hermite and P1 to P4 for Bézier.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 8;
+ * G holds P1, P4, R1, R4 for Hermite and P1 to P4 for Bézier.
  */
 final class CurveNames {
     private static final double THIRD = 1 / 3.0;

@@ -9,8 +9,9 @@ import rasterlab.engine.transform.Angle;
  * <p>x' = x − T·sin θ and y' = x'·t + T with T = y + x·t are three shears of area 1: the radius
  * does not run away.
  *
- * <p>Source: O. Buneman's formula in Kazantsev, course text on computer graphics, chapter 3; A.
- * Paeth, A fast algorithm for general raster rotation, Graphics Interface 1986, pp. 77–81.
+ * <p>Source: O. Buneman's formula in A. V. Kazantsev, Foundations of computer graphics for
+ * programmers, Kazan, 2005, ch. 3; A. Paeth, A fast algorithm for general raster rotation, Graphics
+ * Interface 1986, pp. 77–81.
  */
 final class BunemanRotation extends CountedRotation implements SteppedRotation {
     @Override

@@ -7,7 +7,8 @@ package rasterlab.engine.transform.rotate;
  * <p>Close to 180° t runs away and y' becomes a difference of huge numbers: at 180° itself the
  * double next to tan 90° is 1.6·10¹⁶, and nothing of y is left.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 3, formula of O. Buneman.
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 3,
+ * formula of O. Buneman.
  */
 final class BunemanTextbookRotation extends CountedRotation implements SteppedRotation {
     @Override

@@ -6,7 +6,8 @@ import rasterlab.engine.transform.Angle;
  * Sines from a table in steps of 1°: exact for whole degrees, otherwise off by up to half a degree
  * in every turn.
  *
- * <p>Source: Kazantsev, course text on computer graphics, chapter 3, "efficiency of computing".
+ * <p>Source: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch. 3,
+ * "efficiency of computing".
  */
 final class TableRotation extends CountedRotation implements SteppedRotation {
     private static final double[] SINES = sines();

@@ -10,7 +10,8 @@ import rasterlab.engine.transform.CountingArithmetic;
  * <p>The course counts 12 and 5, 17 in all: it leaves out the addition of ρ, which it does count
  * where the view is taken apart.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "view transformation".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "view
+ * transformation".
  */
 final class OneMatrixView extends CheckedView {
     @Override

@@ -11,7 +11,8 @@ import rasterlab.engine.transform.CountingArithmetic;
  * <p>The text numbers six steps; its 5 and 6 are printed with y and z where yy and zz are meant, so
  * that 6 would take the y that 5 has just overwritten.
  *
- * <p>Source: Ponomarev, course text on computer graphics, "view transformation".
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "view
+ * transformation".
  */
 final class TakenApartView extends CheckedView implements SteppedView {
     @Override
