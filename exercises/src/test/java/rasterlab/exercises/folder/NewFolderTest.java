@@ -10,10 +10,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Form;
@@ -103,15 +105,19 @@ class NewFolderTest {
         return folder;
     }
 
-    static List<String> predicted() {
-        return CopiedFolder.topics(Form.PREDICT);
+    static Stream<Arguments> copied() {
+        return Stream.of(Form.BREAK, Form.PREDICT)
+                .flatMap(
+                        form ->
+                                CopiedFolder.topics(form).stream()
+                                        .map(topic -> Arguments.of(form, topic)));
     }
 
-    @ParameterizedTest(name = "a new folder that asks for steps of {0} is not valid")
-    @MethodSource("predicted")
-    void aNewFolderThatAsksForStepsIsValid(String topic) throws IOException {
+    @ParameterizedTest(name = "a new folder of the kind {0} on {1} is not valid")
+    @MethodSource("copied")
+    void aNewFolderThatIsACopyIsValid(Form form, String topic) throws IOException {
         Path folder = Files.createDirectory(parent.resolve("new-one"));
-        var files = CopiedFolder.files(topic, Form.PREDICT, "new-one").orElseThrow();
+        var files = CopiedFolder.files(topic, form, "new-one").orElseThrow();
         for (Map.Entry<String, byte[]> file : files.entrySet())
             Files.write(folder.resolve(file.getKey()), file.getValue());
         assertEquals(List.of(), FolderCheck.faults(folder));
