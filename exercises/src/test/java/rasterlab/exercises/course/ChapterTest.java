@@ -46,6 +46,16 @@ class ChapterTest {
     }
 
     @Test
+    void kindsKeepTheirOrderWhateverTheCataloguesOrder() {
+        var reversed = new ArrayList<>(ALL);
+        Collections.reverse(reversed);
+        for (Chapter chapter : Chapter.of(reversed)) {
+            List<Exercise.Form> forms = chapter.exercises().stream().map(Exercise::form).toList();
+            assertEquals(forms.stream().sorted().toList(), forms, chapter.topic());
+        }
+    }
+
+    @Test
     void everyTopicAndItsLabHasATitleOfItsOwnInRussian() {
         for (String topic : Topics.names()) {
             var chapter = new Chapter(topic, List.of());

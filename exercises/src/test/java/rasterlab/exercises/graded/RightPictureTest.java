@@ -59,6 +59,7 @@ class RightPictureTest {
         int middle = MARGIN + cell + cell / 2;
         assertTrue(isCurve(picture, middle + cell, middle), "the upper side, y = 0");
         assertTrue(isCurve(picture, middle + 2 * cell, middle + cell), "the right side");
+        assertTrue(isCurve(picture, middle, middle + cell), "the left side, which closes it");
     }
 
     @Test
