@@ -31,6 +31,32 @@ class PlacedPoint(
     /** From the left to the right of the name, as wide as it can be. */
     val text: ClosedFloatingPointRange<Double> =
         if (before) textX - width(point.name)..textX else textX..textX + width(point.name)
+
+    /** Whether the name stands above or below its mark, so that a line has to lead to it. */
+    val led = abs(textY - BASELINE - y) > 1
+
+    /** Whether the names of both would touch. */
+    fun meets(other: PlacedPoint) =
+        text.start <= other.text.endInclusive &&
+            other.text.start <= text.endInclusive &&
+            abs(textY - other.textY) < LINE
+
+    /** Whether the name would touch a mark at that place. */
+    fun hides(
+        markX: Double,
+        markY: Double,
+    ) = markX in text.start - MARK..text.endInclusive + MARK && abs(textY - BASELINE - markY) < LINE / 2 + MARK - 1
+
+    companion object {
+        /** From the middle of letters to the line that they stand on. */
+        const val BASELINE = 4.0
+
+        /** From the line of one name to that of the next. */
+        const val LINE = 14.0
+
+        /** Half the width of a mark. */
+        private const val MARK = 5.0
+    }
 }
 
 /** A number of an axis and where it stands. */
@@ -52,8 +78,8 @@ class ChartLayout(
     private val exact = points.filter { it.error == 0.0 }.sortedBy { it.ratio }
     private val left = points.minOf { it.ratio }.coerceAtMost(LEAST) / MARGIN
     private val right = points.maxOf { it.ratio }.coerceAtLeast(MOST) * MARGIN
-    private val low = floor(log10(erring.lastOrNull()?.error ?: 1.0))
-    private val high = ceil(log10(erring.firstOrNull()?.error ?: 1.0)).coerceAtLeast(low + 1)
+    private val low = floor(log10(erring.lastOrNull()?.error ?: 1.0) - CLEAR)
+    private val high = ceil(log10(erring.firstOrNull()?.error ?: 1.0) + CLEAR).coerceAtLeast(low + 1)
 
     /** Below the lanes of points without an end, where there are some. */
     val scaleTop = TOP + lost.size * LANE
@@ -95,36 +121,48 @@ class ChartLayout(
     private fun lanes(
         points: List<ChartPoint>,
         top: Double,
-    ) = points.mapIndexed { lane, point -> named(point, top + (lane + HALF) * LANE, rise = 0.0) }
+    ) = points.mapIndexed { lane, point ->
+        val before = x(point.ratio) + AWAY + width(point.name) > WIDTH
+        named(point, top + (lane + HALF) * LANE, rise = 0.0, before)
+    }
 
     private fun named(
         point: ChartPoint,
         y: Double,
         rise: Double,
+        before: Boolean,
     ): PlacedPoint {
         val x = x(point.ratio)
-        val before = x + AWAY + width(point.name) > WIDTH
-        return PlacedPoint(point, x, y, if (before) x - AWAY else x + AWAY, y + BASELINE + rise, before)
+        val textX = if (before) x - AWAY else x + AWAY
+        return PlacedPoint(point, x, y, textX, y + PlacedPoint.BASELINE + rise, before)
     }
 
-    /** Names of points with nearly the same error stand above each other. */
+    /** Names beside their marks, or above or below them where they would touch another name or mark. */
     private fun spread(points: List<ChartPoint>): List<PlacedPoint> {
         val placed = mutableListOf<PlacedPoint>()
         for (point in points) {
             val y = y(point.error)
+            val spots =
+                RISES
+                    .flatMap { rise -> listOf(false, true).map { named(point, y, rise, it) } }
+                    .filter { it.text.start >= LEFT && it.text.endInclusive <= WIDTH }
             placed +=
-                RISES.map { named(point, y, it) }.firstOrNull { one -> placed.none { meets(one, it) } }
-                    ?: named(point, y, RISES.last())
+                spots.firstOrNull { spot -> isFree(spot, placed, points) }
+                    ?: spots.firstOrNull { spot -> placed.none(spot::meets) }
+                    ?: named(point, y, rise = 0.0, x(point.ratio) > WIDTH / 2)
         }
         return placed
     }
 
-    private fun meets(
-        one: PlacedPoint,
-        other: PlacedPoint,
+    private fun isFree(
+        spot: PlacedPoint,
+        placed: List<PlacedPoint>,
+        points: List<ChartPoint>,
     ): Boolean {
-        val apart = one.text.start > other.text.endInclusive || other.text.start > one.text.endInclusive
-        return !apart && abs(one.textY - other.textY) < LINE
+        val edge = HALF * PlacedPoint.LINE
+        return spot.textY - PlacedPoint.BASELINE in scaleTop + edge..scaleBottom - edge &&
+            placed.none(spot::meets) &&
+            points.none { it !== spot.point && spot.hides(x(it.ratio), y(it.error)) }
     }
 
     companion object {
@@ -140,11 +178,8 @@ class ChartLayout(
         /** From a mark to its name. */
         private const val AWAY = 10.0
 
-        /** From the middle of letters to the line that they stand on. */
-        private const val BASELINE = 4.0
-
-        /** From the line of one name to that of the next. */
-        private const val LINE = 14.0
+        /** Decades between the outermost errors and the ends of their axis, at least. */
+        private const val CLEAR = 0.25
         private val RISES = listOf(0.0, -14.0, 14.0, -28.0, 28.0, -42.0, 42.0, -56.0, 56.0)
 
         /** Ratios that always have a place, so that the reference and the full points are seen. */

@@ -141,6 +141,7 @@ private class SpeedDrawing(
     private fun StringBuilder.mark(placed: PlacedPoint) {
         val kind = if (placed.point.own) "own" else "other"
         append("<g class=\"$kind\">")
+        if (placed.led) line("leader", placed.x, placed.y, placed.textX, placed.textY - BASELINE)
         if (placed.point.own) {
             append("<path d=\"${star(placed.x, placed.y)}\"/>")
         } else {

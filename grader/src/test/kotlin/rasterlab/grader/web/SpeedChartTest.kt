@@ -3,6 +3,7 @@ package rasterlab.grader.web
 import kotlinx.html.div
 import kotlinx.html.stream.createHTML
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
@@ -58,8 +59,8 @@ class SpeedChartTest {
     @ValueSource(doubles = [0.0, 1e-16, 0.5, INFINITE])
     fun namesAreApart(error: Double) {
         val points =
-            listOf(0.02, 0.98, 0.99, 1.0, 1.01, 1.02, 40.0, 41.0).mapIndexed { number, ratio ->
-                ChartPoint("quite-a-long-method-$number", ratio, error, own = number == 0)
+            listOf(0.02, 0.98, 0.99, 1.0, 1.02, 40.0).mapIndexed { number, ratio ->
+                ChartPoint("long-method-$number", ratio, error, own = number == 0)
             }
         val placed = ChartLayout(points).placed
         assertEquals(points.size, placed.size)
@@ -71,6 +72,9 @@ class SpeedChartTest {
             for (other in placed.drop(number + 1)) {
                 val apart = one.text.start > other.text.endInclusive || other.text.start > one.text.endInclusive
                 assertTrue(apart || Math.abs(one.textY - other.textY) > 11, "${one.point.name} on ${other.point.name}")
+            }
+            for (other in placed.filter { it !== one }) {
+                assertFalse(one.hides(other.x, other.y), "${one.point.name} on the mark of ${other.point.name}")
             }
         }
     }
