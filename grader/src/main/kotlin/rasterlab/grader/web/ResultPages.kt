@@ -76,6 +76,7 @@ private suspend fun ApplicationCall.respondResult(
 ) {
     val texts = texts()
     val view = results.view(who, submission.id, texts.language)
+    val files = results.files(submission)
     respondPage(texts, who, "$title — ${texts.say("result.title", submission.attempt)}") {
         p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
         deadline(texts, view)
@@ -86,10 +87,10 @@ private suspend fun ApplicationCall.respondResult(
                 attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
                 attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
             }
-            result(texts, view, submission.source, results.files(submission))
+            result(texts, view, submission.source, files)
         }
         details {
-            summary { +texts.say("result.source") }
+            summary { +texts.say(if (files.asksForPrograms) "result.source" else "result.handed") }
             sourceLines(submission.source)
         }
     }

@@ -14,7 +14,7 @@ private const val SHOWN_MOST = 300
 /** A source with its lines numbered. */
 fun FlowContent.sourceLines(source: String) {
     val rest = lineStart(source, NUMBERED_MOST + 1)?.takeIf { it < source.length }
-    val numbered = if (rest == null) source else source.substring(0, rest).removeSuffix("\n").removeSuffix("\r")
+    val numbered = source.substring(0, rest ?: source.length).removeSuffix("\n").removeSuffix("\r")
     ol("source") { numbered.lineSequence().forEach { li { code { +it } } } }
     if (rest != null) pre("source") { code { +source.substring(rest) } }
 }

@@ -30,7 +30,10 @@ class SourceViewTest {
 
     @Test
     fun numbersTheLinesThatPeopleWrite() {
-        assertEquals("<ol class=\"source\"><li><code>a</code></li><li><code>b</code></li></ol>", shown("a\nb").inner())
+        for (end in listOf("", "\n", "\r\n")) {
+            val two = "<ol class=\"source\"><li><code>a</code></li><li><code>b</code></li></ol>"
+            assertEquals(two, shown("a\nb$end").inner())
+        }
         val long = shown("a\n".repeat(5_002))
         assertEquals(5_000, Regex("<li>").findAll(long).count())
         assertTrue("<pre class=\"source\"><code>a\na\n</code></pre>" in long)
