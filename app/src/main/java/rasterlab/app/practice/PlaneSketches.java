@@ -27,23 +27,27 @@ final class PlaneSketches {
         List<Point2D> corners = Points.all(walked.input().path(POLYGON));
         var figures = new ArrayList<Figure>();
         figures.add(new Path(corners, true, Look.GIVEN));
-        for (int i = 0; i < walked.steps().size(); i++) {
-            JsonNode ends = walked.steps().get(i).path("diagonal");
-            if (ends.size() == 2)
-                figures.add(
-                        new Path(
-                                List.of(
-                                        corners.get(ends.get(0).intValue()),
-                                        corners.get(ends.get(1).intValue())),
-                                false,
-                                walked.look(i)));
-        }
+        addDiagonals(figures, corners, walked);
         var targets = new ArrayList<Target>();
         for (int i = 0; i < corners.size(); i++) {
             figures.add(new Dot(corners.get(i), String.valueOf(i), look(walked, "cut", i)));
             targets.add(new Target(LongNode.valueOf(i), List.of(corners.get(i))));
         }
         return new Board(Space.PLANE, figures, new Named("cut", targets));
+    }
+
+    /** The side that each ear leaves; of the last triangle all sides are there already. */
+    private static void addDiagonals(List<Figure> figures, List<Point2D> corners, Walked walked) {
+        var left = new ArrayList<Integer>();
+        for (int i = 0; i < corners.size(); i++) left.add(i);
+        for (int i = 0; i < walked.steps().size(); i++) {
+            int at = left.indexOf(walked.steps().get(i).path("cut").asInt(-1));
+            if (at < 0 || left.size() <= 3) continue;
+            Point2D before = corners.get(left.get((at + left.size() - 1) % left.size()));
+            Point2D behind = corners.get(left.get((at + 1) % left.size()));
+            figures.add(new Path(List.of(before, behind), false, walked.look(i)));
+            left.remove(at);
+        }
     }
 
     /** How a thing of that number looks, by the steps whose field has it. */

@@ -147,6 +147,35 @@ class SketchesTest {
                 (int) Math.round(frame.map().viewX(x)), (int) Math.round(frame.map().viewY(y)));
     }
 
+    @Test
+    @DisplayName("an ear's diagonal is not the one of the method's own step")
+    void earsLeaveTheMethodsDiagonals() {
+        for (long seed = 1; seed <= SEEDS; seed++)
+            for (Question one : PRACTISED.sheet("triangulate", seed).sheet().questions()) {
+                JsonNode input = WalkText.input(one.input());
+                List<Point2D> corners = Points.all(input.path("polygon"));
+                Walked walked = new Walked(input, one.before(), one.told(), Optional.empty());
+                List<List<Point2D>> drawn =
+                        Sketches.of("triangulate").orElseThrow().of(walked).figures().stream()
+                                .filter(Board.Path.class::isInstance)
+                                .map(Board.Path.class::cast)
+                                .filter(path -> !path.closed())
+                                .map(Board.Path::points)
+                                .toList();
+                List<List<Point2D>> right =
+                        one.before().stream()
+                                .map(step -> step.path("diagonal"))
+                                .filter(ends -> ends.size() == 2)
+                                .map(
+                                        ends ->
+                                                List.of(
+                                                        corners.get(ends.get(0).intValue()),
+                                                        corners.get(ends.get(1).intValue())))
+                                .toList();
+                assertEquals(right, drawn, one.input());
+            }
+    }
+
     @ParameterizedTest(name = "{0}: the answer lies outside the picture")
     @MethodSource("drawn")
     void everythingThatIsAskedForIsInSight(String topic) {
