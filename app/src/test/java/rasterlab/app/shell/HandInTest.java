@@ -181,6 +181,8 @@ class HandInTest {
         opening.showToHandIn("break-circle", "circle", "{\"center\":[2,-3],\"radius\":4}");
         assertTrue(opening.handIn(breaking("circle")));
         assertEquals(List.of("line", "exercises"), tabs);
+        String chosen = String.valueOf(models.exercises().kept());
+        assertTrue(chosen.contains("exercise=break-circle"), chosen);
     }
 
     private static Exercise breaking(String topic) {
