@@ -138,7 +138,7 @@ public final class NewFolder {
     /** A hazard by its name, or where it is several inputs by all of them. */
     private ObjectNode input(String hazard) {
         ObjectNode input = JsonNodeFactory.instance.objectNode();
-        if (InputJson.isSingle(topic, hazard)) return input.put("hazard", hazard);
+        if (InputJson.isWhole(topic, hazard)) return input.put("hazard", hazard);
         InputJson.singles(topic, hazard).forEach(input.putArray("given")::add);
         return input;
     }

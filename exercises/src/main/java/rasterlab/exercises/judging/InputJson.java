@@ -28,13 +28,13 @@ public final class InputJson {
         return told(topic, hazard);
     }
 
-    /** Whether a hazard as a whole is one such input. */
-    public static boolean isSingle(Topic<?, ?, ?> topic, String hazard) {
-        return isWhole(topic, hazard);
+    /** Whether a hazard can be told as one such input. */
+    public static boolean isWhole(Topic<?, ?, ?> topic, String hazard) {
+        return isWrittenAsOne(topic, hazard);
     }
 
-    private static <C, I> boolean isWhole(Topic<C, I, ?> topic, String hazard) {
-        return topic.format().singles(input(topic, hazard)).size() == 1;
+    private static <C, I> boolean isWrittenAsOne(Topic<C, I, ?> topic, String hazard) {
+        return !written(topic.format(), input(topic, hazard)).isMissingNode();
     }
 
     private static <C, I> List<JsonNode> told(Topic<C, I, ?> topic, String hazard) {

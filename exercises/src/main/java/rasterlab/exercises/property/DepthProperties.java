@@ -1,11 +1,10 @@
 package rasterlab.exercises.property;
 
-import rasterlab.engine.visibility.triangle.DepthTriangles;
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import rasterlab.engine.visibility.triangle.DepthTriangles;
 
 /** Properties of the depth buffer: it shows the same in whatever order triangles come. */
 final class DepthProperties {

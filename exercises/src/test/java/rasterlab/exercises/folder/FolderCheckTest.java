@@ -117,7 +117,7 @@ class FolderCheckTest {
         change("hidden-cases.json", "\"group\" : \"ordinary\"", "\"group\" : \"other\"");
         change(
                 "hidden-cases.json",
-                "\"visibility\" : \"verdict-only\"",
+                "\"visibility\" : \"after-deadline\"",
                 "\"visibility\" : \"seldom\"");
         List<String> faults = faults();
         for (String told :

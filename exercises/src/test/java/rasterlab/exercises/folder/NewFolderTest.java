@@ -121,6 +121,7 @@ class NewFolderTest {
         for (Map.Entry<String, byte[]> file : files.entrySet())
             Files.write(folder.resolve(file.getKey()), file.getValue());
         assertEquals(List.of(), FolderCheck.faults(folder));
+        if (form == Form.BREAK) return; // its statement does not name it
         for (String statement : List.of("statement.en.md", "statement.ru.md"))
             assertTrue(Files.readString(folder.resolve(statement)).contains("new-one"), statement);
     }
