@@ -26,10 +26,12 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.FlatPaint;
 import rasterlab.engine.visibility.PixelAnswers;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.VisibilityWork;
 import rasterlab.engine.visibility.exact.ExactVisibility;
 import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
 import rasterlab.engine.visibility.hidden.SurfaceView;
@@ -117,6 +119,30 @@ class PlainPipelineTest {
             assertEquals(0, wrongPixels(Scenes.named("vase"), inside, "perspective"), "ρ " + rho);
             assertEquals(0, wrongPixels(Scenes.named("house"), inside, "perspective"), "ρ " + rho);
         }
+    }
+
+    @Test
+    @DisplayName("glass hides glass behind it that is listed later or crosses it")
+    void whatIsSeenThroughHidesNothing() {
+        Scene crossing = Scenes.named("interpenetrating");
+        var glass =
+                new FacePaint() {
+                    @Override
+                    public void span(int face, int y, int from, int to, Raster out) {}
+
+                    @Override
+                    public boolean opaque(int face) {
+                        return false;
+                    }
+                };
+        VisibilityWork work =
+                PlainPipeline.draw(
+                        view(crossing, crossing.defaultCamera(), "perspective"),
+                        glass,
+                        new Raster(WIDTH, HEIGHT),
+                        () -> false);
+        assertTrue(work.depthTests() > 0, "nothing is drawn");
+        assertEquals(work.depthTests(), work.pixelsWritten());
     }
 
     @Test
