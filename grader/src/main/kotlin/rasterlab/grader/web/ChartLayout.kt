@@ -86,12 +86,12 @@ class ChartLayout(
     val scaleBottom = scaleTop + if (erring.isEmpty()) 0.0 else SCALE
 
     /** The lower end of the plot. */
-    val bottom = scaleBottom + (exact.size * LANE).coerceAtLeast(LANE)
+    val bottom = scaleBottom + exact.size * LANE
     val height = bottom + BELOW
 
-    /** In the middle of the lanes at the top; null where there is none. */
+    /** In the middle of the lanes at the top, and of those at the bottom; null where there is none. */
     val lostAt = (TOP + lost.size * LANE / 2).takeIf { lost.isNotEmpty() }
-    val exactAt = (scaleBottom + bottom) / 2
+    val exactAt = ((scaleBottom + bottom) / 2).takeIf { exact.isNotEmpty() }
 
     val placed: List<PlacedPoint> =
         lanes(lost, TOP) + lanes(exact, scaleBottom) + spread(erring)

@@ -128,7 +128,7 @@ private class SpeedDrawing(
         text("start", 2.0, AXIS_TITLE, errorAxis)
         val besides = ChartLayout.LEFT - BESIDE
         layout.lostAt?.let { text("end", besides, it + BASELINE, texts.say("chart.lost")) }
-        text("end", besides, layout.exactAt + BASELINE, texts.say("chart.exact"))
+        layout.exactAt?.let { text("end", besides, it + BASELINE, texts.say("chart.exact")) }
         for (tick in layout.errors) text("end", besides, tick.at + BASELINE, number(tick.value))
         for (tick in layout.ratios) {
             line("edge", tick.at, layout.bottom, tick.at, layout.bottom + BASELINE)
