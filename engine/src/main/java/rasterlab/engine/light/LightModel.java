@@ -25,11 +25,11 @@ public record LightModel(
     public LightModel {
         if (globalAmbient.length != 3)
             throw new IllegalArgumentException(
-                    "global ambient must have 3 numbers, got " + globalAmbient.length);
+                    "global-ambient must have 3 numbers, got " + globalAmbient.length);
         for (double share : globalAmbient)
             if (!(share >= 0 && share <= 1))
                 throw new IllegalArgumentException(
-                        "global ambient must have shares from 0 to 1, got (%s, %s, %s)"
+                        "global-ambient must have shares from 0 to 1, got (%s, %s, %s)"
                                 .formatted(globalAmbient[0], globalAmbient[1], globalAmbient[2]));
         globalAmbient = globalAmbient.clone();
         lights = List.copyOf(lights);
