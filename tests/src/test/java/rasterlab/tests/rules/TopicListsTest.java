@@ -2,12 +2,6 @@ package rasterlab.tests.rules;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import org.junit.jupiter.api.DisplayName;
-import org.junit.jupiter.api.Test;
-
-import rasterlab.engine.Topics;
-import rasterlab.tests.Repository;
-
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -15,6 +9,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.engine.Topics;
+import rasterlab.tests.Repository;
 
 /**
  * One list of topics is kept by hand. A file is a list where it names more than three topics that
