@@ -19,7 +19,7 @@ final class SpeedPicture implements PaintedPicture {
     static final Dimension SHAPE = new Dimension(24, 16);
 
     /** A chart in a smaller place is painted so large in its own units, and made smaller. */
-    private static final Dimension LEAST = new Dimension(520, 360);
+    private static final Dimension LEAST = new Dimension(360, 240);
 
     private final SpeedChart chart;
     private Optional<Painted> painted = Optional.empty();
