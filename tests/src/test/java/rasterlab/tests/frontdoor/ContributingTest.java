@@ -21,7 +21,7 @@ class ContributingTest {
     private static final int MOST_LINES = 150;
 
     private static final Path FILE = Repository.root().resolve("CONTRIBUTING.md");
-    private static final Path MAP = Repository.root().resolve("docs/house.svg");
+    private static final Path MAP = Repository.root().resolve("app/pictures/house.svg");
     private static final Pattern SECTION =
             Pattern.compile(
                     "(?ms)^## (Add an? [a-z]+)\\n\\nFor example ([^`]*)`([^`]+)`(.*?)(?=^## )");
@@ -37,7 +37,7 @@ class ContributingTest {
         if ("write".equals(System.getProperty("rasterlab.golden"))) Files.writeString(MAP, drawn);
         assertEquals(
                 drawn, Repository.text(MAP), "write the map anew with -Drasterlab.golden=write");
-        assertTrue(Repository.text(FILE).contains("](docs/house.svg)"), "the map is not shown");
+        assertTrue(Repository.text(FILE).contains("](app/pictures/house.svg)"), "the map is not shown");
     }
 
     @Test

@@ -6,7 +6,7 @@
  * looks along −z, y up; clip is −w ≤ x, y, z ≤ w; pixels have y down and whole numbers at centres;
  * depth is 0 at the near plane and 1 at the far plane. The picture is the same bit for bit whatever
  * the number of threads. Start with {@link rasterlab.engine.pipeline.fast.TrianglePipeline}. A
- * reader of the course need not: {@code plain} draws the same; docs/fast-pipeline.md tells what
+ * reader of the course need not: {@code plain} draws the same; engine/fast-pipeline.md tells what
  * each trick gains.
  */
 package rasterlab.engine.pipeline.fast;
