@@ -72,7 +72,9 @@ class LineWalkTest {
                         IllegalArgumentException.class,
                         () -> method.draw(0, -1, 5, most, (x, y) -> {}));
         String message = refusal.getMessage();
-        assertTrue(message.contains("0..16777216") && message.contains("16777217"), message);
+        assertTrue(
+                message.contains("from 0 to 16777216 steps") && message.contains("16777217"),
+                message);
         method.draw(0, 0, 5, most, (x, y) -> {});
     }
 

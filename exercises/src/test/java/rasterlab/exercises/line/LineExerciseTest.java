@@ -35,6 +35,7 @@ import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -168,7 +169,11 @@ class LineExerciseTest {
         Answer answer = answer(Answer.Ending.RETURNED, truncated);
         Finding finding = call(new Segment(0, 0, x1, y1), "", true).judge(answer);
         assertEquals(GradingVerdict.WRONG, finding.verdict());
-        assertEquals(List.of(), finding.explanations());
+        assertEquals(
+                List.of(List.of("quotient-truncated"), List.of("coordinate-truncated")),
+                finding.explanations().stream()
+                        .map(causes -> causes.stream().map(Cause::code).toList())
+                        .toList());
         assertFalse(finding.said().in("en").contains("shifted"), finding.said().in("en"));
     }
 
