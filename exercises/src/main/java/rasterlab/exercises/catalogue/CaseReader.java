@@ -95,8 +95,9 @@ final class CaseReader {
         Optional<Integer> points =
                 faults.tried(() -> fields.integer("points", 0, Exercise.MOST_POINTS));
         Optional<Asked> asked = faults.tried(() -> asked(fields));
-        if (asked.isPresent() && visibility.isPresent())
-            faults.checked(() -> checkSeeded(fields, asked.get(), visibility.get()));
+        if (asked.isPresent())
+            visibility =
+                    visibility.flatMap(one -> faults.tried(() -> seen(fields, asked.get(), one)));
         if (name.isEmpty() || asked.isEmpty()) return Optional.empty();
         // what stands in for a fault here is in no exercise, but its inputs are looked at
         Case one =
@@ -118,12 +119,13 @@ final class CaseReader {
         return constant(fields.word(field, allowed));
     }
 
-    /** An open case is the same for everybody. */
-    private static void checkSeeded(JsonFields fields, Asked asked, Disclosure visibility) {
+    /** The visibility of a case; an open one is the same for everybody. */
+    private static Disclosure seen(JsonFields fields, Asked asked, Disclosure visibility) {
         if (asked.generated() && visibility == Disclosure.OPEN)
             throw fields.wrong(
                     "visibility",
                     Phrase.of(asked.property().isPresent() ? "field.unseeded" : "field.generated"));
+        return visibility;
     }
 
     private Asked asked(JsonFields fields) {
