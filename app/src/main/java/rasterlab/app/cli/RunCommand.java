@@ -47,6 +47,7 @@ final class RunCommand implements Callable<Integer> {
     private final JsonFactory json = new JsonFactory();
 
     @Parameters(
+            index = "0..1",
             arity = "0..2",
             paramLabel = "TOPIC METHOD",
             hideParamSyntax = true,

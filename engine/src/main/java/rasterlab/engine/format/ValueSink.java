@@ -91,7 +91,8 @@ public interface ValueSink {
         startArray();
         for (int i = 0; i < coordinates.length; i += dimension) {
             startArray();
-            for (int axis = 0; axis < dimension; axis++) number(coordinates[i + axis]);
+            for (int axis = 0; axis < dimension && i + axis < coordinates.length; axis++)
+                number(coordinates[i + axis]);
             endArray();
         }
         endArray();

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import rasterlab.engine.Topics;
+import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.HazardTrial;
@@ -60,7 +61,8 @@ public final class MethodsOnInput<C, I, O> {
             Topic<C, I, O> topic, Phrase place, String json) {
         Format<C, I, O> format = topic.format();
         try {
-            return new MethodsOnInput<>(topic, JsonFields.parse(place, json).input(format));
+            String[] names = format.input().stream().map(Field::name).toArray(String[]::new);
+            return new MethodsOnInput<>(topic, JsonFields.parse(place, json, names).input(format));
         } catch (Misfit misfit) {
             throw new CatalogueException(
                     Phrase.of(

@@ -1,19 +1,37 @@
 package rasterlab.exercises.judging;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.util.RawValue;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.judging.MethodsOnInput.Tried;
 import rasterlab.exercises.score.Phrase;
 
 /** What a method did is told in the language of whoever reads it. */
 class MethodsOnInputTest {
+    /** Two English words in a row, which no name of a field is. */
+    private static final Pattern ENGLISH = Pattern.compile("[a-z]{2,} [a-z]{2,}");
+
     @ParameterizedTest(name = "{0} of {1} is told in another language, or as a crash")
     @CsvSource(
             delimiter = '|',
@@ -28,6 +46,53 @@ class MethodsOnInputTest {
         Tried tried = onItsHazard(Topics.named(topic), method);
         assertEquals(Verdict.Kind.WRONG, tried.kind());
         assertEquals(said, tried.said().in("ru"));
+    }
+
+    @Test
+    void aFieldThatTheTopicHasNotIsRefused() {
+        String json = "{\"points\":[[1,0]],\"degrees\":90,\"tims\":3}";
+        var refused =
+                assertThrows(
+                        CatalogueException.class,
+                        () -> MethodsOnInput.of("rotate", Phrase.quoted("input"), json));
+        assertTrue(refused.getMessage().contains("'tims' is not known"), refused.getMessage());
+    }
+
+    /** What is spoilt: a field, in the first input among a topic's hazards. */
+    static Stream<Arguments> spoilt() {
+        return Topics.all().stream()
+                .flatMap(
+                        topic -> {
+                            var input = inputOf(topic);
+                            var fields = new ArrayList<String>();
+                            input.fieldNames().forEachRemaining(fields::add);
+                            return fields.stream().map(one -> arguments(topic.name(), one));
+                        });
+    }
+
+    private static ObjectNode inputOf(Topic<?, ?, ?> topic) {
+        return topic.hazards().stream()
+                .map(one -> InputJson.of(topic, one.name()))
+                .map(one -> one.isArray() ? one.get(0) : one)
+                .filter(JsonNode::isObject)
+                .map(ObjectNode.class::cast)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @ParameterizedTest
+    @MethodSource("spoilt")
+    void aSpoiltFieldIsRefusedInRussianAlone(String topic, String field) {
+        for (String spoilt : List.of("[]", "[[]]", "{}", "\"?\"", "-7")) {
+            ObjectNode input = inputOf(Topics.named(topic)).deepCopy();
+            input.putRawValue(field, new RawValue(spoilt));
+            try {
+                MethodsOnInput.of(topic, Phrase.quoted("input"), input.toString());
+            } catch (CatalogueException refused) {
+                String said = refused.said().in("ru");
+                assertFalse(ENGLISH.matcher(said).find(), said);
+            }
+        }
     }
 
     private static <C> Tried onItsHazard(Topic<C, ?, ?> topic, String method) {

@@ -195,8 +195,12 @@ class SubmissionRoutesTest {
                 "cases",
                 "diagnostics",
                 "isolation",
+                "speed",
                 "receivedAt",
                 "gradedAt",
+                "deadline",
+                "late",
+                "opened",
             )
         val CASE_FIELDS =
             setOf(

@@ -27,7 +27,7 @@ final class PolygonComparison {
         long missing = Math.max(0, exact.size() - actual.size());
         long extra = Math.max(0, actual.size() - exact.size());
         for (double[] piece : actual)
-            if (!Arrays.stream(piece).allMatch(Double::isFinite))
+            if (!isPlace(piece))
                 return new Deviation(
                         1, exact.size(), actual.size(), exact.size(), text(piece) + " is no place");
         double share = share(window, exact, actual);
@@ -42,6 +42,13 @@ final class PolygonComparison {
             if (first.isEmpty()) first = text(moved.get()) + " is a corner that has to stay";
         }
         return new Deviation(share, missing, extra, exact.size(), first);
+    }
+
+    /** Whether it has an x and a y of each corner, all of them finite. */
+    private static boolean isPlace(double[] piece) {
+        return piece.length > 0
+                && piece.length % 2 == 0
+                && Arrays.stream(piece).allMatch(Double::isFinite);
     }
 
     private static boolean clockwise(double[] piece) {

@@ -105,6 +105,7 @@ final class TriangulationComparison {
         for (int t = 0; t < actual.size(); t++)
             if (!faultOf(t).startsWith("has no such")) area = area.add(doubledArea(t).abs());
         BigDecimal right = polygon.doubledArea();
+        if (right.signum() == 0) return 100;
         double share =
                 area.subtract(right).abs().divide(right, MathContext.DECIMAL64).doubleValue();
         return Math.max(LEAST_PERCENT, 100 * share);

@@ -110,7 +110,7 @@ final class Notes {
                             .formatted(
                                     note.place,
                                     note.what,
-                                    note.count == 1 ? "" : ", " + note.count + " times"));
+                                    note.count == 1 ? "" : " (" + note.count + " times)"));
         return List.copyOf(all);
     }
 }

@@ -71,6 +71,12 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
         return new Given().with(POLYGONS, List.of(sight.polygons())).with(EYE, sight.eye());
     }
 
+    /** Whether a piece is a polygon as given; one of no such polygon is none. */
+    private static boolean isWhole(Painting.Piece piece, double[][] given) {
+        int k = piece.polygon();
+        return k >= 0 && k < given.length && piece.whole(given[k]);
+    }
+
     /** {@inheritDoc} What is whole shows in the input. */
     @Override
     public void write(Sight sight, Painting painting, ValueSink out) throws IOException {
@@ -79,7 +85,7 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
         out.name(ORDER.name());
         out.startArray();
         for (Painting.Piece piece : painting.pieces())
-            if (piece.whole(given[piece.polygon()])) out.whole(piece.polygon());
+            if (isWhole(piece, given)) out.whole(piece.polygon());
             else {
                 out.whole(given.length + splits.size());
                 splits.add(piece);

@@ -1,6 +1,7 @@
 package rasterlab.engine.visibility.order;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import rasterlab.engine.study.Deviation;
 
@@ -61,6 +62,9 @@ final class PaintingComparison {
         for (Painting.Piece piece : actual.pieces()) {
             if (piece.polygon() < 0 || piece.polygon() >= sight.size())
                 return "there is no polygon " + piece.polygon();
+            if (!isPlace(piece.corners()))
+                return "%s are no corners of a piece of polygon %d"
+                        .formatted(Arrays.toString(piece.corners()), piece.polygon());
             bits = Math.max(bits, ExactPolygon.bits(piece.corners()));
         }
         var planes = new ArrayList<ExactPolygon>();
@@ -74,6 +78,13 @@ final class PaintingComparison {
             pieces.add(new Seen(piece.polygon(), cone, plane, ball, cone.size()));
         }
         return "";
+    }
+
+    /** Whether it has x, y and z of each corner, all of them finite. */
+    private static boolean isPlace(double[] corners) {
+        return corners.length > 0
+                && corners.length % 3 == 0
+                && Arrays.stream(corners).allMatch(Double::isFinite);
     }
 
     private double covered() {

@@ -50,13 +50,13 @@ class ForgivenMaterialsTest {
                         "Ka 20 20 0.5",
                         ObjMaterial::ambient,
                         List.of(1.0, 1.0, 0.5),
-                        "m.mtl:2: 'Ka' of 20 was cut to its range, 0 to 1, 2 times"),
+                        "m.mtl:2: 'Ka' of 20 was cut to its range, 0 to 1 (2 times)"),
                 value(
                         "a colour below 0 stops a model",
                         "Kd 1.0001 -0.5 0.5",
                         ObjMaterial::diffuse,
                         List.of(1.0, 0.0, 0.5),
-                        "m.mtl:2: 'Kd' of 1.0001 was cut to its range, 0 to 1, 2 times"),
+                        "m.mtl:2: 'Kd' of 1.0001 was cut to its range, 0 to 1 (2 times)"),
                 value(
                         "two thirds of a colour stop a model",
                         "Ks 1 1",
@@ -141,7 +141,7 @@ class ForgivenMaterialsTest {
                         "map_Kd -s nan 3 -o -1.#IND00 inf tex.png",
                         List.of(tex, none, List.of(1.0, 3.0)),
                         "m.mtl:2: '-s' has no number in 'nan'; 1 is used instead",
-                        "m.mtl:2: '-o' has no number in '-1.#IND00'; 0 is used instead, 2 times"),
+                        "m.mtl:2: '-o' has no number in '-1.#IND00'; 0 is used instead (2 times)"),
                 option(
                         "a word before numbers is the file's name",
                         "map_Kd -o x 2 tex.png",
@@ -282,7 +282,7 @@ class ForgivenMaterialsTest {
                                 .formatted(
                                         one.equals(material) ? 8 : 6,
                                         missing,
-                                        missed == 1 ? "" : ", 2 times")),
+                                        missed == 1 ? "" : " (2 times)")),
                 model.notes());
     }
 

@@ -65,13 +65,13 @@ class ForgivenObjTest {
                         tilted + "f 1//0 2//0 3//0",
                         "0 1 2",
                         "a.obj:8: face corner 1 names normal 0, which is not there; it was passed"
-                                + " over, 3 times"),
+                                + " over (3 times)"),
                 thing(
                         "a place that is not there stops a model",
                         "f 1/1 2/1 3/1",
                         "0 1 2",
                         "a.obj:5: face corner 1 names texture place 1, which is not there; it was"
-                                + " passed over, 3 times"),
+                                + " passed over (3 times)"),
                 thing(
                         "a normal that is not there takes those of the others away",
                         tilted + "f 1//1 2//1 3//2",
@@ -142,12 +142,12 @@ class ForgivenObjTest {
                         "what Windows writes for no number is a comment",
                         "vn -1.#IND00 -1.#IND00 -1.#IND00\nvn nan 0 1\nvn 1 1\nf 1//1 2//2 3//3",
                         "0 1 2",
-                        "a.obj:5: " + NO_DIRECTION + ", 3 times"),
+                        "a.obj:5: " + NO_DIRECTION + " (3 times)"),
                 thing(
                         "a place without numbers moves the ones after it",
                         "vt\nvt 1,5 x\nvt 1e30 0\nf 1/1 2/2 3/3",
                         "0/0 1/1 2/2",
-                        "a.obj:5: 'vt' has too few numbers; 0 is used instead, 4 times",
+                        "a.obj:5: 'vt' has too few numbers; 0 is used instead (4 times)",
                         "a.obj:7: 'vt' of 1e30 was cut to its range, -1.0E18 to 1.0E18"),
                 thing(
                         "half a colour stops a model",
@@ -166,7 +166,7 @@ class ForgivenObjTest {
                         "smoothing that means nothing stops a model",
                         "s maybe\ns 1.5\nf 1 2 3",
                         "0 1 2",
-                        "a.obj:5: 's' has no number in 'maybe'; 0 is used instead, 2 times"));
+                        "a.obj:5: 's' has no number in 'maybe'; 0 is used instead (2 times)"));
     }
 
     private static Stream<Arguments> ofMaterials() {
@@ -175,13 +175,13 @@ class ForgivenObjTest {
                         "a missing material file stops a model",
                         "mtllib lost.mtl\nmtllib\nf 1 2 3",
                         "0 1 2",
-                        "a.obj:5: there is no material file 'lost.mtl'; it was passed over, 2 times"),
+                        "a.obj:5: there is no material file 'lost.mtl'; it was passed over (2 times)"),
                 thing(
                         "a missing material stops a model",
                         "mtllib m.mtl\nusemtl green\nf 1 2 3\nusemtl (null)\nusemtl\nf 2 3 4",
                         "0 1 2 | 1 2 3",
-                        "a.obj:6: there is no material 'green'; the default one stands for it, 3"
-                                + " times"),
+                        "a.obj:6: there is no material 'green'; the default one stands for it"
+                                + " (3 times)"),
                 thing(
                         "a file named below its use is not read",
                         "usemtl red\nmtllib m.mtl\nf 1 2 3",
@@ -190,7 +190,7 @@ class ForgivenObjTest {
                         "a curve stops a model, or is left out unseen",
                         "curv 0 1 1 2\ncall x\nf 1 2 3\ncurv 0 1 1 2",
                         "0 1 2",
-                        "a.obj:5: 'curv' was passed over; faces, lines and points are read, 2 times",
+                        "a.obj:5: 'curv' was passed over; faces, lines and points are read (2 times)",
                         "a.obj:6: 'call' was passed over; faces, lines and points are read"),
                 thing(
                         "a line whose vertex is not there stops a model",

@@ -82,8 +82,8 @@ class ObjModelTest {
                                 + "v 9 9 9 0.5\n");
         assertEquals(
                 List.of(
-                        "a.obj:5: face without area or too thin to be seen was left out, 2 times",
-                        "a.obj:6: 'lod' was passed over; faces, lines and points are read, 2 times",
+                        "a.obj:5: face without area or too thin to be seen was left out (2 times)",
+                        "a.obj:6: 'lod' was passed over; faces, lines and points are read (2 times)",
                         "a.obj:13: a vertex's weight, which means nothing to faces, was passed over"),
                 model.notes());
     }
@@ -133,7 +133,7 @@ class ObjModelTest {
         for (int i = 0; i < 60; i++) text.append("x").append(i).append('\n');
         List<String> notes = Texts.read(text.toString()).notes();
         assertEquals(51, notes.size());
-        assertEquals("a.obj:56: other unknown keywords were passed over, 10 times", notes.get(50));
+        assertEquals("a.obj:56: other unknown keywords were passed over (10 times)", notes.get(50));
     }
 
     private static List<String> names(List<ObjModel.Part> parts) {
