@@ -37,6 +37,7 @@ class ServerWordsTest {
                     Rejection.HintOrder.class,
                     Rejection.NoMoreHints.class,
                     Rejection.UnknownLanguage.class,
+                    Rejection.UnknownScene.class,
                     Rejection.UnknownStudent.class,
                     Rejection.WrongMethod.class,
                     Rejection.WrongMediaType.class);
