@@ -56,7 +56,7 @@ final class HintReader {
      * All steps; none where the folder has none, or something is wrong with them, which is kept.
      */
     List<Hint> read() {
-        Optional<List<Integer>> costs = faults.tried(this::costs);
+        Optional<List<Integer>> costs = costs();
         if (!fields.has(COSTS) && LANGUAGES.stream().noneMatch(one -> folder.has(file(one))))
             return List.of();
         Map<String, List<String>> texts = new LinkedHashMap<>();
@@ -74,13 +74,22 @@ final class HintReader {
         return hints;
     }
 
-    private List<Integer> costs() {
-        if (!fields.has(COSTS)) return NUMBERS.stream().map(one -> 0).toList();
-        List<Integer> costs = IntStream.of(fields.get(POINTS)).boxed().toList();
-        int most = Exercise.MOST_POINTS - 1;
-        for (int cost : costs)
-            if (cost < 0 || cost > most)
-                throw fields.wrong(COSTS, Phrase.of("field.whole", 0, most, cost));
+    /** What each step costs; empty where something is wrong, all of which is kept. */
+    private Optional<List<Integer>> costs() {
+        if (!fields.has(COSTS)) return Optional.of(NUMBERS.stream().map(one -> 0).toList());
+        if (fields.tree(COSTS).size() != Hint.STEPS || !fields.tree(COSTS).isArray())
+            return faults.tried(() -> IntStream.of(fields.get(POINTS)).boxed().toList());
+        List<Integer> costs = new ArrayList<>();
+        for (int i = 0; i < Hint.STEPS; i++) {
+            int step = i;
+            faults.tried(() -> fields.member(COSTS, step, 0, Exercise.MOST_POINTS - 1))
+                    .ifPresent(costs::add);
+        }
+        if (costs.size() < Hint.STEPS) return Optional.empty();
+        return faults.tried(() -> affordable(costs));
+    }
+
+    private List<Integer> affordable(List<Integer> costs) {
         int sum = costs.stream().mapToInt(Integer::intValue).sum();
         if (sum >= Exercise.MOST_POINTS)
             throw fields.wrong(COSTS, Phrase.of("field.hints", sum, Exercise.MOST_POINTS));

@@ -131,6 +131,11 @@ public final class JsonFields {
         return has(field) ? integer(field, least, most) : otherwise;
     }
 
+    /** A whole number of an array that is long enough. */
+    public int member(String field, int index, int least, int most) {
+        return required(field).members().get(index).integer(least, most);
+    }
+
     public boolean flag(String field, boolean otherwise) {
         return has(field) ? object.at(field).flag() : otherwise;
     }

@@ -60,9 +60,10 @@ class HintFaultsTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "[1, -2, 4] | field 'hintCosts' must be a whole number from 0 to 99, got -2",
-                "[1, 2, 100] | field 'hintCosts' must be a whole number from 0 to 99, got 100",
-                "[1, 2.5, 4] | field 'hintCosts' must be a whole number",
+                "[1, -2, 4] | field 'hintCosts[1]' must be a whole number from 0 to 99, got -2",
+                "[1, 2, 100] | field 'hintCosts[2]' must be a whole number from 0 to 99, got 100",
+                "[60, 60, \"a\"] | field 'hintCosts[2]' must be a whole number from 0 to 99, got \"a\"",
+                "[1, 2.5, 4] | field 'hintCosts[1]' must be a whole number",
                 "[20, 30, 50] | field 'hintCosts' comes to 100 points together, which must be less than the 100 points",
                 "[1, 2] | field 'hintCosts' must have 3 whole numbers",
                 "7 | field 'hintCosts' must have 3 whole numbers"
