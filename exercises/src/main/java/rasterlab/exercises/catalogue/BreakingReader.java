@@ -64,11 +64,7 @@ final class BreakingReader {
                         : List.of();
         var titles = ExerciseReader.titles(fields, faults);
         Map<String, String> statements = ExerciseReader.statements(folder, faults);
-        var pictures =
-                topic.flatMap(
-                        one ->
-                                faults.tried(
-                                        () -> new StatementPictures(folder, one).read(statements)));
+        var pictures = new StatementPictures(folder, topic).read(statements, faults);
         var starter = faults.tried(() -> folder.text(STARTER));
         var minutes = faults.tried(() -> ExerciseReader.minutes(fields));
         List<Hint> hints = new HintReader(folder, fields, faults).read();
@@ -80,7 +76,7 @@ final class BreakingReader {
                         Optional.empty(),
                         titles.orElseThrow(),
                         statements,
-                        pictures.orElseThrow(),
+                        pictures,
                         starter.orElseThrow(),
                         Revision.of(folder.read()),
                         new Tolerance(false),

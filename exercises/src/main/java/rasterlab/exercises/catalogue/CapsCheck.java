@@ -35,11 +35,24 @@ final class CapsCheck {
      * @throws CatalogueException naming the first case that has one
      */
     static void check(ExerciseFolder folder, Exercise exercise) {
+        Faults faults = new Faults();
+        check(folder, exercise, faults);
+        faults.requireNone();
+    }
+
+    /** The same, where each limit that is too low is kept, with the first case that shows it. */
+    static void check(ExerciseFolder folder, Exercise exercise, Faults faults) {
         if (exercise.form() != Exercise.Form.WRITE) return;
         CapsCheck check = new CapsCheck(folder, exercise);
         Exercise.Caps caps = exercise.caps();
-        check.hold("items", "field.caps.items", caps.items(), TopicGrading.Call::items);
-        check.hold("bytes", "field.caps.bytes", caps.bytes(), check::bytes);
+        faults.checked(
+                () ->
+                        check.hold(
+                                "items",
+                                "field.caps.items",
+                                caps.items(),
+                                TopicGrading.Call::items));
+        faults.checked(() -> check.hold("bytes", "field.caps.bytes", caps.bytes(), check::bytes));
     }
 
     private void hold(

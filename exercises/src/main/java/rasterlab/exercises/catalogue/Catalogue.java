@@ -79,8 +79,10 @@ public final class Catalogue {
      * What reading a folder came to.
      *
      * @param exercise empty where there are faults
+     * @param parts what can be looked at also then
      */
-    public record Reading(Optional<Exercise> exercise, List<CatalogueException> faults) {}
+    public record Reading(
+            Optional<Exercise> exercise, List<CatalogueException> faults, FolderParts parts) {}
 
     /** Reads the folder of one exercise, with all that is wrong in it. */
     public static Reading read(Path folder) {
@@ -94,7 +96,8 @@ public final class Catalogue {
                                             Files.exists(folder)
                                                     ? "disk.folder-not"
                                                     : "disk.folder-none"),
-                                    null)));
+                                    null)),
+                    FolderParts.NONE);
         return new ExerciseReader(ExerciseFolder.onDisk(folder.toAbsolutePath().normalize()))
                 .reading();
     }

@@ -70,6 +70,9 @@ final class ExerciseReader {
     private final ExerciseFolder folder;
     private final Faults faults = new Faults();
 
+    /** Those of {@code exercise.json}; empty until it is read, or where it cannot be. */
+    private Optional<JsonFields> fields = Optional.empty();
+
     ExerciseReader(ExerciseFolder folder) {
         this.folder = folder;
     }
@@ -86,10 +89,10 @@ final class ExerciseReader {
     /** The exercise and all faults, of which there are none where it can be taken. */
     Catalogue.Reading reading() {
         Optional<Exercise> read = tried();
-        if (faults.all().isEmpty())
-            faults.checked(() -> CapsCheck.check(folder, read.orElseThrow()));
+        if (faults.all().isEmpty()) CapsCheck.check(folder, read.orElseThrow(), faults);
+        FolderParts parts = FolderParts.of(folder, fields, faults);
         return new Catalogue.Reading(
-                faults.all().isEmpty() ? read : Optional.empty(), faults.all());
+                faults.all().isEmpty() ? read : Optional.empty(), faults.all(), parts);
     }
 
     /** The exercise, where nothing is wrong with it. */
@@ -100,7 +103,8 @@ final class ExerciseReader {
                     if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
                         throw new CatalogueException(Phrase.of("folder.words", id));
                 });
-        return faults.tried(this::fields).flatMap(fields -> tried(id, fields));
+        fields = faults.tried(this::fields);
+        return fields.flatMap(all -> tried(id, all));
     }
 
     /** The minutes that it usually takes, where the folder says so. */
@@ -119,13 +123,18 @@ final class ExerciseReader {
     }
 
     private Optional<Exercise> tried(String id, JsonFields fields) {
-        Optional<String> form = faults.tried(() -> fields.word("kind", FORMS, Form.WRITE.code()));
+        Optional<String> form = form(fields, faults);
         if (form.isEmpty()) return Optional.empty();
         if (form.get().equals(Form.BREAK.code()))
             return new BreakingReader(folder, fields, faults).read();
         if (form.get().equals(Form.PREDICT.code()))
             return new PredictingReader(folder, fields, faults).read();
         return written(id, fields);
+    }
+
+    /** The code of the form; empty where it is unknown, which is kept. */
+    static Optional<String> form(JsonFields fields, Faults faults) {
+        return faults.tried(() -> fields.word("kind", FORMS, Form.WRITE.code()));
     }
 
     private Optional<Exercise> written(String id, JsonFields fields) {
@@ -139,15 +148,11 @@ final class ExerciseReader {
         Map<String, String> statements = statements(folder, faults);
         var titles = titles(fields, faults);
         var pictures =
-                topic.flatMap(
-                        one ->
-                                faults.tried(
-                                        () ->
-                                                new StatementPictures(folder, one.name())
-                                                        .read(statements)));
+                new StatementPictures(folder, topic.map(TopicGrading::name))
+                        .read(statements, faults);
         var starter = faults.tried(() -> folder.text("Starter.java"));
         var tolerance = topic.flatMap(one -> faults.tried(() -> tolerance(fields, one)));
-        var caps = faults.tried(() -> stated(fields));
+        var caps = stated(fields);
         var evidence = topic.flatMap(one -> faults.tried(() -> evidence(fields, one)));
         var minutes = faults.tried(() -> minutes(fields));
         var timed =
@@ -166,7 +171,7 @@ final class ExerciseReader {
                         contract(fields, topic.orElseThrow().name()),
                         titles.orElseThrow(),
                         statements,
-                        pictures.orElseThrow(),
+                        pictures,
                         starter.orElseThrow(),
                         revision,
                         tolerance.orElseThrow(),
@@ -188,7 +193,7 @@ final class ExerciseReader {
         return fields.object("timed", "count", "let", "given", "parts").tree().toString();
     }
 
-    private static TopicGrading grading(JsonFields fields) {
+    static TopicGrading grading(JsonFields fields) {
         String topic = fields.word("topic", TopicGradings.names());
         return TopicGradings.named(topic, contract(fields, topic));
     }
@@ -227,10 +232,11 @@ final class ExerciseReader {
         return fields.object("tolerance", "eitherPixelOnTies", "worst", "unit");
     }
 
-    private static Caps stated(JsonFields fields) {
-        return fields.has("caps")
-                ? caps(fields.object("caps", "items", "bytes", "seconds"))
-                : Caps.NONE;
+    /** The limits; empty where one is wrong, all of which are kept. */
+    private Optional<Caps> stated(JsonFields fields) {
+        if (!fields.has("caps")) return Optional.of(Caps.NONE);
+        return faults.tried(() -> fields.object("caps", "items", "bytes", "seconds"))
+                .flatMap(this::caps);
     }
 
     /** The names of the topic's faulty methods, and of its mutants or those of one method. */
@@ -274,13 +280,19 @@ final class ExerciseReader {
         return Optional.of(fields.word("truth", topic.truths()));
     }
 
-    private static Caps caps(JsonFields fields) {
-        return new Caps(
-                whole(fields, "items", Caps.MOST_ITEMS),
-                whole(fields, "bytes", Caps.MOST_BYTES),
-                fields.has("seconds")
-                        ? Optional.of(Duration.ofNanos(Math.round(fields.get(SECONDS) * 1e9)))
-                        : Optional.empty());
+    private Optional<Caps> caps(JsonFields fields) {
+        var items = faults.tried(() -> whole(fields, "items", Caps.MOST_ITEMS));
+        var bytes = faults.tried(() -> whole(fields, "bytes", Caps.MOST_BYTES));
+        var seconds = faults.tried(() -> seconds(fields));
+        return items.isPresent() && bytes.isPresent() && seconds.isPresent()
+                ? Optional.of(new Caps(items.get(), bytes.get(), seconds.get()))
+                : Optional.empty();
+    }
+
+    private static Optional<Duration> seconds(JsonFields fields) {
+        return fields.has("seconds")
+                ? Optional.of(Duration.ofNanos(Math.round(fields.get(SECONDS) * 1e9)))
+                : Optional.empty();
     }
 
     private static OptionalInt whole(JsonFields fields, String field, int most) {

@@ -19,7 +19,6 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.Hint;
-import rasterlab.exercises.Picture;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.Asked;
 import rasterlab.exercises.Predicting.Reason;
@@ -69,7 +68,8 @@ final class PredictingReader {
         Optional<Drawn> drawn = faults.tried(this::drawn);
         var titles = ExerciseReader.titles(fields, faults);
         Map<String, String> statements = ExerciseReader.statements(folder, faults);
-        var pictures = drawn.flatMap(one -> faults.tried(() -> pictures(one.topic(), statements)));
+        var pictures =
+                new StatementPictures(folder, drawn.map(Drawn::topic)).read(statements, faults);
         var minutes = faults.tried(() -> ExerciseReader.minutes(fields));
         String revision = Revision.of(folder.read());
         List<Hint> hints = new HintReader(folder, fields, faults).read();
@@ -82,7 +82,7 @@ final class PredictingReader {
                         Optional.empty(),
                         titles.orElseThrow(),
                         statements,
-                        pictures.orElseThrow(),
+                        pictures,
                         SheetText.open(folder.id(), drawn.get().sheet()),
                         revision,
                         new Tolerance(false),
@@ -96,10 +96,6 @@ final class PredictingReader {
                         new Evidence(Optional.empty(), Set.of()),
                         minutes.orElseThrow(),
                         hints));
-    }
-
-    private Map<String, Picture> pictures(String topic, Map<String, String> statements) {
-        return new StatementPictures(folder, topic).read(statements);
     }
 
     private Drawn drawn() {

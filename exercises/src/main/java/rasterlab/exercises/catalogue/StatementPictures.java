@@ -1,9 +1,12 @@
 package rasterlab.exercises.catalogue;
 
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import rasterlab.engine.Topics;
@@ -29,9 +32,12 @@ final class StatementPictures {
     private static final Pattern SHOWN = Pattern.compile("!\\[[^\\]]*\\]\\(\\s*<?([^\\s)>]*)");
 
     private final ExerciseFolder folder;
-    private final String topic;
+    private final Optional<String> topic;
 
-    StatementPictures(ExerciseFolder folder, String topic) {
+    /**
+     * @param topic of the inputs that are drawn; where it is empty, none is
+     */
+    StatementPictures(ExerciseFolder folder, Optional<String> topic) {
         this.folder = folder;
         this.topic = topic;
     }
@@ -42,35 +48,43 @@ final class StatementPictures {
     }
 
     /**
+     * The pictures that can be shown, by the names in the statements.
+     *
      * @param statements language code to Markdown text
-     * @throws CatalogueException naming statement and picture, where one cannot be shown
+     * @param faults takes statement and picture, where one cannot be shown
      */
-    Map<String, Picture> read(Map<String, String> statements) {
+    Map<String, Picture> read(Map<String, String> statements, Faults faults) {
         Map<String, Picture> pictures = new LinkedHashMap<>();
+        Set<String> seen = new HashSet<>();
         statements.forEach(
                 (language, text) -> {
-                    for (Matcher shown = SHOWN.matcher(text); shown.find(); )
-                        pictures.computeIfAbsent(
-                                shown.group(1), name -> picture(file(language), name));
+                    for (Matcher shown = SHOWN.matcher(text); shown.find(); ) {
+                        String name = shown.group(1);
+                        if (seen.add(name))
+                            faults.tried(() -> picture(file(language), name))
+                                    .flatMap(one -> one)
+                                    .ifPresent(one -> pictures.put(name, one));
+                    }
                 });
         return pictures;
     }
 
-    private Picture picture(String statement, String name) {
+    /** A picture; empty where no topic is known to draw it. */
+    private Optional<Picture> picture(String statement, String name) {
         try {
             if (name.contains("/"))
                 throw new CatalogueException(Phrase.of("picture.elsewhere", name));
             String source = name.replaceFirst("\\.png$", ".json");
             return !name.equals(source) && !folder.has(name) && folder.has(source)
-                    ? drawn(source)
-                    : Picture.of(name, folder.content(name));
+                    ? topic.map(one -> drawn(one, source))
+                    : Optional.of(Picture.of(name, folder.content(name)));
         } catch (CatalogueException e) {
             throw new CatalogueException(
                     Phrase.of("folder.at", folder.place(statement), e.said()), e);
         }
     }
 
-    private TopicGrading grading() {
+    private static TopicGrading grading(String topic) {
         if (!TopicGradings.names().contains(topic))
             throw new CatalogueException(Phrase.of("picture.undrawn", topic));
         return TopicGradings.named(topic);
@@ -79,11 +93,11 @@ final class StatementPictures {
     /**
      * The right answer to the one input of a file, which is read now and drawn when it is shown.
      */
-    private Picture drawn(String source) {
+    private Picture drawn(String topic, String source) {
         byte[] content = folder.content(source);
         var input = new String(content, StandardCharsets.UTF_8);
         var shown = new Case(source, Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
-        List<Call> calls = grading().calls(shown, new Tolerance(false), 0);
+        List<Call> calls = grading(topic).calls(shown, new Tolerance(false), 0);
         return Picture.drawn(source, content, () -> drawn(topic, calls.get(0)));
     }
 

@@ -3,22 +3,23 @@ package rasterlab.exercises.folder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Hint;
 import rasterlab.exercises.Picture;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.catalogue.FolderParts;
 import rasterlab.exercises.formula.FormulaFaults;
 import rasterlab.exercises.runner.SourceCheck;
 import rasterlab.exercises.runner.TimingCheck;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Phrase;
-import rasterlab.exercises.topic.TopicGradings;
 
 /** Finds all that is wrong in one exercise's folder at once. */
 public final class FolderCheck {
+    private static final Pattern HINTS = Pattern.compile("(?m)^(?=##[ \\t])");
+
     private final Path folder;
     private final List<Phrase> faults = new ArrayList<>();
 
@@ -35,30 +36,28 @@ public final class FolderCheck {
         FolderCheck check = new FolderCheck(folder);
         Catalogue.Reading read = Catalogue.read(folder);
         read.faults().stream().map(CatalogueException::said).forEach(check.faults::add);
-        read.exercise().ifPresent(check::checkFormulas);
-        read.exercise().ifPresent(check::checkPictures);
+        FolderParts parts = read.parts();
+        parts.texts().forEach(check::checkFormulas);
+        check.checkPictures(parts.pictures());
+        check.checkSources(parts);
         read.exercise()
                 .filter(one -> one.form() == Exercise.Form.WRITE)
-                .ifPresent(check::checkSources);
+                .ifPresent(check::checkTiming);
         return List.copyOf(check.faults);
     }
 
-    private void checkFormulas(Exercise exercise) {
-        new TreeMap<>(exercise.statement())
-                .forEach((language, text) -> checkFormulas("statement." + language + ".md", text));
-        for (Hint hint : exercise.hints())
-            new TreeMap<>(hint.text())
-                    .forEach((language, text) -> checkFormulas("hints." + language + ".md", text));
-    }
-
+    /** Looks at each hint by itself, as it is shown. */
     private void checkFormulas(String file, String text) {
-        for (FormulaFaults.Fault one : FormulaFaults.in(text))
-            add(file, Phrase.of("folder.formula", one.source(), Phrase.of(one.mistake())));
+        Stream<String> shown =
+                file.startsWith("hints.") ? HINTS.splitAsStream(text) : Stream.of(text);
+        shown.flatMap(one -> FormulaFaults.in(one).stream())
+                .map(one -> Phrase.of("folder.formula", one.source(), Phrase.of(one.mistake())))
+                .forEach(fault -> add(file, fault));
     }
 
     /** Draws the pictures that are drawn, for an input may have no right answer. */
-    private void checkPictures(Exercise exercise) {
-        for (Picture one : exercise.pictures().values())
+    private void checkPictures(List<Picture> pictures) {
+        for (Picture one : pictures)
             try {
                 one.content();
             } catch (IllegalArgumentException refused) {
@@ -71,11 +70,19 @@ public final class FolderCheck {
             }
     }
 
-    private void checkSources(Exercise exercise) {
-        SourceCheck check = new SourceCheck(TopicGradings.of(exercise).contract());
-        check.faults(exercise.starter()).forEach(one -> add("Starter.java", one));
-        Optional<String> model = exercise.evidence().model();
-        model.ifPresent(source -> check.faults(source).forEach(one -> add("Model.java", one)));
+    private void checkSources(FolderParts parts) {
+        parts.sources()
+                .forEach((file, source) -> faults(parts, source).forEach(one -> add(file, one)));
+    }
+
+    /** What is wrong with a source; where its contract is unknown, only that is not Java. */
+    private static List<Diagnostic> faults(FolderParts parts, String source) {
+        return parts.contract()
+                .map(one -> new SourceCheck(one).faults(source))
+                .orElseGet(() -> SourceCheck.mistakes(source));
+    }
+
+    private void checkTiming(Exercise exercise) {
         String file = folder.resolve("exercise.json").toString();
         TimingCheck.fault(exercise, file).ifPresent(faults::add);
     }

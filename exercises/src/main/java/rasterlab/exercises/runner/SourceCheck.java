@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.util.List;
+import rasterlab.contract.Pixels;
 import rasterlab.exercises.child.Compiler;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
@@ -48,6 +49,14 @@ public final class SourceCheck {
         return new ByteCodeCheck(AllowList.of(contract))
                 .check(result.classes(), contract.getName().replace('.', '/'), source)
                 .refusals();
+    }
+
+    /** What does not compile in a source whose contract nobody knows. */
+    public static List<Diagnostic> mistakes(String text) {
+        String source = SourceText.withoutMark(text);
+        return SourceText.faultOf(source)
+                .map(fault -> List.of(fault.diagnostic()))
+                .orElseGet(() -> new SourceCheck(Pixels.class).compiled(source).errors());
     }
 
     private Compilation compiled(String source) {

@@ -160,6 +160,45 @@ class FolderCheckTest {
         assertEquals(3, faults.size(), faults.toString());
     }
 
+    @ParameterizedTest(name = "{2} hides what is wrong in the other files")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "cases.json | \"hazard\" : \"last-edge\" | \"hazard\" : \"none\"",
+                "exercise.json | \"topic\" : \"point-in-polygon\" | \"topic\" : \"points\"",
+                "exercise.json | { | ["
+            })
+    void theFilesAreLookedAtWhereTheExerciseCannotBeRead(String file, String from, String to)
+            throws IOException {
+        change(file, from, to);
+        int before = faults().size();
+        change("statement.ru.md", "$x^2 + y^2 = r^2$", "$\\foo{$ ![](none.png) ![](no.svg)");
+        change("hints.en.md", "The idea", "$\\bar$");
+        change("Starter.java", "return false", "return");
+        Files.writeString(folder.resolve("Model.java"), "public class Model {");
+        List<String> faults = faults();
+        for (String told :
+                List.of(
+                        "statement.ru.md: formula",
+                        "none.png",
+                        "no.svg",
+                        "hints.en.md: formula",
+                        "Model.java:1"))
+            assertTrue(faults.stream().anyMatch(one -> one.contains(told)), told + " " + faults);
+        assertTrue(faults.size() >= before + 5, faults.toString());
+    }
+
+    @Test
+    @DisplayName("only the first of several wrong limits is told")
+    void allWrongLimitsAreTold() throws IOException {
+        String caps = "\"caps\" : {\"items\": 0, \"bytes\": -3, \"seconds\": 99}, ";
+        change("exercise.json", "\"tolerance\"", caps + "\"tolerance\"");
+        List<String> faults = faults();
+        assertEquals(3, faults.size(), faults.toString());
+        for (String told : List.of("'items'", "'bytes'", "'seconds'"))
+            assertTrue(faults.stream().anyMatch(one -> one.contains(told)), told + " " + faults);
+    }
+
     @Test
     void aPictureOfAnInputThatCannotBeReadIsTold() throws IOException {
         Files.writeString(folder.resolve("example.json"), "{\"given\": {\"polygon\": 7}}");
