@@ -86,7 +86,8 @@ class SheetsTest {
             val written = SheetText.written("predict-line", sheet) { if (it == asked) wrong else it.right() }
             val id = handIn(student, written).json().text("id")
             eventsToTheEnd(student, id)
-            for ((language, reason) in mapOf("en" to "here it is $value", "ru" to "здесь ${value.replace('-', '−')}")) {
+            val russian = value.toString().replace('-', '−')
+            for ((language, reason) in mapOf("en" to "here it is $value", "ru" to "здесь $russian")) {
                 val told =
                     look(student, "/api/v1/submissions/$id?lang=$language")
                         .json()
