@@ -19,6 +19,9 @@ private const val UNITS_PER_EM = 1000
 private const val STEPS_PER_EM = 10
 private const val DEEPEST = 40
 
+/** What is left of a displayed formula's width, at least, where the page is too narrow for it. */
+private const val LEAST_SHARE = 0.75
+
 /**
  * Formulas as SVG within the page: they take its colour and size, and need no script and no style of their own.
  *
@@ -40,9 +43,21 @@ class FormulaPictures(
     private fun displayed(block: FormulaBlock) {
         out.line()
         out.tag("p", mapOf("class" to "displayed"))
-        if (block.closed()) put(block.formula()) else note(unclosed(block))
+        if (block.closed()) shrinking(block.formula()) else note(unclosed(block))
         out.tag("/p")
         out.line()
+    }
+
+    /** Puts a formula that gets smaller with the page; an empty picture in its frame holds the least width. */
+    private fun shrinking(formula: Formula) {
+        val set = formulas.set(formula)
+        if (set !is Typeset.Drawn) return put(formula)
+        out.tag("span", mapOf("class" to "shrinking"))
+        picture(formula.tex(), set)
+        val least = ceil(set.width() * LEAST_SHARE * UNITS_PER_EM) / UNITS_PER_EM
+        out.tag("svg", mapOf("class" to "least", "aria-hidden" to "true", "width" to "${least}em", "height" to "0"))
+        out.tag("/svg")
+        out.tag("/span")
     }
 
     private fun put(formula: Formula) =

@@ -71,11 +71,31 @@ class StatementTest {
         val html = html("so\n$$\n\\frac{a}{b}\n- c\n$$\nis")
         assertTrue(
             Regex(
-                """<p>so</p>\s*<p class="displayed"><svg [^<]*<path [^<]*</path></svg></p>\s*<p>is</p>""",
+                """<p>so</p>\s*<p class="displayed"><span[^<]*<svg [^<]*<path [^<]*</path></svg><svg[^<]*</svg></span></p>\s*<p>is</p>""",
             ).containsMatchIn(html),
             html,
         )
         assertFalse("<li>" in html, html)
+    }
+
+    @Test
+    fun `a displayed formula is cut though three quarters of its width would fit`() {
+        val html = html("$$\n\\frac{a}{b} + c\n$$")
+        val widths = Regex("""<svg [^>]*\bwidth="([0-9.]+)em"""").findAll(html).map { it.groupValues[1].toDouble() }.toList()
+        assertEquals(2, widths.size, html)
+        assertEquals(0.75, widths[1] / widths[0], 0.001, html)
+        assertTrue("""class="least" aria-hidden="true"""" in html, html)
+        assertFalse("least" in html("in a line \$x\$"), "a formula in a line has a least width")
+    }
+
+    @Test
+    fun `a displayed formula scrolls without a sign of it`() {
+        val css = checkNotNull(javaClass.getResource("assets/rasterlab.css")).readText()
+        val rule = checkNotNull(Regex("""\n\.displayed \{([^}]*)\}""").find(css), { css }).groupValues[1]
+        assertTrue("scrollbar-width: thin" in rule, rule)
+        assertEquals(2, Regex("""var\(--card\)[^,;]*, transparent\)[^,;]* local""").findAll(rule).count(), rule)
+        assertEquals(2, Regex("""var\(--edge\), transparent\)[^,;]* scroll""").findAll(rule).count(), rule)
+        assertEquals(2, Regex("--edge: rgb").findAll(css).count(), "one shade for light and dark")
     }
 
     @Test
