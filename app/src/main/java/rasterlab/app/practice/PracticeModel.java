@@ -144,6 +144,11 @@ public final class PracticeModel implements AutoCloseable {
         if (answered) graded.orElseThrow().back().run();
     }
 
+    /** Back to the lab, which is about to show something else; a sheet keeps its answers. */
+    public void giveWay() {
+        if (state.topic().isPresent()) publish(PracticeState.LEFT);
+    }
+
     private void publish(PracticeState next) {
         state = next;
         listeners.tell(next);

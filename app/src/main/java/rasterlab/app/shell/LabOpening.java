@@ -179,7 +179,7 @@ final class LabOpening implements OpenInLab {
             way.show().show(lab, new TopicInput(card.topic(), "", input), method);
         }
         tellOwn(card, method);
-        showTab.accept(card.lab().name());
+        bring(card);
     }
 
     /**
@@ -234,7 +234,7 @@ final class LabOpening implements OpenInLab {
         asked++;
         showing.show(models.of(card.lab()), input, beside);
         tellOwn(card, OwnMethods.NAME);
-        showTab.accept(card.lab().name());
+        bring(card);
     }
 
     /** Has the program of a case run in the lab, where that can; else shows what is recorded. */
@@ -268,7 +268,7 @@ final class LabOpening implements OpenInLab {
         // A program of another exercise has no part in this one.
         String method = models.own().of(topic).isPresent() ? right(topic) : "";
         String input = json.isEmpty() && !method.isEmpty() ? written(card).orElse("") : json;
-        if (input.isEmpty()) showTab.accept(card.lab().name());
+        if (input.isEmpty()) bring(card);
         else showInput(card, input, method, Optional.empty());
         tellHandingIn.accept(card.lab().name(), exercise(exercise));
     }
@@ -379,6 +379,12 @@ final class LabOpening implements OpenInLab {
         card.way().show().show(lab, input, method);
         tellOwn(card, method);
         tellHazard.accept(input.hazard());
+        bring(card);
+    }
+
+    /** Brings the lab itself to the front, not the questions that it asks in its place. */
+    private void bring(TopicCard<?> card) {
+        models.practice(card.lab()).giveWay();
         showTab.accept(card.lab().name());
     }
 }

@@ -109,6 +109,18 @@ class GradedSheetTest {
     }
 
     @Test
+    void aSheetThatGivesWayToTheLabKeepsItsAnswersAndCallsNoExercise() {
+        begin("predict-line");
+        model.answer(question().right(), 0);
+        model.giveWay();
+        assertEquals(PracticeState.LEFT, model.state());
+        assertEquals(List.of(), backTo);
+        assertEquals(List.of(), handedIn);
+        begin("predict-line", kept.get(0));
+        assertEquals(1, model.state().at());
+    }
+
+    @Test
     void theLastAnswerHandsNothingInByItself() {
         begin("predict-line");
         int size = model.state().asked().orElseThrow().size();

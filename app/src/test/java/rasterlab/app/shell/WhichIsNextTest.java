@@ -28,6 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.StageGuide;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
@@ -322,6 +323,26 @@ class WhichIsNextTest {
         inLine(lab -> press(lab, "practice.handIn"));
         assertEquals(List.of("line", "exercises"), shown);
         assertTrue(search(line(), "practice.stage").isEmpty(), "the lab is seen again");
+    }
+
+    static Stream<Consumer<OpenInLab>> openings() {
+        String segment = "{\"from\": [1, 2], \"to\": [9, 4]}";
+        String hazard = Topics.named("line").hazards().get(0).name();
+        return Stream.of(
+                lab -> lab.showToHandIn("break-line", "line", segment),
+                lab -> lab.showToHandIn("break-line", "line", ""),
+                lab -> lab.showInput("line", segment, "", Optional.empty()),
+                lab -> lab.showOwn("line", segment, ""),
+                lab -> lab.showHazard("line", hazard, ""));
+    }
+
+    @ParameterizedTest(name = "what is opened in a lab stands behind the questions ({index})")
+    @MethodSource("openings")
+    void whatIsOpenedInTheLabIsSeen(Consumer<OpenInLab> opening) throws InterruptedException {
+        enterLine();
+        inLine(lab -> opening.accept(tabs.opening()));
+        assertTrue(search(line(), "practice.stage").isEmpty(), "the questions are left");
+        assertTrue(search(line(), "questions").isPresent(), "the lab is seen");
     }
 
     @Test
