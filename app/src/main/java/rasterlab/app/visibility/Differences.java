@@ -3,18 +3,31 @@ package rasterlab.app.visibility;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.engine.pipeline.RenderRequest;
 
-/** What both pictures have wrong beside the exact one. */
-record Differences(Compared first, Optional<Compared> second) {
-    /** Empty where a method refuses the scene. */
-    static Optional<Differences> of(Frame frame, PictureMaker maker, BooleanSupplier cancelled) {
-        try {
-            return Optional.of(
-                    new Differences(
-                            Compared.of(frame.first(), maker, cancelled),
-                            frame.second().map(request -> Compared.of(request, maker, cancelled))));
-        } catch (IllegalArgumentException refused) {
-            return Optional.empty(); // The picture says why.
+/** What both pictures have wrong beside the exact one; each is told of without the other. */
+record Differences(Outcome first, Optional<Outcome> second) {
+    /**
+     * One picture, compared or refused.
+     *
+     * @param compared empty where the method refuses the scene
+     * @param refusal what it said then, in English; empty where the picture is compared
+     */
+    record Outcome(Optional<Compared> compared, Optional<String> refusal) {
+        private static Outcome of(
+                RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
+            try {
+                return new Outcome(
+                        Optional.of(Compared.of(request, maker, cancelled)), Optional.empty());
+            } catch (IllegalArgumentException refused) {
+                return new Outcome(Optional.empty(), Optional.of(refused.getMessage()));
+            }
         }
+    }
+
+    static Differences of(Frame frame, PictureMaker maker, BooleanSupplier cancelled) {
+        return new Differences(
+                Outcome.of(frame.first(), maker, cancelled),
+                frame.second().map(request -> Outcome.of(request, maker, cancelled)));
     }
 }

@@ -13,7 +13,7 @@ import rasterlab.engine.pipeline.RenderRequest;
 final class StageWork implements AutoCloseable {
     private final PictureMaker maker;
     private final LatestOnly<Frame, Frame.Pictures> pictures;
-    private final LatestOnly<Frame, Optional<Differences>> differences;
+    private final LatestOnly<Frame, Differences> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
     private final LatestOnly<PixelReport.Question, PixelReport> histories;
 
@@ -27,7 +27,7 @@ final class StageWork implements AutoCloseable {
      */
     record Told(
             Consumer<Frame.Pictures> pictures,
-            BiConsumer<Frame, Optional<Differences>> differences,
+            BiConsumer<Frame, Differences> differences,
             BiConsumer<RenderRequest, Optional<Drawn>> walks,
             Consumer<PixelReport> histories) {}
 

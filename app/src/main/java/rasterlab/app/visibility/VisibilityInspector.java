@@ -307,6 +307,7 @@ final class VisibilityInspector {
         void show(VisibilityReadings readings, VisibilityChoice choice) {
             boolean two = !choice.comparison().isEmpty();
             wrongPixels.setText(readings.wrongPixels());
+            wrongPixels.setToolTipText(readings.refusal().orElse(null));
             wrongPixels.setIcon(
                     two ? new MethodSwatch(choice.visibility(), VisibilityColours.OWN) : null);
             missing.setText(readings.missing());
@@ -315,6 +316,7 @@ final class VisibilityInspector {
             share.setText(readings.share());
             largest.setText(readings.largest());
             other.setText(readings.other());
+            other.setToolTipText(readings.otherRefusal().orElse(null));
             other.setIcon(
                     two ? new MethodSwatch(choice.comparison(), VisibilityColours.OWN) : null);
             for (JLabel each : List.of(missing, extra, miscoloured, share, largest))

@@ -364,9 +364,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         publish(state.with(made));
     }
 
-    private void accept(Frame frame, Optional<Differences> found) {
-        if (compared.filter(asked -> asked == frame).isPresent() && found.isPresent())
-            publish(state.withDifferences(found.get().first(), found.get().second()));
+    private void accept(Frame frame, Differences found) {
+        if (compared.filter(asked -> asked == frame).isPresent()) publish(state.with(found));
     }
 
     private void accept(RenderRequest request, Optional<Drawn> found) {

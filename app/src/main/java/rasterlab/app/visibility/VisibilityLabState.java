@@ -8,9 +8,8 @@ import rasterlab.app.canvas.HazardNote;
  *
  * @param picture the newest finished picture, maybe of an earlier choice
  * @param other the other method's picture, made with it
- * @param difference from the exact picture of the present choice; empty while it is made or when it
- *     is not counted
- * @param otherDifference the same of the other method
+ * @param differences from the exact picture of the present choice; empty while they are found or
+ *     when they are not counted
  * @param drawn the method's steps; empty while they are found, or where they are not asked for
  * @param step how many of them are made
  * @param pixel what happened at the chosen pixel; empty while that is found out
@@ -24,8 +23,7 @@ public record VisibilityLabState(
         VisibilityChoice choice,
         Optional<Picture> picture,
         Optional<Picture> other,
-        Optional<Compared> difference,
-        Optional<Compared> otherDifference,
+        Optional<Differences> differences,
         Optional<Drawn> drawn,
         int step,
         Optional<PixelReport> pixel,
@@ -40,13 +38,27 @@ public record VisibilityLabState(
                 Optional.empty(),
                 Optional.empty(),
                 Optional.empty(),
-                Optional.empty(),
                 Frame.ALL,
                 Optional.empty(),
                 Optional.empty(),
                 "",
                 Optional.empty(),
                 0);
+    }
+
+    /** What the picture has wrong; empty where that is not known, or the method refuses. */
+    public Optional<Compared> difference() {
+        return differences.flatMap(found -> found.first().compared());
+    }
+
+    /** The same of the other method. */
+    public Optional<Compared> otherDifference() {
+        return otherOutcome().flatMap(Differences.Outcome::compared);
+    }
+
+    /** What came of comparing the other method's picture. */
+    Optional<Differences.Outcome> otherOutcome() {
+        return differences.flatMap(Differences::second);
     }
 
     /** Whether wrong pixels are marked: they are told of pictures that are drawn to the end. */
@@ -76,8 +88,7 @@ public record VisibilityLabState(
             draft.problem = "";
             draft.note = Optional.empty();
         }
-        draft.difference = Optional.empty();
-        draft.otherDifference = Optional.empty();
+        draft.differences = Optional.empty();
         draft.pixel = Optional.empty();
         return draft.state();
     }
@@ -89,10 +100,9 @@ public record VisibilityLabState(
         return draft.state();
     }
 
-    VisibilityLabState withDifferences(Compared first, Optional<Compared> second) {
+    VisibilityLabState with(Differences found) {
         var draft = new Draft(this);
-        draft.difference = Optional.of(first);
-        draft.otherDifference = second;
+        draft.differences = Optional.of(found);
         return draft.state();
     }
 
@@ -145,8 +155,7 @@ public record VisibilityLabState(
         private VisibilityChoice choice;
         private Optional<Picture> picture;
         private Optional<Picture> other;
-        private Optional<Compared> difference;
-        private Optional<Compared> otherDifference;
+        private Optional<Differences> differences;
         private Optional<Drawn> drawn;
         private int step;
         private Optional<PixelReport> pixel;
@@ -159,8 +168,7 @@ public record VisibilityLabState(
             choice = from.choice;
             picture = from.picture;
             other = from.other;
-            difference = from.difference;
-            otherDifference = from.otherDifference;
+            differences = from.differences;
             drawn = from.drawn;
             step = from.step;
             pixel = from.pixel;
@@ -175,8 +183,7 @@ public record VisibilityLabState(
                     choice,
                     picture,
                     other,
-                    difference,
-                    otherDifference,
+                    differences,
                     drawn,
                     step,
                     pixel,

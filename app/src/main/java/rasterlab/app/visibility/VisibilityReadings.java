@@ -56,8 +56,11 @@ final class VisibilityReadings {
     String wrongPixels() {
         VisibilityChoice choice = state.choice();
         return choice.comparison().isEmpty()
-                ? compared(found -> texts.text("wrongPixels.count", found.wrongPixels()))
-                : wrongPixels(choice.visibility(), state.difference());
+                ? read(
+                        first(),
+                        found -> texts.text("wrongPixels.count", found.wrongPixels()),
+                        texts.text("wrongPixels.refused"))
+                : wrongPixels(choice.visibility(), first());
     }
 
     String missing() {
@@ -87,12 +90,36 @@ final class VisibilityReadings {
 
     /** Wrong pixels of the other method, with its name. */
     String other() {
-        return wrongPixels(state.choice().comparison(), state.otherDifference());
+        return wrongPixels(state.choice().comparison(), state.otherOutcome());
     }
 
-    private String wrongPixels(String method, Optional<Compared> difference) {
-        String counted = read(difference, found -> count(found.wrongPixels()));
+    private Optional<Differences.Outcome> first() {
+        return state.differences().map(Differences::first);
+    }
+
+    private String wrongPixels(String method, Optional<Differences.Outcome> outcome) {
+        String counted =
+                read(
+                        outcome,
+                        found -> count(found.wrongPixels()),
+                        texts.text("wrongPixels.refused"));
         return texts.text("wrongPixels.of", OwnWords.called(method, texts.language()), counted);
+    }
+
+    /** Why the method's pixels are not counted; empty where they are. */
+    Optional<String> refusal() {
+        return refusal(state.choice().visibility(), first());
+    }
+
+    /** The same of the other method. */
+    Optional<String> otherRefusal() {
+        return refusal(state.choice().comparison(), state.otherOutcome());
+    }
+
+    private Optional<String> refusal(String method, Optional<Differences.Outcome> outcome) {
+        return outcome.filter(found -> state.step() == Frame.ALL)
+                .flatMap(Differences.Outcome::refusal)
+                .map(said -> refusal(method, said, texts));
     }
 
     /** Steps done, cuts so far, and what was counted for the whole picture. */
@@ -171,14 +198,22 @@ final class VisibilityReadings {
     }
 
     private String compared(Function<Compared, String> reading) {
-        return read(state.difference(), reading);
+        return read(first(), reading, "–");
     }
 
-    /** All pixels of the picture that is drawn to its end are counted. */
-    private String read(Optional<Compared> difference, Function<Compared, String> reading) {
+    /**
+     * Reads all pixels of the picture that is drawn to its end.
+     *
+     * @param refused stands where the method refuses the scene
+     */
+    private String read(
+            Optional<Differences.Outcome> outcome,
+            Function<Compared, String> reading,
+            String refused) {
         if (state.step() != Frame.ALL) return texts.text("known.later");
         String meanwhile = state.choice().difference() ? texts.text("comparing") : "–";
-        return difference.map(reading).orElse(meanwhile);
+        return outcome.map(found -> found.compared().map(reading).orElse(refused))
+                .orElse(meanwhile);
     }
 
     /** Radians, and the same as a multiple of π. */

@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -112,6 +113,31 @@ class WrongRowsTest {
         inspector.refresh();
         assertEquals("painter: –", value("wrongPixels").getText());
         assertEquals("newell: –", value("other").getText());
+    }
+
+    @Test
+    @DisplayName("a count that a refusal ends is waited for for ever, or ends the other one too")
+    void refusalOfOneMethodIsSaidAndTheOtherIsCounted() {
+        model.choose(choice -> choice.comparing("cyclic-overlap", OwnMethods.NAME, "newell"));
+        model.choose(choice -> choice.withDifference(true));
+        thread.settle(model::settle);
+        inspector.refresh();
+        assertEquals("my program: refused", value("wrongPixels").getText());
+        String why = value("wrongPixels").getToolTipText();
+        assertTrue(why.startsWith("There is no program of yours yet"), why);
+        assertEquals("–", value("missing").getText());
+        assertEquals("–", value("share").getText());
+        assertEquals("newell: 0", value("other").getText());
+        model.compare("cyclic-overlap", "painter", OwnMethods.NAME);
+        thread.settle(model::settle);
+        inspector.refresh();
+        assertTrue(value("wrongPixels").getText().matches("painter: [1-9][0-9,]*"));
+        assertNull(value("wrongPixels").getToolTipText());
+        assertEquals("my program: refused", value("other").getText());
+        model.compare("cyclic-overlap", OwnMethods.NAME, "");
+        thread.settle(model::settle);
+        inspector.refresh();
+        assertEquals("refused", value("wrongPixels").getText());
     }
 
     @Test
