@@ -7,10 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Mutant;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Form;
@@ -19,6 +24,7 @@ import rasterlab.exercises.judging.MethodsOnInput;
 import rasterlab.exercises.judging.MethodsOnInput.Tried;
 import rasterlab.exercises.proving.Proof;
 import rasterlab.exercises.proving.Proving;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Phrase;
 
 /** Every exercise that asks for inputs can be solved. */
@@ -77,5 +83,38 @@ class BreakExercisesTest {
         }
         assertEquals(100, exercise.points().total());
         assertEquals(100, exercise.cases().stream().mapToInt(Case::points).sum());
+    }
+
+    /** An example that counts pixels is what the report says, whose order counts nowhere. */
+    @ParameterizedTest
+    @ValueSource(strings = {"circle", "ellipse", "line", "polygon-fill"})
+    void theExampleOfPixelsIsWhatAReportSays(String topic) {
+        Exercise exercise = Catalogue.builtIn().named("break-" + topic);
+        String english = exercise.statement("en");
+        Matcher example =
+                Pattern.compile("(?:mistake “([^”]+)”|method `(.+)`) is\\s+given\\s+(\\{.*\\})")
+                        .matcher(english);
+        assertTrue(example.find());
+        String method =
+                Topics.named(topic).mutants().stream()
+                        .map(Mutant::name)
+                        .filter(one -> isSaid(topic, one, example.group(1)))
+                        .findFirst()
+                        .orElse(example.group(2));
+        Message said =
+                MethodsOnInput.of(topic, Phrase.quoted("example"), example.group(3))
+                        .faulty(Set.of(method))
+                        .get(0)
+                        .said();
+        for (String language : List.of("en", "ru")) {
+            String statement = exercise.statement(language).replaceAll("\\s+", " ");
+            String told = ": " + said.in(language) + ".";
+            assertTrue(statement.contains(told), () -> "says not" + told);
+        }
+    }
+
+    private static boolean isSaid(String topic, String mutant, String words) {
+        String text = Message.of("mutant." + topic + "." + mutant).in("en");
+        return words != null && text.equals(words.replaceAll("\\s+", " "));
     }
 }
