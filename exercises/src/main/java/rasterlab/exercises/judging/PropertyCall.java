@@ -178,16 +178,23 @@ final class PropertyCall<C, I, O> implements Call {
         I other = broken.get().answered().input();
         Optional<O> wanted = broken.get().wanted();
         O output = broken.get().answered().output();
-        Message said =
+        Message broke =
                 property.broken()
                         .and(property.rule())
                         .and(counterexample(other))
                         .and(
                                 wanted.map(one -> unfit(other, one, output))
-                                        .orElse(broken.get().said()))
-                        .and(whichIsWrong(mine, other))
-                        .and(wrong.said());
+                                        .orElse(broken.get().said()));
+        Message which = whichIsWrong(mine, other);
+        Message itself = which.isEmpty() ? without(broke, wrong.said()) : wrong.said();
+        Message said = broke.and(which).and(itself);
         return new Finding(GradingVerdict.WRONG, said, wrong.pictures(), wrong.explanations());
+    }
+
+    /** The sentences that have not been told of the same answer. */
+    private static Message without(Message told, Message said) {
+        return new Message(
+                said.sentences().stream().filter(one -> !told.sentences().contains(one)).toList());
     }
 
     private Message unfit(I other, O wanted, O output) {
