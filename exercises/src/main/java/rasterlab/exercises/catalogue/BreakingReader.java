@@ -174,14 +174,14 @@ final class BreakingReader {
         return targets;
     }
 
-    /** A mutant by its mistake, a faulty method by its name. */
+    /** A mutant by its mistake, a faulty method by the first of its faults and its name. */
     private static Map<String, String> titles(String topic, String name) {
-        String key = "mutant." + topic + "." + name;
-        return titles(
-                language ->
-                        Message.of(
-                                "case.break",
-                                Message.isKnown(key) ? Message.of(key).in(language) : name));
+        String mutant = "mutant." + topic + "." + name;
+        if (!Message.isKnown(mutant))
+            return titles(
+                    language ->
+                            Message.of("case.break.method", "fault." + topic + "." + name, name));
+        return titles(language -> Message.of("case.break", Message.of(mutant).in(language)));
     }
 
     private static Map<String, String> titles(Function<String, Message> title) {

@@ -156,9 +156,14 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return List.of();
     }
 
-    /** The text on a faulty method of the topic that gives the same answer. */
+    /** The key of the text on a faulty method of the topic that gives the same answer. */
     protected String knownMethod() {
-        return "known-answer";
+        return "known-answer.told";
+    }
+
+    /** Tells what such a method is known to do wrong, and its name. */
+    final Message told(String method) {
+        return Message.of(knownMethod(), method, "faults." + topic.name() + "." + method);
     }
 
     /** The first part of a wrong answer that differs, and how far all of it is from right. */
@@ -175,9 +180,9 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return right;
     }
 
-    /** What else is to be said of a wrong answer. */
-    protected Message further(I input, O actual, Demand demand) {
-        return Message.NONE;
+    /** The name of a faulty method that is to be told beside what explains a wrong answer. */
+    protected Optional<String> further(I input, O actual, Demand demand) {
+        return Optional.empty();
     }
 
     /** The finding on an answer that goes on beyond the most items, which it has. */

@@ -83,12 +83,18 @@ final class InputCall<C, I, O> implements Call {
         O beside = grading.beside(input, right, actual, demand, causes);
         Message said = grading.difference(input, beside, actual);
         // where several mistakes that are known give this answer, none of them is told
-        if (!own.isEmpty() || known().areOne(causes))
-            for (Cause one : causes.get(0)) said = said.and(one.said());
-        Message further = grading.further(input, actual, demand);
-        if (!said.sentences().containsAll(further.sentences())) said = said.and(further);
+        List<Cause> told = !own.isEmpty() || known().areOne(causes) ? causes.get(0) : List.of();
+        for (Cause one : told) said = said.and(one.said());
+        Optional<String> further = grading.further(input, actual, demand);
+        if (further.isPresent() && !Cause.codes(told).contains(further.get()))
+            said = said.and(alike(further.get(), told));
         return new Finding(
                 GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
+    }
+
+    /** A method that gives the same answer; its faults too, where they alone explain it. */
+    private Message alike(String method, List<Cause> told) {
+        return told.isEmpty() ? grading.told(method) : Message.of("known-fault", method);
     }
 
     @Override

@@ -47,11 +47,7 @@ final class KnownMistakes<C, I, O> {
             }
         for (Method<C> one : topic.methods())
             if (one.faulty() && output(one.implementation()).filter(same).isPresent())
-                found.add(
-                        List.of(
-                                new Cause(
-                                        one.name(),
-                                        Message.of(grading.knownMethod(), one.name()))));
+                found.add(List.of(new Cause(one.name(), grading.told(one.name()))));
         return found;
     }
 

@@ -113,7 +113,7 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
 
     @Override
     protected final String knownMethod() {
-        return "known-fault";
+        return "known-fault.told";
     }
 
     /** {@inheritDoc} Of a cut line, no pixel is missing where all that is wrong comes twice. */
@@ -144,11 +144,11 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
 
     /** {@inheritDoc} The first faulty method that draws the very same. */
     @Override
-    protected final Message further(I input, PixelRecording actual, Demand demand) {
+    protected final Optional<String> further(I input, PixelRecording actual, Demand demand) {
         for (Method<C> method : topic().methods())
             if (method.faulty() && isSame(drawnBy(method.implementation(), input, demand), actual))
-                return Message.of(knownMethod(), method.name());
-        return Message.NONE;
+                return Optional.of(method.name());
+        return Optional.empty();
     }
 
     private PixelRecording drawnBy(C method, I input, Demand demand) {

@@ -130,8 +130,13 @@ final class BreakRun {
                 .filter(one -> one.kind() == Verdict.Kind.REFUSED)
                 .findFirst()
                 .filter(one -> right.stream().allMatch(r -> r.kind() == Verdict.Kind.REFUSED))
-                .map(one -> Message.of("break.none-answers", one.method()).and(one.said()))
+                .map(one -> Message.of("break.all-refuse", one.method(), reason(one)))
                 .orElse(Message.NONE);
+    }
+
+    /** The engine's words on why a method refuses. */
+    private static String reason(Tried refused) {
+        return refused.said().sentences().get(0).arguments().get(0);
     }
 
     private Report report(int characters) {

@@ -54,13 +54,17 @@ public record Message(List<Sentence> sentences) {
                     "answer.engine",
                     "answer.unusable",
                     "break.refuses",
+                    "break.all-refuse",
                     "break.crashes",
                     "timed.refused");
 
-    /** The texts whose places may hold keys of others, on a mistake or a property. */
+    /** The texts whose places may hold keys of others, on mistakes or a property. */
     private static final Set<String> WITHIN =
             Set.of(
                     "known-mistake",
+                    "known-fault.told",
+                    "known-answer.told",
+                    "case.break.method",
                     "why.mistake",
                     "why.mistakes",
                     "property.broken",

@@ -10,14 +10,21 @@ import rasterlab.exercises.words.TopicWords;
 
 /**
  * The texts of reports in one language. Those on a topic, such as {@code mutant.line.MUTANT}, are
- * {@code mutant.MUTANT} of the topic's own words.
+ * {@code mutant.MUTANT} of the topic's own words; {@code faults.line.METHOD} are those that {@code
+ * METHOD.failures} there lists, and {@code fault.line.METHOD} is the first of them.
  *
  * @param general beside this class
  */
 record ReportTexts(ResourceBundle general) {
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
     private static final Pattern ON_A_TOPIC =
-            Pattern.compile("(mutant|property|place)\\.([a-z-]+)\\.(.+)");
+            Pattern.compile("(mutant|property|place|faults?)\\.([a-z-]+)\\.(.+)");
+
+    /** Of faults that are longer than that in all, the first are told. */
+    private static final int LONG_FAULTS = 120;
+
+    /** A first fault that is longer is told up to its first comma. */
+    private static final int LONG_FAULT = 60;
 
     /**
      * The texts in that language, or in English.
@@ -40,7 +47,19 @@ record ReportTexts(ResourceBundle general) {
 
     String text(String key) {
         Place place = place(key);
-        return place.texts.getString(place.key);
+        String text = place.texts.getString(place.key);
+        if (place.key.equals(key)) return text;
+        if (key.startsWith("faults.")) return first(text, "; ", LONG_FAULTS);
+        if (key.startsWith("fault.")) return first(first(text, "; ", 0), ", ", LONG_FAULT);
+        return text;
+    }
+
+    /** As many parts of a text as make no more than that many characters, but one at least. */
+    private static String first(String text, String between, int most) {
+        if (text.length() <= most) return text;
+        int end = text.lastIndexOf(between, most);
+        if (end < 0) end = text.indexOf(between);
+        return end < 0 ? text : text.substring(0, end);
     }
 
     Locale locale() {
@@ -55,6 +74,8 @@ record ReportTexts(ResourceBundle general) {
         if (!parts.matches() || !Topics.names().contains(parts.group(2)))
             return new Place(general, key);
         ResourceBundle own = TopicWords.of(parts.group(2), locale());
-        return new Place(own, parts.group(1) + "." + parts.group(3));
+        return parts.group(1).startsWith("fault")
+                ? new Place(own, parts.group(3) + ".failures")
+                : new Place(own, parts.group(1) + "." + parts.group(3));
     }
 }

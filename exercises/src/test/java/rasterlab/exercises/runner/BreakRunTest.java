@@ -1,7 +1,6 @@
 package rasterlab.exercises.runner;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
@@ -109,7 +108,10 @@ class BreakRunTest {
                         "{\"window\": [[0, 0], [10, 0], [2, 2], [0, 10]],"
                                 + " \"polygon\": [[1, 1], [2, 1], [1, 2]]}");
         assertEquals(0, report.points().total());
-        assertFalse(report.diagnostics().isEmpty());
+        String said = report.diagnostics().get(0).message("en");
+        assertTrue(said.contains("; weiler-atherton refuses it: "), said);
+        String russian = report.diagnostics().get(0).message("ru");
+        assertTrue(russian.contains("; метод weiler-atherton отказывается: "), russian);
     }
 
     @ParameterizedTest
