@@ -81,7 +81,10 @@ class StatementTest {
     @Test
     fun `a displayed formula is cut though three quarters of its width would fit`() {
         val html = html("$$\n\\frac{a}{b} + c\n$$")
-        val widths = Regex("""<svg [^>]*\bwidth="([0-9.]+)em"""").findAll(html).map { it.groupValues[1].toDouble() }.toList()
+        val widths =
+            Regex(
+                """<svg [^>]*\bwidth="([0-9.]+)em"""",
+            ).findAll(html).map { it.groupValues[1].toDouble() }.toList()
         assertEquals(2, widths.size, html)
         assertEquals(0.75, widths[1] / widths[0], 0.001, html)
         assertTrue("""class="least" aria-hidden="true"""" in html, html)

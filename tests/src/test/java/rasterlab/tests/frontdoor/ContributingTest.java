@@ -37,7 +37,9 @@ class ContributingTest {
         if ("write".equals(System.getProperty("rasterlab.golden"))) Files.writeString(MAP, drawn);
         assertEquals(
                 drawn, Repository.text(MAP), "write the map anew with -Drasterlab.golden=write");
-        assertTrue(Repository.text(FILE).contains("](app/pictures/house.svg)"), "the map is not shown");
+        assertTrue(
+                Repository.text(FILE).contains("](app/pictures/house.svg)"),
+                "the map is not shown");
     }
 
     @Test
