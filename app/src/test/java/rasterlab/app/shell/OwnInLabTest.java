@@ -281,7 +281,7 @@ class OwnInLabTest {
     @ValueSource(strings = {"", "{\"from\":[0,0],\"to\":[9,4],\"window\":[2,1,5,3]}"})
     void aProgramForAWindowDrawsInItOrTheWholeSegment(String json) throws InterruptedException {
         Exercise exercise = Catalogue.builtIn().named("window-segment");
-        models.own().bring(exercise, exercise.evidence().model().orElse(SEGMENTS));
+        models.own().bring(exercise, exercise.evidence().model().orElse(OwnSources.SEGMENTS));
         opening.showOwn("line", json, "");
         settle();
         assertEquals(LineTrace.Ending.ENDED, trace().ending(), trace().message());
@@ -369,32 +369,8 @@ class OwnInLabTest {
         assertEquals(List.of("line line-bresenham"), told);
     }
 
-    /** Right where no coordinate is huge: this exercise is measured against its topic's method. */
-    private static final String SEGMENTS =
-            """
-            import rasterlab.contract.*;
-
-            public class Mine implements SegmentClipper {
-                public void clip(
-                        double l, double b, double r, double t,
-                        double x, double y, double u, double v, SegmentSink out) {
-                    double[] p = {x - u, u - x, y - v, v - y};
-                    double[] q = {x - l, r - x, y - b, t - y};
-                    double from = 0, to = 1;
-                    for (int i = 0; i < 4; i++) {
-                        if (p[i] == 0 && q[i] < 0) return;
-                        if (p[i] < 0) from = Math.max(from, q[i] / p[i]);
-                        if (p[i] > 0) to = Math.min(to, q[i] / p[i]);
-                    }
-                    if (from > to) return;
-                    double dx = u - x, dy = v - y;
-                    out.segment(x + from * dx, y + from * dy, x + to * dx, y + to * dy);
-                }
-            }
-            """;
-
     private void showModel(Exercise exercise) {
-        models.own().bring(exercise, exercise.evidence().model().orElse(SEGMENTS));
+        models.own().bring(exercise, exercise.evidence().model().orElse(OwnSources.SEGMENTS));
         var call =
                 TopicGradings.of(exercise)
                         .calls(exercise.cases().get(0), exercise.tolerance(), 7)
