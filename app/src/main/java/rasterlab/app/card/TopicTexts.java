@@ -17,7 +17,7 @@ public record TopicTexts(Texts texts) {
     }
 
     /**
-     * What a mode of a lab is called, which may be a topic.
+     * Returns the name of a mode of a lab, which may be a topic.
      *
      * @param lab the lab's texts, with its modes that are none
      */
@@ -55,7 +55,7 @@ public record TopicTexts(Texts texts) {
     }
 
     /**
-     * What the method's decision variable is.
+     * Tells the method's decision variable.
      *
      * @param english in the engine's words, taken where there are no others; "" for none
      */

@@ -21,7 +21,7 @@ public record ClipStep(
         Passing passing,
         double[] places,
         double[] left) {
-    /** What a method without steps, such as the user's program, sent for an item. */
+    /** A method without steps, such as the user's program, sent this for an item. */
     private static final String WRITTEN = "written";
 
     /**

@@ -31,7 +31,7 @@ final class HandedInput {
                 : last.stream().collect(Collectors.joining(",\n  ", "[\n  ", "\n]"));
     }
 
-    /** What is handed in of a lab: an input beside those before, or a whole sheet of answers. */
+    /** Returns the new source: a lab's input beside those before, or a whole sheet of answers. */
     static String taken(Exercise exercise, String source, String json) {
         return exercise.form() == Exercise.Form.BREAK ? added(exercise, source, json) : json;
     }

@@ -2,7 +2,7 @@ package rasterlab.app.language;
 
 import rasterlab.exercises.complaint.ComplaintTexts;
 
-/** What readers and writers of files say in English, in the window's language. */
+/** Says in the window's language what readers and writers of files say in English. */
 public final class Complaints {
     private Complaints() {}
 

@@ -34,7 +34,7 @@ interface LightAtPoints {
                 : new LightOfFaces(choice, view.mesh(), view.transform());
     }
 
-    /** As many points as the program can be asked for while something is dragged. */
+    /** The program can be asked for so many points while something is dragged. */
     int most();
 
     /** The right light. */
@@ -54,7 +54,7 @@ interface LightAtPoints {
         return on.isEmpty() ? List.of(choice.lamp()) : on;
     }
 
-    /** What a lamp sends out. */
+    /** Returns the light that a lamp sends out: none where it is off. */
     static LightSource source(Lamp lamp) {
         double[] none = new double[3];
         return lamp.on()

@@ -14,8 +14,8 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * What the lab lights, as inputs of the topics about light. An input that was shown stays itself
- * until its lamp, its eye or its material is another.
+ * Turns what the lab lights into inputs of the topics about light. An input that was shown stays
+ * itself until its lamp, its eye or its material is another.
  */
 final class LitInputs {
     private LitInputs() {}
@@ -38,7 +38,7 @@ final class LitInputs {
                 .map(point -> new LitPoints(List.of(point)));
     }
 
-    /** What is told of the marked point, if that is of the present choice. */
+    /** Returns what is told of the marked point, if that is of the present choice. */
     private static Optional<PointReading> reading(LightLabState state) {
         return state.drawn()
                 .filter(drawn -> drawn.choice().equals(state.choice()))

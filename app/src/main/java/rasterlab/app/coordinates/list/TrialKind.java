@@ -71,7 +71,7 @@ abstract class TrialKind<C, I, O> {
      */
     abstract Optional<I> listed(ListScene scene);
 
-    /** What is shown as an input of the topic, in JSON: the hazard itself, or the list. */
+    /** Writes what is shown as an input of the topic, in JSON: the hazard itself, or the list. */
     final Optional<String> input(ListScene scene) {
         return scene.choice()
                 .trial()
