@@ -4,8 +4,8 @@ package rasterlab.contract;
 public enum Reflection {
     /** A dull surface: the diffuse term n·l alone. */
     LAMBERT,
-    /** Beside it (r·v)ˢ, r being the mirrored direction to the light, v that to the eye. */
+    /** Adds (r·v)ˢ, r being the mirrored direction to the light, v that to the eye. */
     PHONG,
-    /** Beside it (n·h)ˢ, h being half way between the directions to the light and to the eye. */
+    /** Adds (n·h)ˢ, h being half way between the directions to the light and to the eye. */
     BLINN_PHONG
 }

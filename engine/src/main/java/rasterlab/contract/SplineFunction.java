@@ -18,9 +18,9 @@ public interface SplineFunction {
         /** The second derivative does not jump either: with the ends, the cubic spline. */
         SMOOTH,
         /**
-         * Between two knots it stays between their two values: the monotone cubic of Fritsch and
-         * Carlson, the cubic of each piece by its values and slopes at both knots. The slope k[i]
-         * is (h[i]·δ[i−1] + h[i−1]·δ[i]) / (h[i−1] + h[i]) at an inner knot, that of the parabola
+         * The monotone cubic of Fritsch and Carlson, which stays between the values of its two
+         * knots: the cubic of each piece by its values and slopes at both knots. The slope k[i] is
+         * (h[i]·δ[i−1] + h[i−1]·δ[i]) / (h[i−1] + h[i]) at an inner knot, that of the parabola
          * through three points, or 0 where δ[i−1] and δ[i] have not the same sign. At the first
          * knot it is the given slope; for natural ends (3·δ[0] − k[1]) / 2, for not-a-knot ends
          * that of the parabola, and with two knots δ[0] for both; in each case 0 where it has not

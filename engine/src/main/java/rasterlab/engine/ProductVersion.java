@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 public final class ProductVersion {
     private ProductVersion() {}
 
-    /** As in {@code 0.1.0}. */
+    /** The version as it is printed, such as {@code 0.1.0}. */
     public static String text() {
         try (InputStream in = ProductVersion.class.getResourceAsStream("version.txt")) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8).strip();

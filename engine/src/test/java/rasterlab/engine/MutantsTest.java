@@ -54,7 +54,7 @@ class MutantsTest {
         assertNotEquals(Verdict.Kind.CRASHED, verdict.kind(), mutant + ": " + verdict.detail());
     }
 
-    /** Otherwise it would be rubbish, which everything catches. */
+    /** A mutant that is right on nothing would be rubbish, which everything catches. */
     @ParameterizedTest
     @MethodSource("topics")
     <C, I, O> void eachIsRightOnSomethingElse(Topic<C, I, O> topic) {
@@ -90,7 +90,7 @@ class MutantsTest {
         return Stream.concat(topic.hazards().stream(), smallest);
     }
 
-    /** To be exact; where no method is, to refuse. */
+    /** The right verdict: exact; where no method is, refused. */
     private static Verdict.Kind right(Hazard<?> hazard) {
         boolean refused =
                 hazard.recorded().containsValue(Verdict.Kind.REFUSED)

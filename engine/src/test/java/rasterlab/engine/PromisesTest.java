@@ -72,7 +72,7 @@ class PromisesTest {
         assertEquals(Kind.WRONG, kind("transform", "at-the-eye", infinite));
     }
 
-    /** Of every hazard with more than one pixel one at least must show it. */
+    /** One pixel at least must show it in every hazard that has more than one. */
     @Test
     void aDepthRowThatStartsLaterIsLookedAt() {
         DepthCoding right = right("depth-buffer", "reversed-z");

@@ -22,7 +22,7 @@ class VandalTest {
     /** Topics whose contracts hand out arrays to fill, in which nothing is read before. */
     private static final Set<String> WITH_ARRAYS_TO_FILL = Set.of("depth-buffer");
 
-    /** Their contracts hand out numbers and values of numbers. */
+    /** Contracts that hand out numbers and values of numbers. */
     private static final Set<String> WITHOUT_ARRAYS =
             Set.of(
                     "line",

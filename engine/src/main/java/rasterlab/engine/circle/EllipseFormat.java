@@ -19,7 +19,7 @@ final class EllipseFormat extends ArcFormat<EllipseRasterizer, Ellipse> {
         super(topic, new AnsweredPixels.Figure("ellipse", "give smaller \"rx\" and \"ry\""));
     }
 
-    /** In the range that every method takes. */
+    /** A field for a radius, in the range that every method takes. */
     private static Field<Integer> radius(String name) {
         return Field.required(name, Shape.whole(0, MidpointEllipse.LARGEST)).in("pixels");
     }

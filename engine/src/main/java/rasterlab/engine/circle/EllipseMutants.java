@@ -62,7 +62,9 @@ final class EllipseMutants {
                 });
     }
 
-    /** In each column the pixels that are nearest to the curve above and below, and no others. */
+    /**
+     * Draws in each column the pixels that are nearest to the curve above and below, and no others.
+     */
     private static void columnsOnly(int x0, int y0, int a, int b, Pixels out) {
         for (int u = 0; u <= a; u++) {
             double share = a == 0 ? 0 : (double) u / a;

@@ -1,7 +1,8 @@
 package rasterlab.engine.color;
 
 /**
- * From shares of light to the levels of a picture, the only place where they are cut and rounded.
+ * Turns shares of light into the levels of a picture, the only place where they are cut and
+ * rounded.
  *
  * <p>The rule: light is summed up without limit, of all sources and terms; each channel of the sum
  * is cut to [0, 1] once, at the end, and rounded to the nearest of 256 levels, a tie upward. A

@@ -85,7 +85,7 @@ final class FillMutants {
         }
     }
 
-    /** Between the first and the last pixel of the region in each row. */
+    /** Fills from the first to the last pixel of the region in each row. */
     private static void withHoles(PixelGrid picture, int x, int y, int with, int connectivity) {
         fill(picture, x, y, with, of(connectivity));
         for (int v = 0; v < picture.height(); v++) {

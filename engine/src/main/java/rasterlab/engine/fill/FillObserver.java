@@ -4,7 +4,7 @@ package rasterlab.engine.fill;
 @FunctionalInterface
 public interface FillObserver {
     /**
-     * Told after a run of pixels was filled.
+     * Called after a run of pixels was filled.
      *
      * @param y its row
      * @param from its first column

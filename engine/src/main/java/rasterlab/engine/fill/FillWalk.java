@@ -13,7 +13,7 @@ public interface FillWalk {
     /** Row of the run just filled. */
     int y();
 
-    /** Its first column. */
+    /** The first column of the run. */
     int from();
 
     /** The column after its last one. */

@@ -2,7 +2,7 @@ package rasterlab.engine.format;
 
 /** What the value of a field is where inputs and answers are drawn. */
 public enum FieldKind {
-    /** Nothing to be drawn: its numbers stand in a table. */
+    /** Numbers in a table, which are not drawn. */
     NUMBERS,
     /** Pixels, each by its column and row. */
     PIXELS,
@@ -24,7 +24,7 @@ public enum FieldKind {
     POLYGONS,
     /** Triangles, each by three corner numbers of the given polygon. */
     TRIANGLES,
-    /** For each of the given points, whether it belongs to the answer. */
+    /** A yes or no for each of the given points: whether it belongs to the answer. */
     CHOICE,
     /** A window by its least and greatest coordinates, or the corners of a convex polygon. */
     WINDOW,

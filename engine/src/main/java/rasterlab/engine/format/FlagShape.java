@@ -2,7 +2,7 @@ package rasterlab.engine.format;
 
 import java.io.IOException;
 
-/** True or false. */
+/** A flag: true or false. */
 record FlagShape() implements Shape<Boolean> {
     @Override
     public Boolean read(ValueSource in) throws IOException {

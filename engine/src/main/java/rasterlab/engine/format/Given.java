@@ -108,9 +108,9 @@ public final class Given {
         return misfit(named.group(1) + numbers + axis, named.group(4));
     }
 
-    /** Made only where something is refused. */
+    /** A refusal, which is made only where something is refused. */
     private static final class Refusal {
-        /** Such as "vertices[3].x must be from …". */
+        /** Matches a place and what is wrong there, such as "vertices[3].x must be from …". */
         static final Pattern NAMED =
                 Pattern.compile(
                         "([\\w-]+)((?:\\[\\d+])*)(?:\\.([xyz]))? (must .*)", Pattern.DOTALL);

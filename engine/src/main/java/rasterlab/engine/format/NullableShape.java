@@ -22,7 +22,7 @@ final class NullableShape<T> extends EitherShape<T> {
         else shape.write(value, out);
     }
 
-    /** Null alone. */
+    /** The shape of null alone. */
     private static final class NullShape implements Shape<Void> {
         @Override
         public Void read(ValueSource in) {

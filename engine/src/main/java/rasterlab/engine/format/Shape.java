@@ -64,7 +64,7 @@ public interface Shape<T> {
         return new TextShape("a text", 0, Integer.MAX_VALUE);
     }
 
-    /** True or false. */
+    /** The shape of a flag: true or false. */
     static Shape<Boolean> flag() {
         return new FlagShape();
     }
@@ -121,7 +121,7 @@ public interface Shape<T> {
         return new PlacesShape<>(array, List.of(places));
     }
 
-    /** Such as {@code numbers(count, count)}, of which a schema says the range of each. */
+    /** A shape such as {@code numbers(count, count)}, of which a schema says the range of each. */
     static Shape<double[]> toldNumbers(int count, double least, double most) {
         return told(numbers(count, count), list("numbers", number(least, most), count, count));
     }

@@ -1,7 +1,8 @@
 package rasterlab.engine.geometry;
 
 /**
- * On which side of the line from a to b the point c lies, without error for all finite doubles.
+ * Finds on which side of the line from a to b the point c lies, without error for all finite
+ * doubles.
  *
  * <p>The sign of {@code det = (ax − cx)·(by − cy) − (ay − cy)·(bx − cx)}, twice the area of the
  * triangle a, b, c: 1 where it turns counter-clockwise (y up), −1 where clockwise, 0 where the

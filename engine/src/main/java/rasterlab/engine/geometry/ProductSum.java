@@ -23,7 +23,7 @@ record ProductSum(double mantissa, int exponent) {
         return new ProductSum(sum, most);
     }
 
-    /** a·b·2⁻ᵉ. */
+    /** The product a·b·2⁻ᵉ. */
     private static double product(double a, double b, int e) {
         int ofA = Math.getExponent(a);
         int ofB = Math.getExponent(b);

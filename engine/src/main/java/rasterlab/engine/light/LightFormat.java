@@ -58,7 +58,7 @@ public final class LightFormat {
         return Field.optional(name, new Shares(LightSource.BRIGHTEST, LightSource.BRIGHTEST));
     }
 
-    /** Of a material, which refuses a share above 1 in words of its own. */
+    /** A field for a material, which refuses a share above 1 in words of its own. */
     private static Field<double[]> share(String name) {
         return Field.optional(name, new Shares(LightSource.BRIGHTEST, 1));
     }

@@ -11,7 +11,7 @@ import rasterlab.contract.Reflection;
  * SIGGRAPH 1977 (n·h).
  */
 public final class Mirror {
-    /** Below this length of l + v the eye is taken to look straight at the light's back. */
+    /** The length of l + v below which the eye is taken to look straight at the light's back. */
     private static final double OPPOSITE = 0x1p-40;
 
     private Mirror() {}

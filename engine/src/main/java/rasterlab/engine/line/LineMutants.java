@@ -69,7 +69,8 @@ final class LineMutants {
     }
 
     /**
-     * Right along the longer axis, whatever is lost of a fraction, as long as nothing overflows.
+     * Draws right along the longer axis, whatever is lost of a fraction, as long as nothing
+     * overflows.
      */
     private static LineRasterizer stepped(Coordinate coordinate) {
         return (x0, y0, x1, y1, out) -> {
@@ -104,7 +105,7 @@ final class LineMutants {
                 });
     }
 
-    /** Right for 0 ≤ y1 − y0 ≤ x1 − x0 as long as no product overflows. */
+    /** Draws right for 0 ≤ y1 − y0 ≤ x1 − x0 as long as no product overflows. */
     private static void productsInInt(int x0, int y0, int x1, int y1, Pixels out) {
         int n = x1 - x0;
         int b = y1 - y0;
@@ -116,7 +117,9 @@ final class LineMutants {
             }
     }
 
-    /** Beyond 2²⁴ a float plus 1 is itself: the pixel is drawn again and again. */
+    /**
+     * Counts in floats: beyond 2²⁴ a float plus 1 is itself, so the pixel is drawn again and again.
+     */
     private static void countedByFloat(int x0, int y0, int x1, int y1, Pixels out) {
         var count = new float[1];
         var last = new int[2];
@@ -139,7 +142,7 @@ final class LineMutants {
         RIGHT.draw(-x0, -y0, -x1, -y1, (x, y) -> out.plot(-x, -y));
     }
 
-    /** Above 45° only the nearest pixel of each column; of an upright segment the first. */
+    /** Draws only the nearest pixel of each column above 45°; of an upright segment the first. */
     private static void byColumns(int x0, int y0, int x1, int y1, Pixels out) {
         long wide = Math.abs((long) x1 - x0);
         long high = (long) y1 - y0;

@@ -2,7 +2,7 @@ package rasterlab.engine.line;
 
 import rasterlab.engine.raster.PixelWindow;
 
-/** Those steps of a walk whose pixels lie in a window; what lies before is walked all the same. */
+/** The steps of a walk whose pixels lie in a window; what lies before is walked all the same. */
 record SeenWalk(LineWalk whole, PixelWindow window) implements LineWalk {
     @Override
     public boolean advance() {

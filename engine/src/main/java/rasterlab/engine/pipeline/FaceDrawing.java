@@ -25,7 +25,9 @@ public record FaceDrawing(ViewedMesh view, FacePaint paint, Visibility method, i
     /** The buffer that is looked at where the method keeps none. */
     public static final String USUAL_BUFFER = "zfloat";
 
-    /** Empty where no faces are drawn, but wires or the surfaces themselves, or for two eyes. */
+    /**
+     * How the request draws faces; empty for wires, for the surfaces themselves and for two eyes.
+     */
     public static Optional<FaceDrawing> of(RenderRequest request) {
         Look look = request.look();
         ShadingMethod shading = ShadingMethod.named(Renderer.shading(request).chosen());

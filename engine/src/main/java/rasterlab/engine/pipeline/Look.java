@@ -75,7 +75,7 @@ public record Look(
     }
 
     /**
-     * Drawn by a method that the renderer does not know.
+     * The same look drawn by a method that the renderer does not know.
      *
      * @param name what it is called; none of the renderer's names
      */
@@ -98,7 +98,7 @@ public record Look(
         return draft.look();
     }
 
-    /** Lit by some terms only, backs as told. */
+    /** The same look lit by some terms only, backs as told. */
     public Look withLight(Set<LightTerm> seen, Sides backs) {
         var draft = new Draft(this);
         draft.terms = seen;
@@ -119,7 +119,7 @@ public record Look(
     }
 
     /**
-     * With outlined faces.
+     * The same look with outlined faces.
      *
      * @throws IllegalArgumentException if the visibility method draws none
      */
@@ -141,7 +141,7 @@ public record Look(
         return draft.look();
     }
 
-    /** Cut by planes in the world. */
+    /** The same look cut by planes in the world. */
     public Look withClipPlanes(List<ClipPlane> other) {
         var draft = new Draft(this);
         draft.clipPlanes = other;

@@ -54,7 +54,7 @@ public final class Renderer implements AutoCloseable {
     /** The cheapest method that is right for a scene. */
     public static final String AUTO = "auto";
 
-    /** To look names up; pictures are drawn by a renderer's own. */
+    /** The methods by which names are looked up; pictures are drawn by a renderer's own. */
     private static final List<Method<Visibility>> KNOWN = methods();
 
     private final List<Method<Visibility>> visibilities = methods();

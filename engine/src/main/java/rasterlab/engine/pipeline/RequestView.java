@@ -14,13 +14,13 @@ import rasterlab.engine.visibility.ViewedMesh;
  */
 record RequestView(Scene scene, ViewedMesh viewed) {
 
-    /** For the eye in the middle. */
+    /** The view of the eye in the middle. */
     static RequestView of(RenderRequest request, int width) {
         return of(request, width, 0);
     }
 
     /**
-     * For an eye beside it, on the same picture plane.
+     * The view of an eye beside it, on the same picture plane.
      *
      * @param width of the eye's picture in pixels
      * @param toTheRight how far, in world units

@@ -1,5 +1,5 @@
 /**
- * From a request to a picture: scene → view → light → visibility → raster, each stage chosen by
+ * Draws what a request asks for: scene → view → light → visibility → raster, each stage chosen by
  * name, or by {@code auto} as the cheapest that is right.
  *
  * <p>Depths are world units along the line of sight, sizes are pixels. Below: {@code paint} colours

@@ -22,7 +22,7 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
         }
     }
 
-    /** None where the same pixels are drawn in the same order. */
+    /** The first difference, or none where the same pixels are drawn in the same order. */
     public static Optional<FirstDifference> of(PixelRecording exact, PixelRecording actual) {
         return of(exact, actual, PixelDifference.of(exact, actual));
     }
@@ -75,7 +75,7 @@ public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
         return exact.x(i) == actual.x(i) && exact.y(i) == actual.y(i);
     }
 
-    /** For people, such as "pixel (1, 2) is missing, (1, 3) is drawn". */
+    /** The difference for people, such as "pixel (1, 2) is missing, (1, 3) is drawn". */
     @Override
     public String toString() {
         String instead = drawn.map(other -> ", " + other + " is drawn").orElse("");

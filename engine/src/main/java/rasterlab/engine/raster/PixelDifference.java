@@ -56,7 +56,7 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
         return farthest;
     }
 
-    /** Neither missing nor extra pixels. */
+    /** Whether there are neither missing nor extra pixels. */
     public boolean isEmpty() {
         return missing.isEmpty() && extra.isEmpty();
     }

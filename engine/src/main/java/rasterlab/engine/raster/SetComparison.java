@@ -4,7 +4,7 @@ import rasterlab.engine.study.Deviation;
 
 /** How far a drawn figure is from the exact one, as sets of pixels in any order. */
 public final class SetComparison {
-    /** Neither a missing pixel nor an extra one is farther off than this in a usable figure. */
+    /** How far off, in pixels, a missing or an extra pixel may lie in a usable figure. */
     public static final double USABLE_PIXELS = 1;
 
     private SetComparison() {}

@@ -13,7 +13,7 @@ import rasterlab.engine.light.Material;
  */
 public record Finish(Material front, Material back, Optional<LaidTexture> texture) {
 
-    /** Opaque and dull on both sides. */
+    /** A finish that is opaque and dull on both sides. */
     public static Finish dull(int rgb) {
         return of(
                 Material.dull(

@@ -182,12 +182,12 @@ public final class Mesh {
         return cornerTexture.length > 0;
     }
 
-    /** From left (0) to right (1) of the texture; 0 where the mesh has no coordinates. */
+    /** The place from left (0) to right (1) of the texture; 0 where the mesh has no coordinates. */
     public double textureS(int face, int corner) {
         return hasTexture() ? cornerTexture[2 * (firstCorner[face] + corner)] : 0;
     }
 
-    /** From bottom (0) to top (1) of the texture; 0 where the mesh has no coordinates. */
+    /** The place from bottom (0) to top (1) of the texture; 0 where the mesh has no coordinates. */
     public double textureT(int face, int corner) {
         return hasTexture() ? cornerTexture[2 * (firstCorner[face] + corner) + 1] : 0;
     }

@@ -46,7 +46,7 @@ public final class SmoothedMesh {
         normals[3 * corner + 2] = none ? mesh.normalZ(face) : z;
     }
 
-    /** For each vertex the first one in its place. */
+    /** The first vertex in the same place, for each vertex. */
     private static int[] places(Mesh mesh) {
         double radius = 0;
         for (int v = 0; v < mesh.vertexCount(); v++)

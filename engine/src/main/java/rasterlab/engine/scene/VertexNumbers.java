@@ -40,7 +40,7 @@ public final class VertexNumbers extends MadeShape<List<Integer>, int[]> {
                 : new Misfit("/", refusal.getMessage());
     }
 
-    /** Made only where something is refused. */
+    /** A refusal, which is made only where something is refused. */
     private static final class Refusal {
         static final Pattern OF_FACE = Pattern.compile("face (\\d+): (.*)", Pattern.DOTALL);
     }

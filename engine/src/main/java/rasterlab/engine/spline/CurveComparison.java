@@ -14,7 +14,10 @@ final class CurveComparison {
     private static final int BETWEEN = 4;
     private static final double OUT_OF_ORDER = 2;
 
-    /** Below the normal numbers rounding does not shrink with what is rounded. */
+    /**
+     * The error allowed in any case: below the normal numbers rounding does not shrink with what is
+     * rounded.
+     */
     private static final double LEAST_ALLOWED = 8 * Double.MIN_VALUE;
 
     private CurveComparison() {}

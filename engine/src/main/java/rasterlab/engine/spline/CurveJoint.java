@@ -13,11 +13,14 @@ package rasterlab.engine.spline;
 public record CurveJoint(CurvePlace before, CurvePlace after) {
     private static final double SAME = 1e-9;
 
-    /** From a gap to the same second derivative, each kind including those before it. */
+    /**
+     * How two pieces join, from a gap to the same second derivative, each kind including those
+     * before it.
+     */
     public enum Kind {
         /** The pieces do not touch. */
         GAP,
-        /** They touch. */
+        /** The pieces touch. */
         C0,
         /** The direction goes on, the speed may jump. */
         G1,

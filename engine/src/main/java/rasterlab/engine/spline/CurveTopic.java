@@ -118,7 +118,7 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
         return within(ALLOWED, deviation);
     }
 
-    /** Up to four times what is allowed: seen by who looks for it. */
+    /** Whether the curve is off by up to four times what is allowed: seen by who looks for it. */
     @Override
     public boolean usable(Deviation deviation) {
         return within(USABLE, deviation);
@@ -128,7 +128,9 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
         return deviation.worst() <= multiple && deviation.missing() + deviation.extra() == 0;
     }
 
-    /** Counted by the walk; of a student's method and of points at given t nothing. */
+    /**
+     * The operations that the walk counts; none for a student's method and for points at given t.
+     */
     @Override
     public Map<String, Long> operations(CurveTracer method, CurveTask task) {
         if (!(method instanceof SteppedCurve stepped) || task.flatness() == 0) return Map.of();

@@ -12,10 +12,10 @@ public interface CurveWalk {
     /** Moves to the next point; false when there is none, and then again each time. */
     boolean advance();
 
-    /** Pixels. */
+    /** The point's x, in pixels. */
     double x();
 
-    /** Pixels. */
+    /** The point's y, in pixels. */
     double y();
 
     /** Where on the curve the point lies, from 0 to 1. */

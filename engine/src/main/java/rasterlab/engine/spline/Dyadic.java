@@ -12,7 +12,10 @@ import java.math.BigInteger;
 record Dyadic(BigInteger over, int places) {
     static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
 
-    /** More than the 53 of a double and one for the half between two of them. */
+    /**
+     * The bits that are kept: more than the 53 of a double and one for the half between two of
+     * them.
+     */
     private static final int BITS = 128;
 
     /**

@@ -15,7 +15,7 @@ import java.util.stream.DoubleStream;
  * @param beyond the nearer of the two knots' values
  */
 public record Overshoot(int piece, double x, double y, double beyond) {
-    /** Less than this share of the two values is rounding. */
+    /** The share of the two values below which a difference is rounding. */
     private static final double ROUNDING = 1e-12;
 
     /** How far outside the value is; above 0. */

@@ -10,7 +10,7 @@ final class Spans {
         return Math.min((int) (t * curve.spans()), curve.spans() - 1);
     }
 
-    /** From 0 to 1. */
+    /** The parameter within the span, from 0 to 1. */
     static double local(Curve curve, double t) {
         return t * curve.spans() - span(curve, t);
     }

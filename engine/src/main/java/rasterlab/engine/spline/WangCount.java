@@ -16,7 +16,7 @@ final class WangCount {
     private WangCount() {}
 
     /**
-     * At least 1.
+     * The number of segments, at least 1.
      *
      * @param flatness pixels, above 0
      * @throws IllegalArgumentException if it is above {@value Flatness#MOST_SEGMENTS}

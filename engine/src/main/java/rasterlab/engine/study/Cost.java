@@ -13,7 +13,7 @@ import java.util.Map;
  */
 public record Cost(
         double medianNanos, double lowNanos, double highNanos, Map<String, Long> counts) {
-    /** For a method that could not be timed. */
+    /** The cost of a method that could not be timed. */
     public static final Cost NONE = new Cost(0, 0, 0, Map.of());
 
     public Cost {

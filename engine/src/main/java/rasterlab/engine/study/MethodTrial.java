@@ -135,7 +135,7 @@ final class MethodTrial<C, I, O> {
         return new Sample(0, 0, 0);
     }
 
-    /** Nothing but the method's work: inputs are copied before the clock starts. */
+    /** Times nothing but the method's work: inputs are copied before the clock starts. */
     private Sample passes(List<I> inputs, long atLeastNanos) {
         C implementation = method.implementation();
         long items = 0;

@@ -20,19 +20,19 @@ public record StudySettings(Duration warmUp, Duration round, int rounds, Duratio
             throw new IllegalArgumentException("rounds must be at least 1, got " + rounds);
     }
 
-    /** For figures to quote: about 10 seconds for five methods on five workloads. */
+    /** Settings for figures to quote: about 10 seconds for five methods on five workloads. */
     public static StudySettings thorough() {
         return new StudySettings(
                 Duration.ofMillis(150), Duration.ofMillis(20), 11, Duration.ofSeconds(2));
     }
 
-    /** For a first look: about 2 seconds for five methods on five workloads. */
+    /** Settings for a first look: about 2 seconds for five methods on five workloads. */
     public static StudySettings quick() {
         return new StudySettings(
                 Duration.ofMillis(30), Duration.ofMillis(5), 7, Duration.ofSeconds(2));
     }
 
-    /** For whoever wants all of a study but its times: one pass after one of warm-up. */
+    /** Settings for all of a study but its times: one pass after one of warm-up. */
     public static StudySettings shortest() {
         return new StudySettings(Duration.ZERO, Duration.ofNanos(1), 1, quick().wallLimit());
     }

@@ -14,7 +14,7 @@ public record Verdict(Kind kind, Deviation deviation, String detail) {
     /** The six answers, best first. */
     public enum Kind {
         EXACT,
-        /** Not exact, but within what the topic calls usable. */
+        /** The answer is not exact, but within what the topic calls usable. */
         DEGRADED,
         WRONG,
         /** The method said that it cannot: an answer, never rubbish. */

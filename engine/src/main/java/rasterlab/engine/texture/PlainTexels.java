@@ -101,7 +101,7 @@ final class PlainTexels implements TexelLoops {
         mixTwo(n, fine.rightBelow, coarse.rightBelow, fine.other);
     }
 
-    /** Red and blue of two colours, into the first. */
+    /** Mixes red and blue of two colours, into the first. */
     private static void mixEven(int n, int[] a, int[] b, int[] share) {
         for (int i = 0; i < n; i++) a[i] = mixed(a[i] & LEVELS, b[i] & LEVELS, share[i]);
     }

@@ -8,7 +8,7 @@ import rasterlab.engine.lanes.Lanes;
  * <p>All find the same bit for bit, but in cells of a block beyond those asked for.
  */
 interface TexelLoops {
-    /** Added and taken away again it rounds to the nearest whole number. */
+    /** Rounds a number to the nearest whole one when added and taken away again. */
     float ROUND = 0x1.8p23f;
 
     /** What is left of its bits when they are taken from a sum's is that whole number. */
@@ -25,7 +25,7 @@ interface TexelLoops {
 
     int WHOLE = 1 << PARTS;
 
-    /** In a number of two channels that stand 16 bits apart: their bits, and a half of each. */
+    /** The bits of two channels that stand 16 bits apart in one number, and a half of each. */
     int LEVELS = 0x00FF00FF;
 
     int HALVES = 0x00800080;

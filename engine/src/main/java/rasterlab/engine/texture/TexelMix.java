@@ -19,7 +19,7 @@ final class TexelMix {
         return (argb & 0xFF00FF00L) << 24 | argb & 0xFF00FFL;
     }
 
-    /** 0xAARRGGBB. */
+    /** The colour as 0xAARRGGBB. */
     static int packed(long spread) {
         return (int) (spread >>> 24 & 0xFF00FF00L | spread & 0xFF00FFL);
     }

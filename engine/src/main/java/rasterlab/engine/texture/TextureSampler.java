@@ -20,7 +20,7 @@ public final class TextureSampler {
     private final TextureLevel[] levels;
     private final int highest;
 
-    /** Set where there are faster ways. */
+    /** The faster ways to the levels, where there are any. */
     private final Optional<RepeatedLevels> repeated;
 
     public TextureSampler(Texture texture, Wrap alongS, Wrap alongT) {

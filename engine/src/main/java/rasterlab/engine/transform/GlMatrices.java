@@ -15,7 +15,7 @@ public final class GlMatrices {
     private GlMatrices() {}
 
     /**
-     * GL_ORTHO.
+     * The matrix GL_ORTHO.
      *
      * @throws IllegalArgumentException where two opposite sides are equal
      */
@@ -38,7 +38,7 @@ public final class GlMatrices {
     }
 
     /**
-     * GL_FRUSTUM.
+     * The matrix GL_FRUSTUM.
      *
      * @param near above 0
      * @param far above 0, not {@code near}
@@ -60,7 +60,7 @@ public final class GlMatrices {
     }
 
     /**
-     * GL_PERSPECTIVE.
+     * The matrix GL_PERSPECTIVE.
      *
      * @param fovy the whole angle of view from bottom to top, in degrees, between 0 and 180
      * @param aspect width by height, above 0

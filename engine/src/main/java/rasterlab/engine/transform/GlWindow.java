@@ -31,7 +31,7 @@ public record GlWindow(int x, int y, int width, int height, double near, double 
         return new GlWindow(x, y, width, height, 0, 1);
     }
 
-    /** From −1..1 to the window. */
+    /** The matrix from −1..1 to the window. */
     public Matrix4d matrix() {
         return GlMatrices.viewport(x, y, width, height, near, far);
     }

@@ -1,7 +1,7 @@
 package rasterlab.engine.transform;
 
 /**
- * From the picture plane (world units, y up, origin in the middle) to pixels (y down).
+ * Maps the picture plane (world units, y up, origin in the middle) to pixels (y down).
  *
  * <p>{@code pixelX = c1 + s·(X + e), pixelY = c2 − s·Y} with c1 = ⌊width / 2⌋, c2 = ⌊height / 2⌋,
  * so the object's centre falls on a pixel centre. Here y changes its direction; what is linear in
@@ -27,7 +27,7 @@ public record PictureFit(int width, int height, double pixelsPerUnit, double eye
                             .formatted(width, height, pixelsPerUnit));
     }
 
-    /** With the eye in the middle. */
+    /** A fit with the eye in the middle. */
     public PictureFit(int width, int height, double pixelsPerUnit) {
         this(width, height, pixelsPerUnit, 0);
     }

@@ -17,7 +17,7 @@ public final class PlaneMatrices {
         return of(a.cos(), a.sin(), -a.sin(), a.cos());
     }
 
-    /** SCALE2D. */
+    /** The matrix SCALE2D. */
     public static Matrix3d scale(double x, double y) {
         return of(x, 0, 0, y);
     }
@@ -27,7 +27,7 @@ public final class PlaneMatrices {
         return of(1, b, c, 1);
     }
 
-    /** TRANSL2D. */
+    /** The matrix TRANSL2D. */
     public static Matrix3d translation(double m, double n) {
         return new Matrix3d(
                 1, 0, 0, //

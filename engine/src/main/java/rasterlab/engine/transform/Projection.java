@@ -7,7 +7,7 @@ import org.joml.Matrix4d;
 import rasterlab.engine.naming.Named;
 
 /**
- * From eye space to the picture plane, and for the named parallel ones from where.
+ * Projects eye space onto the picture plane; the named parallel ones also say from where.
  *
  * <p>The named ones have directions of their own and take no more than ρ from the camera. Their
  * matrices are the course's, whose y points up; the world's z becomes it, its y goes away from the
@@ -24,17 +24,17 @@ public enum Projection {
      * too near, the eye is infinitely far.
      */
     PARALLEL,
-    /** From −y; x to the right, z up. */
+    /** The view from −y; x to the right, z up. */
     FRONT,
-    /** From +y; −x to the right, z up. */
+    /** The view from +y; −x to the right, z up. */
     BACK,
-    /** From −x; −y to the right, z up. */
+    /** The view from −x; −y to the right, z up. */
     LEFT,
-    /** From +x; y to the right, z up. */
+    /** The view from +x; y to the right, z up. */
     RIGHT,
-    /** From +z; x to the right, y up. */
+    /** The view from +z; x to the right, y up. */
     TOP,
-    /** From −z; x to the right, −y up. */
+    /** The view from −z; x to the right, −y up. */
     BOTTOM,
     /** Axes shortened each in its way: α = −30°, β = 20°, the course's example. */
     TRIMETRIC,
@@ -89,7 +89,7 @@ public enum Projection {
                 .mul(zUpToYUp);
     }
 
-    /** In the course's axes: x right, y up, z to the viewer. */
+    /** The turn into the course's axes: x right, y up, z to the viewer. */
     private Matrix4d turned() {
         double quarter = Math.PI / 2;
         return switch (this) {

@@ -19,12 +19,12 @@ public record StereoPair(SphericalView middle, double separation) {
                     "separation must be above 0, up to 1000000 units, got " + separation);
     }
 
-    /** From the world to the picture plane of the left eye: X = x/H, Y = y/H. */
+    /** The matrix from the world to the picture plane of the left eye: X = x/H, Y = y/H. */
     public Matrix4d left() {
         return eye(separation / 2);
     }
 
-    /** From the world to the picture plane of the right eye. */
+    /** The matrix from the world to the picture plane of the right eye. */
     public Matrix4d right() {
         return eye(-separation / 2);
     }

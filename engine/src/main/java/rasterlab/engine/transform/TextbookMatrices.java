@@ -26,7 +26,7 @@ public final class TextbookMatrices {
         return rotationX(Angle.ofRadians(angle));
     }
 
-    /** ROT3DX. */
+    /** The matrix ROT3DX. */
     public static Matrix4d rotationX(Angle a) {
         return new Matrix4d(
                 1, 0, 0, 0, //
@@ -40,7 +40,7 @@ public final class TextbookMatrices {
         return rotationY(Angle.ofRadians(angle));
     }
 
-    /** ROT3DY. */
+    /** The matrix ROT3DY. */
     public static Matrix4d rotationY(Angle a) {
         return new Matrix4d(
                 a.cos(), 0, -a.sin(), 0, //
@@ -49,7 +49,7 @@ public final class TextbookMatrices {
                 0, 0, 0, 1);
     }
 
-    /** ROT3DZ. */
+    /** The matrix ROT3DZ. */
     public static Matrix4d rotationZ(Angle a) {
         return new Matrix4d(
                 a.cos(), a.sin(), 0, 0, //

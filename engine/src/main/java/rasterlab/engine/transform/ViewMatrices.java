@@ -4,7 +4,7 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 
 /**
- * From the world to the eye, in the textbook's reading order for row points.
+ * Makes the matrices from the world to the eye, in the textbook's reading order for row points.
  *
  * <p>Sources: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "view
  * transformation" (by spherical coordinates); the OpenGL Utility Library's gluLookAt.

@@ -24,7 +24,7 @@ public final class ViewTransform {
     }
 
     /**
-     * For an eye that stands beside the camera's, with the same line of sight.
+     * The transform for an eye that stands beside the camera's, with the same line of sight.
      *
      * @param toTheRight how far, in world units
      */

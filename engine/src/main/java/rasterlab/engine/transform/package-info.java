@@ -1,5 +1,5 @@
 /**
- * From the world to the picture: named matrices, the view by spherical coordinates, projection and
+ * Takes the world to the picture: named matrices, the view by spherical coordinates, projection and
  * the fit to the picture's size.
  *
  * <p>Spaces in this order: world (right-handed, z up), eye (left-handed: x right, y up, z forward

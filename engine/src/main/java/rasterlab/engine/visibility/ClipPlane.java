@@ -42,7 +42,7 @@ public record ClipPlane(double a, double b, double c, double d) {
         return List.copyOf(planes);
     }
 
-    /** Above 0 where it is drawn, 0 in the plane. */
+    /** The value of the plane's equation, above 0 on the drawn side, 0 in the plane. */
     double at(double x, double y, double z) {
         return a * x + b * y + c * z + d;
     }

@@ -16,8 +16,8 @@ final class NearnessPlane {
     private double most;
 
     /**
-     * With X, Y on the picture plane, n·p = k becomes ρ/z = (nx·X + ny·Y + nz·ρ)/k in perspective
-     * and −z = (nx·X + ny·Y − k)/nz in parallel projection.
+     * Loads the plane n·p = k, which becomes ρ/z = (nx·X + ny·Y + nz·ρ)/k in perspective and −z =
+     * (nx·X + ny·Y − k)/nz in parallel projection, with X, Y on the picture plane.
      *
      * @return false for a face seen exactly edge-on: it covers nothing
      */

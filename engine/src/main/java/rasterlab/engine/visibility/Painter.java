@@ -32,7 +32,7 @@ final class Painter implements SteppedVisibility {
     }
 
     /**
-     * Those faces, the farthest first, equal ones in the given order.
+     * Sorts faces, the farthest first, equal ones in the given order.
      *
      * @param depth of each face of the mesh
      * @param tally gets the comparisons

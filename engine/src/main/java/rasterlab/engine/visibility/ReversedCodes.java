@@ -21,7 +21,7 @@ final class ReversedCodes implements DepthCodes {
         }
     }
 
-    /** From 1 on the near plane to 0 on the far one. */
+    /** The depth of a code, from 1 on the near plane to 0 on the far one. */
     @Override
     public double depth(int code) {
         return Float.intBitsToFloat(-code);

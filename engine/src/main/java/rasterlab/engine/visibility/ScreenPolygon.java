@@ -20,7 +20,7 @@ final class ScreenPolygon {
     private final RowSpan span = new RowSpan();
     private int size;
 
-    /** For the faces of a view, to whose corners each plane may add one. */
+    /** A polygon for the faces of a view, to whose corners each plane may add one. */
     ScreenPolygon(ViewedMesh view) {
         this(view.mesh().mostCorners() + 2 + view.clipPlaneCount());
     }

@@ -89,7 +89,9 @@ public record SeenPoint(
         return at(view.mesh(), face, view.seenFromInside(face), position);
     }
 
-    /** In the triangle of the fan about the first corner that holds the point, or nearly does. */
+    /**
+     * The point in the triangle of the fan about the first corner that holds it, or nearly does.
+     */
     private static SeenPoint at(Mesh mesh, int face, boolean behind, double[] point) {
         double best = Double.NEGATIVE_INFINITY;
         double[] weights = {1, 0, 0};

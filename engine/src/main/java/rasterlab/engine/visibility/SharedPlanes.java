@@ -64,7 +64,7 @@ public final class SharedPlanes {
         return false;
     }
 
-    /** In the face's plane, at a right angle to the edge between two vertices. */
+    /** The direction in the face's plane, at a right angle to the edge between two vertices. */
     private double[] across(int face, int from, int to) {
         double x = view.eyeX[to] - view.eyeX[from];
         double y = view.eyeY[to] - view.eyeY[from];

@@ -66,12 +66,12 @@ public final class ViewedMesh {
         for (int f = 0; f < mesh.faceCount(); f++) turnNormal(f);
     }
 
-    /** Without clip planes. */
+    /** A view without clip planes. */
     public ViewedMesh(Mesh mesh, ViewTransform transform, PictureFit fit, double near, double far) {
         this(mesh, transform, fit, near, far, List.of());
     }
 
-    /** With the nearest near plane there can be, and no far one. */
+    /** A view with the nearest near plane there can be, and no far one. */
     public ViewedMesh(Mesh mesh, ViewTransform transform, PictureFit fit) {
         this(
                 mesh,

@@ -20,7 +20,7 @@ final class WindowFaces {
         this.tally = tally;
     }
 
-    /** Those of the candidates that neither miss the window nor are hidden in all of it. */
+    /** The candidates that neither miss the window nor are hidden in all of it. */
     int[] left(int x, int y, int width, int height, int[] candidates) {
         left = x;
         top = y;

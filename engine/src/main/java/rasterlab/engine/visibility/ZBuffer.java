@@ -157,7 +157,7 @@ final class ZBuffer implements SteppedVisibility {
                     : OptionalDouble.of(depths.depth(code));
         }
 
-        /** Along the face's whole span, since a sum along it drifts. */
+        /** The depth along the face's whole span, since a sum along it drifts. */
         @Override
         public OptionalDouble offered(int x, int y) {
             var found = new double[] {Double.NaN};

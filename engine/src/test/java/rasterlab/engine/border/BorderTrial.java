@@ -65,7 +65,7 @@ final class BorderTrial<C, I, O> {
         }
     }
 
-    /** Empty where the reference has to divide by 0: there is no answer. */
+    /** The right answer, or empty where the reference has to divide by 0: there is none. */
     private Optional<Right<O>> right(I input) {
         try {
             return Optional.of(cut(input));

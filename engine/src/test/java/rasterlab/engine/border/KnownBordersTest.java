@@ -149,7 +149,7 @@ class KnownBordersTest {
         assertArrayEquals(new double[] {127.5, 127.5, 127.5, 127.5}, levels, 1e-9);
     }
 
-    /** It lies in the last column, next to the first one, which is black. */
+    /** The footprint lies in the last column, next to the first one, which is black. */
     @Test
     void aThinFootprintBesideABorderShowsItsOwnTexels() {
         int[] argb = {0, 0, 0, 0, 0, 0, 0, -1};

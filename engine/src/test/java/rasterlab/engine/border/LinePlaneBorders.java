@@ -61,7 +61,7 @@ final class LinePlaneBorders {
         return largest(halves) >= Double.MAX_VALUE / 2 * (1 - 1e-14);
     }
 
-    /** That of a subnormal number too. */
+    /** The exponent, that of a subnormal number too. */
     private static int exponent(double number) {
         return Math.getExponent(number) < Double.MIN_EXPONENT
                 ? Math.getExponent(number * 0x1p60) - 60

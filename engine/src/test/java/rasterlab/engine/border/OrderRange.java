@@ -8,7 +8,7 @@ import rasterlab.engine.geometry.Vector;
 final class OrderRange {
     private static final double LEAST = 1.01e-6;
 
-    /** Of thirds left out: what is left is 10⁻⁹ of the beginning. */
+    /** How often a third is left out: what is left is 10⁻⁹ of the beginning. */
     private static final int THIRDS = 51;
 
     private OrderRange() {}
@@ -76,7 +76,7 @@ final class OrderRange {
             throw new IllegalArgumentException("too near to the eye");
     }
 
-    /** From the origin: distances grow both ways from the nearest point, on every line. */
+    /** The distance from the origin: it grows both ways from the nearest point, on every line. */
     private static double distance(Vector a, Vector b, Vector c) {
         return least(
                 s -> {

@@ -60,7 +60,10 @@ final class Shrinking {
         };
     }
 
-    /** Small whole numbers are the simplest; the longer a number is written, the less it is. */
+    /**
+     * A measure that is least for the simplest numbers, small whole ones, and grows with what is
+     * written.
+     */
     private static double weight(double number) {
         boolean negative = number < 0 || 1 / number < 0;
         if (number == Math.rint(number) && Math.abs(number) < 1e6)

@@ -162,7 +162,7 @@ class LinePropertyTest {
         levels.forEach((along, sum) -> assertEquals(255, sum, "at " + along));
     }
 
-    /** On a tie both pixels are half covered, and rounding errors must not prefer the neighbour. */
+    /** Both pixels are half covered on a tie, and rounding errors must not prefer the neighbour. */
     @Test
     void theNearestPixelHasAtLeastHalfTheLight() {
         for (int n = 0; n <= 64; n++)
@@ -221,7 +221,7 @@ class LinePropertyTest {
         return Math.max(0, 1 - distance);
     }
 
-    /** Infinitely far where the line does not come to that place along. */
+    /** The exact distance across, infinite where the line does not come to that place along. */
     private static double exactAcross(
             double at, double from, double to, double acrossFrom, double acrossTo) {
         if (at < Math.min(from, to) || at > Math.max(from, to)) return Double.POSITIVE_INFINITY;
@@ -255,7 +255,7 @@ class LinePropertyTest {
         }
     }
 
-    /** Its last cell has the index 2²⁶ − 1, which with 38 places behind the point fills a long. */
+    /** The last cell has the index 2²⁶ − 1, which with 38 places behind the point fills a long. */
     @Test
     void theLargestPictureGetsBresenhamsPixelsInItsLastCells() {
         int last = Raster.LARGEST_SIDE - 1;

@@ -28,7 +28,7 @@ class ClipPlaneTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 120;
 
-    /** Slanted to all axes, through the bodies. */
+    /** Planes slanted to all axes, through the bodies. */
     private static final List<ClipPlane> PLANES =
             List.of(new ClipPlane(0.6, -0.3, 0.5, 11.37), new ClipPlane(-2, 0.7, 3, 97.1));
 

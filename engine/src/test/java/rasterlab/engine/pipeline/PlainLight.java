@@ -65,7 +65,7 @@ final class PlainLight {
         return Math.max(0, dot(r, v));
     }
 
-    /** 0xFFRRGGBB. */
+    /** The colour as 0xFFRRGGBB. */
     static int argb(double[] shares) {
         int argb = 255;
         for (double share : shares)

@@ -26,7 +26,7 @@ class RendererTest {
     private final Renderer renderer = new Renderer();
     private final Scene vase = Scenes.named("vase");
 
-    /** Those that draw a scene whatever it is; the open vase is none for the other two. */
+    /** The methods that draw a scene whatever it is; the open vase is none for the other two. */
     static Stream<String> methods() {
         return Renderer.visibilities().stream()
                 .filter(method -> !List.of("back-face", "convex").contains(method));

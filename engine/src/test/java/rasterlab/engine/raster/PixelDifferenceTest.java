@@ -105,7 +105,7 @@ class PixelDifferenceTest {
         assertFalse(set.contains(-1, -1) || set.contains(0, LEAST));
     }
 
-    /** Around the topmost pixel. */
+    /** The difference in words around the topmost pixel. */
     private static String text(PixelDifference difference) {
         PixelWindow box = difference.box().orElseThrow();
         return difference.text(difference.around(box.xmin(), box.ymin()));

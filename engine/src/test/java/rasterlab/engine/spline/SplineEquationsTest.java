@@ -69,7 +69,7 @@ class SplineEquationsTest {
                 argumentSet("a period breaks the curve", SplineEnds.periodic()));
     }
 
-    /** By elimination with the largest pivot. */
+    /** The rank, by elimination with the largest pivot. */
     private static int rank(List<double[]> rows, int columns) {
         int rank = 0;
         for (int column = 0; column < columns && rank < rows.size(); column++) {

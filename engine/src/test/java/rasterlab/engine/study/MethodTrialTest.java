@@ -13,7 +13,7 @@ class MethodTrialTest {
     private static final StudySettings SHORT =
             new StudySettings(Duration.ZERO, Duration.ofMillis(1), 1, Duration.ofMinutes(2));
 
-    /** It behaves as long as it is judged, once for each input. */
+    /** The method behaves as long as it is judged, once for each input. */
     @Test
     void aMethodThatOverwritesItsInputOnlyWhenItIsTimedIsWrong() {
         var topic = new PolygonFillTopic();

@@ -109,7 +109,7 @@ class SurfacePictureTest {
         return text(raster);
     }
 
-    /** With 32 corners the sides of the widest pens would be pixels and pixels off. */
+    /** The sides of the widest pens would be pixels and pixels off with 32 corners. */
     @ParameterizedTest(name = "a pen of radius {0} is angular")
     @ValueSource(doubles = {0.1, 0.25, 1, 20, 52, 53, 1000, 500_000})
     void aRoundEndIsWithinAQuarterPixelOfTheCircle(double radius) {

@@ -88,7 +88,7 @@ class TextureEnvironmentTest {
         }
     }
 
-    /** Of an opaque surface alone: alpha may come from it. */
+    /** Alpha may come from an opaque surface alone. */
     @ParameterizedTest(name = "{0}: a surface that shows through is said to be hidden, or not")
     @EnumSource
     void surfaceIsHiddenWhereItsColourChangesNothing(Mode mode) {

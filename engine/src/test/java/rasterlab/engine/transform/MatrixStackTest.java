@@ -182,7 +182,9 @@ class MatrixStackTest {
         assertClose(moved, image(1, 2, 3));
     }
 
-    /** Forwards: each command moves the axes within the axes as they are by then. */
+    /**
+     * Each command moves the axes within the axes as they are by then: the list is read forwards.
+     */
     @Test
     void chapter14AxesMoveWhenTheListIsReadForwards() {
         stack.translate(0, 0, -260);

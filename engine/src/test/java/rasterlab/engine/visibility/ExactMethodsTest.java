@@ -65,7 +65,10 @@ class ExactMethodsTest {
         }
     }
 
-    /** To a buffer of whole numbers depths within one of its steps are equal. */
+    /**
+     * The answers for a method: to a buffer of whole numbers depths within one of its steps are
+     * equal.
+     */
     private static PixelAnswers answers(PixelAnswers usual, String method, ViewedMesh view) {
         if (!method.equals("z16")) return usual;
         var range = NearnessRange.of(view);
@@ -164,7 +167,9 @@ class ExactMethodsTest {
         }
     }
 
-    /** So wide a view makes faces so narrow, beside their depth, that they have no plane. */
+    /**
+     * The view is so wide that faces become so narrow, beside their depth, that they have no plane.
+     */
     @Test
     @DisplayName("an order fails in its own words, or ends never")
     void ordersRefuseAnEyeInTheMiddleOfLongFaces() {

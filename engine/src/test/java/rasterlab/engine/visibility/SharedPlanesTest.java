@@ -36,7 +36,7 @@ class SharedPlanesTest {
                 argumentSet("plane beside it counts", square(10, 10, 1e-6, false), false));
     }
 
-    /** Of the plane z = 10 + x/30 + y/15, or that far above it. */
+    /** A square of the plane z = 10 + x/30 + y/15, or that far above it. */
     private static double[] square(double x, double y, double above, boolean turned) {
         double[] xyz = new double[12];
         for (int k = 0; k < 4; k++) {

@@ -76,7 +76,7 @@ final class TestScenes {
         return picture(method, view, numbers(view.mesh()));
     }
 
-    /** By the reference. */
+    /** The picture by the reference. */
     static Raster exact(ViewedMesh view) {
         return exact(view, numbers(view.mesh()));
     }

@@ -98,7 +98,7 @@ final class VectorTexels implements TexelLoops {
         }
     }
 
-    /** As {@link PlainTexels} has it. */
+    /** The texel's place as {@link PlainTexels} has it. */
     private static IntVector place(float[] coordinate, int i, int side) {
         return rest(coordinate, i)
                 .add(STEPS)
@@ -235,7 +235,9 @@ final class VectorTexels implements TexelLoops {
         PlainTexels.modulate(end, n, surface, texel, keepsAlpha);
     }
 
-    /** With v = a·b + 128, the upper half of v + v/256 is a·b/255, rounded. */
+    /**
+     * Multiplies red and blue: with v = a·b + 128, the upper half of v + v/256 is a·b/255, rounded.
+     */
     private static void modulateRedAndBlueInLanes(int end, int[] surface, int[] texel) {
         for (int i = 0; i < end; i += LANES) {
             IntVector f = IntVector.fromArray(INTS, surface, i);

@@ -15,8 +15,8 @@ import java.util.TreeSet;
  */
 final class AreaBetween {
     /**
-     * Beyond so many different edges their crossings are left out, which would take too long; a
-     * trapezoid in which edges cross is then measured at its middle all the same.
+     * The number of different edges up to which crossings are looked for; beyond it that would take
+     * too long, and a trapezoid in which edges cross is measured at its middle all the same.
      */
     private static final int MOST_CROSSED = 300;
 

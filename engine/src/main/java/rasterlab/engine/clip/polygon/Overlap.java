@@ -5,8 +5,8 @@ final class Overlap {
     private Overlap() {}
 
     /**
-     * They do if part of the subject's boundary runs strictly inside the window, or if it does not
-     * and one of the two lies in the other.
+     * Whether the two have area in common: part of the subject's boundary runs strictly inside the
+     * window, or none does and one of the two lies in the other.
      */
     static boolean isAny(Ring window, Ring subject) {
         return !new InnerChains(window, subject).chains().isEmpty()

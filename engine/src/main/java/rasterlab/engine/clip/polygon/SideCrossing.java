@@ -6,10 +6,10 @@ import rasterlab.engine.clip.UnroundedInterval;
 
 /** Where edges pass the lines of a window's sides, and what it took to know. */
 final class SideCrossing {
-    /** Beyond this many times the side's length the crossing is computed without rounding. */
+    /** The longest edge, in lengths of the side, whose crossing is computed with rounding. */
     private static final double LONGEST = 1024;
 
-    /** So much of a distance must be left after its subtraction. */
+    /** The share of its two terms that a difference must keep to count as precise enough. */
     private static final double ENOUGH = 1.0 / 16;
 
     private final Ring window;

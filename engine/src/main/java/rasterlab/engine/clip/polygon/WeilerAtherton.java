@@ -7,7 +7,8 @@ import java.util.TreeMap;
 import rasterlab.contract.PolygonSink;
 
 /**
- * Along the subject while it is inside the window, along the window's rim while it is not.
+ * Clips by walking along the subject while it is inside the window, along the window's rim while it
+ * is not.
  *
  * <p>Both rings are counter-clockwise. Where the subject's boundary leaves the window, the piece
  * goes on along the rim to the next place where the boundary enters, and from there along the
@@ -131,7 +132,7 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
             return cut.sideTests();
         }
 
-        /** None: places on the rim are fractions. */
+        /** No divisions: places on the rim are fractions. */
         @Override
         public long divisions() {
             return 0;

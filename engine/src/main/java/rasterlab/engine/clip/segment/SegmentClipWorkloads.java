@@ -62,7 +62,10 @@ final class SegmentClipWorkloads {
         return turned(random.nextInt(4), x0, y0, x1, y1);
     }
 
-    /** From left of the window to below it, by (−a, 0) and (0, −b): outside the corner (0, 0). */
+    /**
+     * A segment from left of the window to below it, by (−a, 0) and (0, −b): outside the corner (0,
+     * 0).
+     */
     private static double[] pastCorner(Random random) {
         double a = (0.01 + random.nextDouble() / 2) * SIZE;
         double b = (0.01 + random.nextDouble() / 2) * SIZE;

@@ -22,7 +22,7 @@ final class UnroundedMeeting implements LinePlane {
     private static final double SMALLEST_C = 0x1p-900;
     private static final double LARGEST_C = 0x1p900;
 
-    /** More than μ is off by where it is about 1. */
+    /** A distance greater than the error of μ where it is about 1. */
     private static final double NEAR_1 = 0x1p-50;
 
     @Override

@@ -14,7 +14,7 @@ final class LampSide {
     /** A computed n·l is off by less than this share of the largest numbers that went into it. */
     private static final double SURE = 1e-14;
 
-    /** Below, products have lost digits. */
+    /** The number below which products have lost digits. */
     private static final double SMALLEST = 1e-280;
 
     private LampSide() {}

@@ -5,7 +5,7 @@ import rasterlab.contract.LitFace;
 
 /** A method that tells where it evaluates the formula; between these places it mixes. */
 public interface SteppedFace extends FaceShader {
-    /** Told of each evaluation. */
+    /** Receives each evaluation. */
     @FunctionalInterface
     interface Evaluations {
         /**
@@ -19,7 +19,7 @@ public interface SteppedFace extends FaceShader {
     }
 
     /**
-     * As {@link #shade(LitFace, double[])} does.
+     * Shades as {@link #shade(LitFace, double[])} does and tells each evaluation.
      *
      * @param told of the evaluations in their order
      */

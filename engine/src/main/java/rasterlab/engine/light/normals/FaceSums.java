@@ -35,7 +35,7 @@ abstract class FaceSums implements NormalsWalk {
     /** The face's weight at its corner 0, 1 or 2, where its vertex numbers begin at {@code at}. */
     abstract double weightAt(int at, int corner);
 
-    /** Told once for each face added to a vertex. */
+    /** Called once for each face added to a vertex. */
     abstract void added(int vertex, double weight);
 
     @Override

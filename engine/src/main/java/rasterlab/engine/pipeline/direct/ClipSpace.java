@@ -9,7 +9,7 @@ import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * From the world to the clip space in which −w ≤ x, y, z ≤ w is drawn.
+ * The way from the world to the clip space in which −w ≤ x, y, z ≤ w is drawn.
  *
  * <p>With s pixels per unit, the picture's middle at pixel (c₁, c₂) and d = ρ in perspective, 1
  * otherwise: {@code x/w = 2·s·d·X/(width·w) + (2·c₁ + 1)/width − 1}, y alike with its sign turned,
@@ -49,7 +49,7 @@ final class ClipSpace {
         return !(near < far);
     }
 
-    /** Its eye space is the world. */
+    /** The pipeline's view, whose eye space is the world. */
     TriangleView view() {
         return new TriangleView(new Matrix4d(), worldToClip(), planes, Culling.NONE);
     }
@@ -77,7 +77,7 @@ final class ClipSpace {
                 x[3], y[3], z[3], w[3]);
     }
 
-    /** From −w at the near plane to w at the far one. */
+    /** The matrix row for the depth: −w at the near plane to w at the far one. */
     private double[] depthRow() {
         double[] one = {0, 0, 0, 1};
         double deep = far - near;

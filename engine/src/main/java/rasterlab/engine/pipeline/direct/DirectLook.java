@@ -18,11 +18,11 @@ public record DirectLook(Light light, TextureMode texture) {
 
     /** Where light is worked out. */
     public enum Light {
-        /** Once for each face: flat. */
+        /** Flat shading: light is computed once for each face. */
         FACES,
-        /** At the corners: Gouraud's. */
+        /** Gouraud shading: light is computed at the corners. */
         CORNERS,
-        /** At each pixel: Phong's. */
+        /** Phong shading: light is computed at each pixel. */
         PIXELS
     }
 

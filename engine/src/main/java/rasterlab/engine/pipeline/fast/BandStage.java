@@ -5,8 +5,8 @@ import rasterlab.engine.lanes.Lanes;
 /** One band of rows after the other: cleared, then drawn in the mesh's order. One per thread. */
 final class BandStage {
     /**
-     * In a band with a triangle for so many pixels most are small: of tori of 100,000 to 1,000,000
-     * triangles at 720p and 1080p none gained by 4 or 8 instead.
+     * The pixels a triangle below which a band counts as dense with small ones: of tori of 100,000
+     * to 1,000,000 triangles at 720p and 1080p none gained by 4 or 8 instead.
      */
     private static final int DENSE = 5;
 

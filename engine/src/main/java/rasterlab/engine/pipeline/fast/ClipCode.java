@@ -18,10 +18,10 @@ final class ClipCode {
     static final int GUARD = 128;
     static final int FIRST_USER = 256;
 
-    /** Below this w nothing is divided by it. */
+    /** The smallest w that anything is divided by. */
     static final float SMALLEST_W = 1e-30f;
 
-    /** Beyond one of these alone a triangle is still drawn whole. */
+    /** The sides beyond one of which alone a triangle is still drawn whole. */
     private static final int SIDES = LEFT | RIGHT | BOTTOM | TOP;
 
     private ClipCode() {}

@@ -8,7 +8,7 @@ final class ClipPolygon {
     /** The mesh's vertex that a corner is, or {@link #NEW}. */
     final int[] vertex;
 
-    /** For each corner: x, y, z, w, distances to the user's planes, attributes. */
+    /** The numbers of each corner: x, y, z, w, distances to the user's planes, attributes. */
     final double[][] values;
 
     int size;

@@ -12,7 +12,7 @@ package rasterlab.engine.pipeline.fast;
  * <p>Source of the bound: G. Grüss, Mathematische Zeitschrift 39, 1935.
  */
 final class LinearColors {
-    /** Levels. */
+    /** The largest error allowed, in levels. */
     static final float TOLERANCE = 0.25f;
 
     /** Colours are whole numbers of 1/65536 level. */
@@ -23,7 +23,7 @@ final class LinearColors {
 
     final RowDepth depth = new RowDepth();
 
-    /** At corner a, and what the weights of b and c add. */
+    /** Red at corner a, and what the weights of b and c add. */
     double ra;
 
     double rb;
@@ -41,7 +41,10 @@ final class LinearColors {
     int stepGreen;
     int stepBlue;
 
-    /** At the corner of a compact triangle's box, and what each grows by to the next row. */
+    /**
+     * Red at the corner of a compact triangle's box, and what each channel grows by to the next
+     * row.
+     */
     int cornerRed;
 
     int cornerGreen;
@@ -50,7 +53,7 @@ final class LinearColors {
     int downGreen;
     int downBlue;
 
-    /** At the first pixel of the row that {@link #at} was asked for. */
+    /** Red at the first pixel of the row that {@link #at} was asked for. */
     int red;
 
     int green;

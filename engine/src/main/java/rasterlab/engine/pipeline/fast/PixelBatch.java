@@ -55,7 +55,7 @@ public final class PixelBatch {
     /** Whether the pixel's triangle turns its inner side to the eye. */
     public final boolean[] fromBehind = new boolean[SIZE];
 
-    /** Out: the colours, 0xAARRGGBB. */
+    /** The colours that come out, 0xAARRGGBB. */
     public final int[] argb = new int[SIZE];
 
     /**

@@ -12,19 +12,19 @@ public interface PixelColors {
      */
     Set<VertexQuantity> wants();
 
-    /** Those of the wanted quantities whose slopes on the picture are wanted too. */
+    /** The wanted quantities whose slopes on the picture are wanted too. */
     default Set<VertexQuantity> wantsSlopes() {
         return Set.of();
     }
 
-    /** Those that shall be linear on the picture, which is wrong in perspective. */
+    /** The quantities that shall be linear on the picture, which is wrong in perspective. */
     default Set<VertexQuantity> affine() {
         return Set.of();
     }
 
     /**
-     * Those that are only directions: each pixel's may come all of them times the same number above
-     * 0. They want no slopes.
+     * The quantities that are only directions: each pixel's may come all of them times the same
+     * number above 0. They want no slopes.
      */
     default Set<VertexQuantity> directions() {
         return Set.of();

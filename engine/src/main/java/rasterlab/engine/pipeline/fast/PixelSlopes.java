@@ -17,7 +17,7 @@ final class PixelSlopes {
     /** The pixel after each run's last. */
     final int[] end = new int[PixelBatch.SIZE];
 
-    /** In each run, what 1/w grows by to the right and down. */
+    /** What 1/w grows by to the right and down, in each run. */
     final float[] nearnessRight = new float[PixelBatch.SIZE];
 
     final float[] nearnessDown = new float[PixelBatch.SIZE];

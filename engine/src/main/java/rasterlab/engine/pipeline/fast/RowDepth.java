@@ -14,16 +14,16 @@ final class RowDepth {
     /** How large weights may be within such a box. */
     private static final int STEEPEST = 64;
 
-    /** Up to this weights may be counted so as floats: they are off by 2⁻²⁰ at most. */
+    /** The slope up to which weights may be counted as floats: they are off by 2⁻²⁰ at most. */
     private static final int GENTLE = 16;
 
     /** How large depths may be there: seven roundings, those of 1/area too, add up to 2⁻²¹. */
     private static final int DEEPEST = 2;
 
-    /** Below this edge functions, which are weights times the area, fit an int. */
+    /** The bound below which edge functions, which are weights times the area, fit an int. */
     private static final double LARGEST = 0x1p31;
 
-    /** At corner a, and what the weights of b and c add. */
+    /** The depth at corner a, and what the weights of b and c add. */
     double za;
 
     double zb;
@@ -37,7 +37,10 @@ final class RowDepth {
     /** Whether weights may be counted from the box's corner too. */
     boolean gentle;
 
-    /** At the corner of a compact triangle's box, and what it grows by from a row to the next. */
+    /**
+     * The depth at the corner of a compact triangle's box, and what it grows by from a row to the
+     * next.
+     */
     float cornerZ;
 
     float downZ;

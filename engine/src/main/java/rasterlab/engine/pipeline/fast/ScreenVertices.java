@@ -32,7 +32,7 @@ final class ScreenVertices {
     /** How many numbers a vertex has. */
     int stride;
 
-    /** For each group, whether a triangle in sight has one of its vertices. */
+    /** Whether a triangle in sight has a vertex of the group, for each group. */
     boolean[] needed = new boolean[0];
 
     void need(int a, int b, int c) {
@@ -41,7 +41,10 @@ final class ScreenVertices {
         need(c);
     }
 
-    /** Written once: threads whose groups share a cache line would take it from each other. */
+    /**
+     * Notes that a vertex is needed, writing once: threads whose groups share a cache line would
+     * take it from each other.
+     */
     private void need(int vertex) {
         if (!needed[vertex >> GROUP_BITS]) needed[vertex >> GROUP_BITS] = true;
     }

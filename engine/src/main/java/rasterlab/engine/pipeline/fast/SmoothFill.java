@@ -2,7 +2,9 @@ package rasterlab.engine.pipeline.fast;
 
 /** Colours of the vertices, perspective-correct between them, with a division for each pixel. */
 final class SmoothFill {
-    /** Added to a level it leaves the nearest whole number in the sum's lowest bits, 0x4B above. */
+    /**
+     * Leaves, when added to a level, the nearest whole number in the sum's lowest bits, 0x4B above.
+     */
     static final float ROUND = 0x1p23f;
 
     private SmoothFill() {}

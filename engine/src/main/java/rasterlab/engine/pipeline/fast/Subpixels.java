@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline.fast;
 
 /**
- * From −1..1 to whole steps of 1/256 pixel, 0 being the centre of the top left pixel.
+ * Turns −1..1 into whole steps of 1/256 pixel, 0 being the centre of the top left pixel.
  *
  * <p>{@code x = (X + 1)·width/2 − 1/2} and {@code y = (1 − Y)·height/2 − 1/2} pixels, to the
  * nearest step, halfway to the even one. Up to {@link #GUARD} times the picture's half side they
@@ -20,7 +20,10 @@ final class Subpixels {
      */
     static final int GUARD = 8;
 
-    /** From the picture's side to its first pixel's centre, in steps, and what rounds to one. */
+    /**
+     * The way from the picture's side to its first pixel's centre, in steps, and what rounds to
+     * one.
+     */
     static final double ROUND = WholeNumbers.ROUND - ONE / 2.0;
 
     /** Half the size of the picture, in steps. */

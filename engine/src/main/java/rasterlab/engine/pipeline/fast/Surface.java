@@ -20,7 +20,7 @@ public sealed interface Surface {
      * @param under where red, green, blue and alpha come from, if the pixels want them
      */
     record PerPixel(PixelColors colors, OfVertices under, Blending blending) implements Surface {
-        /** Opaque, over the mesh's own colours. */
+        /** A surface that is opaque, over the mesh's own colours. */
         public PerPixel(PixelColors colors) {
             this(colors, new Smooth(VertexColors.own()), Blending.OPAQUE);
         }

@@ -21,7 +21,7 @@ final class TinyBlock {
     /** What is listed beside pixels 0 to {@link TinyScan#FEW} − 1: a box with more of them. */
     static final int BOX = FEW;
 
-    /** And a triangle that is not small. */
+    /** What is listed for a triangle that is not small. */
     static final int LARGE = FEW + 1;
 
     /** What {@link #code} is for these two. */
@@ -29,7 +29,7 @@ final class TinyBlock {
 
     static final int CODE_OF_LARGE = CODE_OF_BOX + 1;
 
-    /** From FEW·code on, what is listed for a code, times SIZE; HOW_MANY of it counts. */
+    /** What is listed for a code, from FEW·code on, times SIZE; HOW_MANY of it counts. */
     private static final int[] KINDS = new int[(CODE_OF_LARGE + 1) * FEW];
 
     private static final int[] HOW_MANY = new int[CODE_OF_LARGE + 1];
@@ -102,7 +102,7 @@ final class TinyBlock {
     /** The cell of pixel k of a box with few pixels, at k·SIZE + i for triangle i. */
     final int[] cell = new int[FEW * SIZE];
 
-    /** And the weights of b and c, where the pixel is owned. */
+    /** The weights of b and c, where the pixel is owned. */
     final float[] weightB = new float[FEW * SIZE];
 
     final float[] weightC = new float[FEW * SIZE];

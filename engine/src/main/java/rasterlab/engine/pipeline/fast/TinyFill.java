@@ -5,8 +5,8 @@ final class TinyFill {
     private TinyFill() {}
 
     /**
-     * With weights b and q = 1/w the share of corner k is {@code b_k·q_k/Σbq}; a's is what the
-     * others leave.
+     * Draws with weights b and q = 1/w: the share of corner k is {@code b_k·q_k/Σbq}; a's is what
+     * the others leave.
      */
     static void smooth(Band band, TinyScan scan, SmoothCorners at) {
         int[] argb = band.argb;

@@ -35,7 +35,7 @@ public final class TrianglePipeline implements AutoCloseable {
     /** What each thread has for itself. */
     private record Worker(VertexStage vertices, Binner binner, BandStage bands) {}
 
-    /** On all cores. */
+    /** A pipeline that works on all cores. */
     public TrianglePipeline() {
         this(Math.min(WorkerTeam.MOST, Runtime.getRuntime().availableProcessors()));
     }

@@ -23,7 +23,7 @@ final class TriangleScan extends Scan {
 
     int rows;
 
-    /** For each row: the first pixel, the number of pixels, eB and eC at the first. */
+    /** The first pixel of each row, the number of its pixels, eB and eC at the first. */
     final int[] left = new int[ROWS];
 
     final int[] count = new int[ROWS];

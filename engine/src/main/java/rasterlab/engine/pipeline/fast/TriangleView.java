@@ -37,7 +37,7 @@ public final class TriangleView {
         this.culling = culling;
     }
 
-    /** Without planes of the user; back faces are culled. */
+    /** A view without planes of the user; back faces are culled. */
     public TriangleView(Matrix4dc worldToEye, Matrix4dc eyeToClip) {
         this(worldToEye, eyeToClip, List.of(), Culling.BACK);
     }

@@ -29,7 +29,7 @@ public final class VertexBlock {
     public final float[] ny = new float[SIZE];
     public final float[] nz = new float[SIZE];
 
-    /** In: the mesh's own colour, 0 to 1, or opaque white. Out: the vertex's colour. */
+    /** The mesh's own colour, 0 to 1, or opaque white, which comes in. Out: the vertex's colour. */
     public final float[] red = new float[SIZE];
 
     public final float[] green = new float[SIZE];

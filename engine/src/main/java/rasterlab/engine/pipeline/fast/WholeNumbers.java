@@ -2,7 +2,7 @@ package rasterlab.engine.pipeline.fast;
 
 /** Rounding by addition: no conversion, and the same in lanes. */
 final class WholeNumbers {
-    /** Added to a number below 2⁵¹ it leaves the nearest whole one in the sum's lowest bits. */
+    /** Leaves, when added to a number below 2⁵¹, the nearest whole one in the sum's lowest bits. */
     static final double ROUND = 0x1.8p52;
 
     private WholeNumbers() {}

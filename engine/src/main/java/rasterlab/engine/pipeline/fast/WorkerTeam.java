@@ -150,7 +150,7 @@ final class WorkerTeam implements AutoCloseable {
         return left > 0 ? items - left : NONE;
     }
 
-    /** So many items are done or given up. */
+    /** Counts items that are done or given up, and wakes the caller after the last. */
     private void tell(int done) {
         if (undone.addAndGet(-done) > 0) return;
         Thread caller = waitingCaller;

@@ -26,7 +26,7 @@ final class CornerWeights {
     private final Mesh mesh;
     private final double scale;
 
-    /** For each triangle the base of λ'₀, λ'₁, λ'₂, their steps to the right, their steps down. */
+    /** The base of λ'₀, λ'₁, λ'₂ of each triangle, their steps to the right, their steps down. */
     private final double[] linear;
 
     CornerWeights(ViewedMesh view) {

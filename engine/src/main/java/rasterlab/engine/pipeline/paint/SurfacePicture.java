@@ -94,7 +94,10 @@ public final class SurfacePicture {
             }
         }
 
-        /** With a direction whose length is 1 in view depth, as the view transform has it. */
+        /**
+         * Aims at a pixel, with a direction whose length is 1 in view depth, as the view transform
+         * has it.
+         */
         private void aim(int x) {
             ViewTransform transform = view.transform();
             double u = view.fit().toPlaneX(x);

@@ -94,7 +94,10 @@ public final class PlainPipeline {
         return new Vector3d(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
     }
 
-    /** To pixels, with whole numbers at their centres and y down; z stays the depth. */
+    /**
+     * Takes normalised coordinates to pixels, with whole numbers at their centres and y down; z
+     * stays the depth.
+     */
     private Vector3d toScreen(Vector3d ndc) {
         double x = (ndc.x + 1) * out.width() / 2 - 0.5;
         double y = (1 - ndc.y) * out.height() / 2 - 0.5;

@@ -67,7 +67,10 @@ final class EdgeSight {
         return out;
     }
 
-    /** From the plane n·p = k, as depth buffers have it; not finite for a face seen edge-on. */
+    /**
+     * The nearness by the plane n·p = k, as depth buffers have it; not finite for a face seen
+     * edge-on.
+     */
     private double planeNearness(int face, double pixelX, double pixelY) {
         double across =
                 view.eyeNormal(face, 0) * fit.toPlaneX(pixelX)
@@ -94,7 +97,7 @@ final class EdgeSight {
         return left != right;
     }
 
-    /** On which side of an edge the line of sight passes: the sign of a triple product. */
+    /** The side of an edge on which the line of sight passes: the sign of a triple product. */
     private double side(int a, int b, double planeX, double planeY) {
         double ax = view.eyeX(a);
         double ay = view.eyeY(a);

@@ -104,7 +104,7 @@ public final class WirePicture {
                 : -screen.nearness(t);
     }
 
-    /** Without a sight everything is seen. */
+    /** Whether the edge is seen at t; without a sight everything is. */
     private boolean sees(Optional<EdgeSight> sight, double t) {
         return sight.isEmpty() || sight.get().sees(screen.x(t), screen.y(t), screen.nearness(t));
     }

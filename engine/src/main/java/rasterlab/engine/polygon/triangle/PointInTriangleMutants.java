@@ -58,7 +58,9 @@ final class PointInTriangleMutants {
                                         (float) y)));
     }
 
-    /** Right on a triangle without area: that all its line is inside is a mistake of its own. */
+    /**
+     * Judges right on a triangle without area: that all its line is inside is a mistake of its own.
+     */
     private static PointInTriangle unlessFlat(PointInTriangle mistaken) {
         return (ax, ay, bx, by, cx, cy, x, y) ->
                 (cross(ax, ay, bx, by, cx, cy) == 0 ? RIGHT : mistaken)

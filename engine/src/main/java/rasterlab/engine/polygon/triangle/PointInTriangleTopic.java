@@ -130,7 +130,10 @@ public final class PointInTriangleTopic
         return counts;
     }
 
-    /** Before the exact sides it does the same for every point. */
+    /**
+     * The operations of the robust method, which before the exact sides does the same for every
+     * point.
+     */
     private Map<String, Long> ofRobust(ShapeAndPoints input) {
         var exactSides = new long[1];
         long points = spend(new RobustTriangle(() -> exactSides[0]++), input);

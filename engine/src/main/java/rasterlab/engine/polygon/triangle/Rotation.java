@@ -52,7 +52,7 @@ final class Rotation implements SteppedTriangleTest {
             };
         }
 
-        /** With v turned onto the Oy axis, positive where p and q lie on one side of it. */
+        /** The turn with v on the Oy axis, positive where p and q lie on one side of it. */
         private double turn(double vx, double vy, double px, double py, double qx, double qy) {
             spend(6, 9);
             double angle = StrictMath.atan2(vx, vy);

@@ -30,7 +30,7 @@ final class TriangleHazards {
         return Stream.of(ofPictures(), ofNumbers()).flatMap(List::stream).toList();
     }
 
-    /** In the whole numbers of pictures. */
+    /** The hazards in the whole numbers of pictures. */
     private static List<Hazard<ShapeAndPoints>> ofPictures() {
         return List.of(
                 hazard(

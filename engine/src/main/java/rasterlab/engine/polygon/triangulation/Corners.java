@@ -44,7 +44,10 @@ final class Corners {
         return corners.clockwise() ? corners.reversed() : corners;
     }
 
-    /** As {@link #ofSimple}, but in the order given and with crossings not looked for. */
+    /**
+     * The corners as {@link #ofSimple} has them, but in the order given and with crossings not
+     * looked for.
+     */
     static Corners distinct(double[] x, double[] y, int most) {
         Finite.requirePoints("corner", x, y, 3);
         requireAtMost(most, x.length);

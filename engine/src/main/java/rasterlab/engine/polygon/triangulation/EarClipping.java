@@ -12,7 +12,9 @@ import java.util.ArrayDeque;
  * <p>Source: G. H. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975.
  */
 public final class EarClipping implements SteppedTriangulator {
-    /** With all of them in the way of each other, a few seconds. */
+    /**
+     * The most corners that are taken: a few seconds if all of them are in the way of each other.
+     */
     public static final int MOST_CORNERS = 20_000;
 
     @Override

@@ -12,12 +12,12 @@ import rasterlab.engine.texture.Wrap;
 final class Finishes {
     private Finishes() {}
 
-    /** With small white highlights. */
+    /** A finish with small white highlights. */
     static Finish glossy(int rgb) {
         return Finish.of(dull(rgb).shiny(0.6, 60));
     }
 
-    /** With large faint highlights. */
+    /** A finish with large faint highlights. */
     static Finish satin(int rgb) {
         return Finish.of(dull(rgb).shiny(0.25, 15));
     }
@@ -27,7 +27,7 @@ final class Finishes {
         return Finish.of(new Material(dull(rgb).shiny(0.8, 100).surface(), alpha));
     }
 
-    /** Lit by nothing but itself. */
+    /** A finish lit by nothing but itself. */
     static Finish glowing(int rgb) {
         double[] none = new double[3];
         double[] own = dull(rgb).surface().diffuse();

@@ -29,7 +29,7 @@ public final class BrokenFileException extends Exception {
         return file;
     }
 
-    /** From 1, or 0 where the file as a whole is meant. */
+    /** The line, from 1, or 0 where the file as a whole is meant. */
     public int line() {
         return line;
     }

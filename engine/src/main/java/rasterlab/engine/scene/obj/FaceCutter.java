@@ -21,7 +21,9 @@ final class FaceCutter {
     /** Twice the area over the squared size. */
     private static final double TOLERANCE = Mesh.TOLERANCE;
 
-    /** Above this a triangle's plane is so sure that a mesh takes it without being asked. */
+    /**
+     * The ratio above which a triangle's plane is so sure that a mesh takes it without being asked.
+     */
     private static final double SURE = 1e-6;
 
     private final TextLines lines;
@@ -99,7 +101,7 @@ final class FaceCutter {
         return kept.all();
     }
 
-    /** Of a tiny face, {@link #at} is counted from its first corner and scaled. */
+    /** Measures a face; of a tiny one {@link #at} is counted from its first corner and scaled. */
     private void measure(FaceLine line) {
         exponent = 0;
         double longest = 0;

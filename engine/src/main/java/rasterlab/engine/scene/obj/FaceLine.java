@@ -114,7 +114,7 @@ final class FaceLine {
         return true;
     }
 
-    /** From 1, or backwards from −1, to the number from 0. */
+    /** The index from 0 for a written number, which counts from 1, or backwards from −1. */
     private int number(int from, int to, int count) {
         if (!isWhole(from, to)) return MISSING;
         CharSequence text = lines.text();

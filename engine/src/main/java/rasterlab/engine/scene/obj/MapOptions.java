@@ -22,7 +22,7 @@ final class MapOptions {
         this.notes = notes;
     }
 
-    /** Empty where no file is named. */
+    /** Reads a map; empty where no file is named. */
     Optional<ObjMaterial.Map> read() throws BrokenFileException {
         int at = 1;
         while (at < words.count() && isOption(at)) at = option(at);

@@ -50,7 +50,10 @@ public final class ObjModel {
         return notes;
     }
 
-    /** In the order of the files; faces above the first usemtl have one whose name is empty. */
+    /**
+     * The materials in the order of the files; faces above the first usemtl have one whose name is
+     * empty.
+     */
     public List<ObjMaterial> materials() {
         return materials;
     }

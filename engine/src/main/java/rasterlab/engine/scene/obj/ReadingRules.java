@@ -187,7 +187,7 @@ public final class ReadingRules {
         return byKeyword;
     }
 
-    /** Exactly as written: f and F are two. */
+    /** The rule of a keyword exactly as written: f and F are two. */
     static Optional<Rule> ofModel(String keyword) {
         return Optional.ofNullable(OF_MODEL.get(keyword))
                 .filter(rule -> rule.keyword().equals(keyword));

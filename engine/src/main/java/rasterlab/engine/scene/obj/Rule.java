@@ -84,7 +84,7 @@ record Rule(
                 .replaceAll(" +", " ");
     }
 
-    /** As one types it in a file. */
+    /** The number as one types it in a file. */
     private static String typed(double value) {
         return number(value).replaceFirst("\\.0E", "e");
     }

@@ -82,7 +82,7 @@ final class Profile {
         return c(piece, 0) + h * (c(piece, 1) + h * (c(piece, 2) + h * c(piece, 3)));
     }
 
-    /** dr/dz. */
+    /** The slope dr/dz. */
     double slope(double at) {
         int piece = piece(at);
         double h = at - z[piece];

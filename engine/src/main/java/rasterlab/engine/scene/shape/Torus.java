@@ -85,9 +85,9 @@ public record Torus(double major, double minor) implements Shape, Patch {
     }
 
     /**
-     * With p the middle and e = half·d: {@code (a·τ² + 2b·τ + c)² − 4R²·(A·τ² + 2B·τ + C)}. Its
-     * value at 0 is multiplied out of what it is the product of, which keeps the digits of the
-     * small factor.
+     * Sets up, with p the middle and e = half·d, {@code (a·τ² + 2b·τ + c)² − 4R²·(A·τ² + 2B·τ +
+     * C)}. Its value at 0 is multiplied out of what it is the product of, which keeps the digits of
+     * the small factor.
      */
     private void equation(Ray ray, Stretch stretch) {
         double px = ray.x(stretch.middle());

@@ -103,7 +103,7 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
         return levels;
     }
 
-    /** With the time to make the picture ready, spread over the pixels. */
+    /** The time of the method with that to make the picture ready, spread over the pixels. */
     @Override
     public long spend(TextureFilter method, FilteredPixels pixels) {
         return method.colors(pixels.width(), pixels.height(), pixels.argb(), pixels.footprints())

@@ -6,7 +6,7 @@ import rasterlab.contract.TexturedSpan;
 
 /** A mapper that says what it has to do. */
 interface CountedMapper extends TextureMapper {
-    /** Its operations on numbers along a row: divisions, multiplications, additions. */
+    /** The method's operations on numbers along a row: divisions, multiplications, additions. */
     Map<String, Long> operations(TexturedSpan span);
 
     /** Operations under their names. */

@@ -17,7 +17,9 @@ final class PerspectiveMapper implements CountedMapper {
         return st;
     }
 
-    /** At each pixel f and two quotients, 6 products, and 5 sums and differences. */
+    /**
+     * The operations, at each pixel f and two quotients, 6 products, and 5 sums and differences.
+     */
     @Override
     public Map<String, Long> operations(TexturedSpan span) {
         long n = span.pixels();

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Random;
 import rasterlab.engine.study.Workload;
 
-/** So many points about one axis of any direction, the same in every run. */
+/** Points about one axis of any direction, as many as asked, the same in every run. */
 final class AxisWorkloads {
     private static final long SEED = 1840;
     private static final int POINTS_PER_WORKLOAD = 4_096;

@@ -16,7 +16,10 @@ import rasterlab.engine.transform.axis.SevenStepsTextbook;
  * "rotation about a line".
  */
 public final class AppendixFormula implements MatrixFormula {
-    /** Printed as α for DIMETRIC, where it is right, and for ISOMETRIC, where 45° would be. */
+    /**
+     * The angle printed as α for DIMETRIC, where it is right, and for ISOMETRIC, where 45° would
+     * be.
+     */
     static final double ALPHA = 22.207654298596487;
 
     @Override

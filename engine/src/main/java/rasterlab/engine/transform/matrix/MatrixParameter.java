@@ -32,7 +32,7 @@ public record MatrixParameter(String name, int size, Range range, OptionalDouble
             this.holds = holds;
         }
 
-        /** In words, for messages. */
+        /** The range in words, for messages. */
         public String text() {
             return text;
         }

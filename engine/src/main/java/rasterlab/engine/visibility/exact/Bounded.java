@@ -16,7 +16,7 @@ record Bounded(double value, double error) implements Scalar<Bounded> {
     private static final double UNIT = 0x1p-53;
     private static final double UNDERFLOW = 8 * Double.MIN_VALUE;
 
-    /** More than the roundings of a bound can take from it. */
+    /** A factor above all that the roundings of a bound can take from it. */
     static final double ROUNDED_UP = 1 + 0x1p-48;
 
     /** A double, exactly. */

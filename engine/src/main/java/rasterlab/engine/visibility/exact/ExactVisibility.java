@@ -84,7 +84,7 @@ public final class ExactVisibility implements Visibility {
                 .toArray(SeenFace[]::new);
     }
 
-    /** For each row the places of the faces that may own a pixel in it, in the mesh's order. */
+    /** The places of the faces that may own a pixel, in the mesh's order, for each row. */
     private static int[][] rows(SeenFace[] faces, int height) {
         var count = new int[height];
         for (SeenFace face : faces) for (int y = face.top(); y < face.bottom(); y++) count[y]++;

@@ -45,7 +45,7 @@ final class PlaneClasses {
     /** A direction in the space of planes in which unlike ones mostly are unlike. */
     private static final double[] KEY = {0.5477, 0.4321, 0.3712, 0.6128};
 
-    /** More than the keys of two planes that are one can differ. */
+    /** A margin above the most by which the keys of two planes that are one can differ. */
     private static final double KEY_REACH = 0x1p-16;
 
     private final Mesh mesh;

@@ -14,7 +14,7 @@ record SeenPlane<S extends Scalar<S>>(Form<S> u, S v) {
         return new SeenPlane<>(u.times(factor), v.times(factor));
     }
 
-    /** Above 0 at the pixels at which this plane is nearer than another: U₁·V₂ − U₂·V₁. */
+    /** The form above 0 at the pixels at which this plane is nearer than another: U₁·V₂ − U₂·V₁. */
     Form<S> before(SeenPlane<S> other) {
         return u.times(other.v).minus(other.u.times(v));
     }

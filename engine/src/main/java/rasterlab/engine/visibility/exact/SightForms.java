@@ -88,7 +88,7 @@ final class SightForms<S extends Scalar<S>> {
         return central ? eye : new Triple<>(eye.x(), eye.y(), number.apply(1));
     }
 
-    /** n·d. */
+    /** The form n·d. */
     private Form<S> side(S nx, S ny, S nz) {
         S base = nx.times(firstX).plus(ny.times(firstY)).plus(nz.times(along));
         return new Form<>(base, nx, zero().minus(ny));
@@ -98,13 +98,19 @@ final class SightForms<S extends Scalar<S>> {
         return number.apply(0);
     }
 
-    /** On which side of an edge from a to b pixels are: above 0 on its left, y upwards. */
+    /**
+     * The form that says on which side of an edge from a to b pixels are: above 0 on its left, y
+     * upwards.
+     */
     Form<S> edge(Triple<S> a, Triple<S> b) {
         Triple<S> n = a.cross(b);
         return side(n.x(), n.y(), n.z());
     }
 
-    /** Above 0 in rows below a vertex before the eye, 0 in its own; the same in all columns. */
+    /**
+     * The form above 0 in rows below a vertex before the eye, 0 in its own; the same in all
+     * columns.
+     */
     Form<S> level(Triple<S> vertex) {
         S base = along.times(vertex.y()).minus(firstY.times(vertex.z()));
         return new Form<>(base, zero(), vertex.z());
@@ -130,12 +136,12 @@ final class SightForms<S extends Scalar<S>> {
                 : new SeenPlane<>(side(n.x(), n.y(), zero().minus(offset)), n.z());
     }
 
-    /** At least 0 where a plane is before the eye in perspective. */
+    /** The form at least 0 where a plane is before the eye in perspective. */
     Form<S> ahead(SeenPlane<S> plane) {
         return plane.u();
     }
 
-    /** At least 0 where a plane is not before the near plane. */
+    /** The form at least 0 where a plane is not before the near plane. */
     Form<S> near(SeenPlane<S> plane) {
         S near = number.apply(view.near());
         return central
@@ -145,7 +151,7 @@ final class SightForms<S extends Scalar<S>> {
                         .plus(zero().minus(scale.times(near).times(plane.v())));
     }
 
-    /** At least 0 where a plane is not behind the far plane. */
+    /** The form at least 0 where a plane is not behind the far plane. */
     Form<S> far(SeenPlane<S> plane) {
         S far = number.apply(view.far());
         return central
@@ -154,9 +160,9 @@ final class SightForms<S extends Scalar<S>> {
     }
 
     /**
-     * At least 0 where a plane is on the drawn side of a clip plane n·p + e ≥ 0 of eye space, which
-     * the inverse of A takes it to: times det A, whose sign {@code turn} is, so that nothing is
-     * divided.
+     * The form at least 0 where a plane is on the drawn side of a clip plane n·p + e ≥ 0 of eye
+     * space, which the inverse of A takes it to: times det A, whose sign {@code turn} is, so that
+     * nothing is divided.
      */
     Form<S> clip(ClipPlane plane, SeenPlane<S> of, int turn) {
         Triple<S> given =

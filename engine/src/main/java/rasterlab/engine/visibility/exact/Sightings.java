@@ -35,7 +35,9 @@ final class Sightings {
         return view;
     }
 
-    /** On which side of the edge from vertex a to vertex b pixels are: see {@link SightForms}. */
+    /**
+     * The side of the edge from vertex a to vertex b that pixels are on: see {@link SightForms}.
+     */
     PixelSign edge(int a, int b) {
         return sign(
                 near.edge(seen.get(a), seen.get(b)),

@@ -63,7 +63,10 @@ final class ConvexSegmentTextbook implements SteppedVisibleFaces {
             return face;
         }
 
-        /** Not where the line is parallel: μ is infinite there, or no number. */
+        /**
+         * Whether μ is between 0 and 1; not where the line is parallel: μ is infinite there, or no
+         * number.
+         */
         @Override
         public boolean visible() {
             return mu > 0 && mu < 1;

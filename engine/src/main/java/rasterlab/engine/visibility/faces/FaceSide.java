@@ -3,7 +3,7 @@ package rasterlab.engine.visibility.faces;
 import java.math.BigDecimal;
 
 /**
- * On which side of a face's plane points lie, without error for all finite doubles.
+ * Finds on which side of a face's plane points lie, without error for all finite doubles.
  *
  * <p>With a, b, c running through the triangles of the fan from corner a = c₀, the sign of {@code Σ
  * det(b − a, c − a, p − a)} = 2·n·(p − c₀): 1 in front, where the normal points, −1 behind, 0 in
@@ -74,7 +74,7 @@ final class FaceSide {
         return asked;
     }
 
-    /** Those of them that took decimal numbers. */
+    /** The number of questions that took decimal numbers. */
     long exactly() {
         return exactly;
     }

@@ -106,7 +106,7 @@ final class VisibleFacesMutants {
                         asked -> asked.side(asked.eye) > 0 || asked.areaIsNothing()));
     }
 
-    /** Not of a face without area. */
+    /** Whether a face with area is visible, edge-on ones too. */
     private static boolean edgeOn(Asked asked) {
         return asked.side(asked.eye) >= 0 && !asked.areaIsNothing();
     }

@@ -18,7 +18,7 @@ import rasterlab.engine.visibility.ViewedMesh;
 public record SurfaceView(Mesh mesh, SphericalView camera, ViewedMesh view) {
 
     /**
-     * Without a far plane.
+     * A view without a far plane.
      *
      * @param fit from the picture plane to pixels; its size is the picture's
      */

@@ -18,7 +18,7 @@ import java.util.List;
  * structures, SIGGRAPH 1980.
  */
 final class BspTree {
-    /** As many polygons are tried for a node's plane; the one that cuts the fewest is taken. */
+    /** The number of polygons tried for a node's plane; the one that cuts the fewest is taken. */
     private static final int CANDIDATES = 5;
 
     private static final Comparator<Facet> LATEST_FIRST =

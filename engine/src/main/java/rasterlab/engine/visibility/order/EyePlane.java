@@ -40,7 +40,7 @@ record EyePlane(double nx, double ny, double nz, double c, double reach) {
         return Math.abs(distance) <= allowed ? 0 : distance;
     }
 
-    /** On which sides a polygon has corners: {@link #NEAR}, {@link #FAR}, both or none. */
+    /** The sides on which a polygon has corners: {@link #NEAR}, {@link #FAR}, both or none. */
     int sides(double[] seen) {
         int sides = 0;
         for (int i = 0; i < seen.length / 3; i++) {

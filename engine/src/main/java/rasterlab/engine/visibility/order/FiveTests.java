@@ -43,7 +43,7 @@ final class FiveTests {
         return answer;
     }
 
-    /** On which sides of one's plane the other has corners. */
+    /** The sides of one's plane on which the other has corners. */
     private int sides(int test, Facet one, Facet other) {
         asked[test]++;
         return one.plane().sides(other.seen());

@@ -34,7 +34,7 @@ final class SeenOutline {
         return longest;
     }
 
-    /** From the eye to the nearest point of the polygon. */
+    /** The distance from the eye to the nearest point of the polygon. */
     double distance() {
         boolean over = true;
         double least = Double.POSITIVE_INFINITY;

@@ -1,5 +1,5 @@
 /**
- * In which order to paint polygons, the farthest first: topic {@code depth-order}.
+ * Finds the order in which to paint polygons, the farthest first: topic {@code depth-order}.
  *
  * <p>Spaces: world, any unit; seen, which is world less the eye, by a power of two near 1, so that
  * the eye is at the origin; z is depth along the look from the eye to the middle of the box round

@@ -121,7 +121,7 @@ public final class DepthTriangleTopic
         return Math.abs(apart) <= SAME;
     }
 
-    /** Of a triangle or the background; far behind where a triangle has no such pixel. */
+    /** The depth of a triangle or the background; far behind where a triangle has no such pixel. */
     private static double depth(ExactTriangles exact, int shown, int at) {
         if (shown == 0) return exact.background();
         return exact.depth(shown - 1, at).map(BigDecimal::doubleValue).orElse(BEHIND);

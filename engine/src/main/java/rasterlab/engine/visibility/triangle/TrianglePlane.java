@@ -59,7 +59,7 @@ final class TrianglePlane {
         return true;
     }
 
-    /** Above 0 on the inner side of the edge opposite a corner, 0 on it. */
+    /** The distance, above 0 on the inner side of the edge opposite a corner, 0 on it. */
     double inward(int corner, double px, double py) {
         return weight(corner, px, py) * Math.signum(area);
     }

@@ -81,7 +81,7 @@ class ConvexWindowClipTest {
         assertTrue(unsure < 1_250, unsure + " handed over");
     }
 
-    /** From outside past a corner, or to it, within a few steps between doubles. */
+    /** Segments from outside go past a corner, or to it, within a few steps between doubles. */
     @Test
     void segmentsThatTouchOrJustMissACornerAreRight() {
         var random = new Random(9);

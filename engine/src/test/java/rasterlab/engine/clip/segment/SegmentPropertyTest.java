@@ -37,7 +37,7 @@ class SegmentPropertyTest {
                 .map(ends -> Arrays.stream(ends).mapToDouble(Double::doubleValue).toArray());
     }
 
-    /** Often small whole numbers, so that segments meet corners and sides. */
+    /** Coordinates that are often small whole numbers, so that segments meet corners and sides. */
     private static Arbitrary<Double> coordinates() {
         return Arbitraries.oneOf(
                 Arbitraries.integers().between(-4, 4).map(Integer::doubleValue),
@@ -85,7 +85,7 @@ class SegmentPropertyTest {
         }
     }
 
-    /** Mirrored and transposed, the same sides come in another order. */
+    /** The same sides come in another order when they are mirrored and transposed. */
     @Property(tries = TRIES)
     void theOrderOfTheSidesIsIrrelevant(
             @ForAll("windows") ClipWindow w, @ForAll("segments") double[] s) {

@@ -138,7 +138,10 @@ class VolumeClipTest {
                         });
     }
 
-    /** Past two planes' edge by the last bit, where enter and leave cannot be told apart. */
+    /**
+     * The segment goes past two planes' edge by the last bit, where enter and leave cannot be told
+     * apart.
+     */
     @Test
     void whatPassesAnEdgeWithinRoundingIsHandedOver() {
         double zmin = 0.28092317220248836;

@@ -75,7 +75,7 @@ class DirectPictureTest {
         return looks.stream();
     }
 
-    /** Of surfaces at one place any may be seen. */
+    /** Whether the scene has one right answer: of surfaces at one place any may be seen. */
     private static boolean hasOneAnswer(Scene scene) {
         return !scene.name().equals("coplanar");
     }

@@ -82,7 +82,7 @@ class EightLanesTest {
         }
     }
 
-    /** As many triangles as pixels, so that small ones are found in blocks. */
+    /** The mesh has as many triangles as pixels, so that small ones are found in blocks. */
     @ParameterizedTest(name = "with {0} threads a bit of a crowded picture is another")
     @ValueSource(ints = {1, 2, 3})
     void drawTheSameCrowdedPicture(int threads) {

@@ -15,14 +15,14 @@ class LinearColorsTest {
     /** Depths of 24 bits, of which the last four may be lost. */
     private static final double DEPTH = 0x1p-20;
 
-    /** Levels. */
+    /** The tolerance, in levels. */
     private static final double LEVEL = 0.01;
 
     private final ScreenVertices v = new ScreenVertices();
     private final TriangleScan scan = new TriangleScan();
     private final LinearColors colors = new LinearColors();
 
-    /** From slivers of 1/256 pixel to half of the box. */
+    /** The slivers range from 1/256 pixel to half of the box. */
     @RepeatedTest(20)
     void rowsOfSliversAreAsExactAsOthers(RepetitionInfo repetition) {
         int seed = repetition.getCurrentRepetition();

@@ -99,7 +99,7 @@ class PixelSlopesTest {
         }
     }
 
-    /** With v = n/q the next pixel has v + v'·q/(q + q'), which is as exact as the slope. */
+    /** The next pixel has v + v'·q/(q + q') with v = n/q, which is as exact as the slope. */
     @ParameterizedTest(name = "linear on the picture: {0}")
     @ValueSource(booleans = {false, true})
     void leadToTheNextPixels(boolean linear) {

@@ -9,7 +9,7 @@ import rasterlab.engine.scene.TriangleMesh;
 final class PixelSpace {
     private PixelSpace() {}
 
-    /** From pixels to −1..1, y turned up, in the textbook's layout. */
+    /** The view from pixels to −1..1, y turned up, in the textbook's layout. */
     static TriangleView view(int width, int height, Culling culling) {
         var clip =
                 new Matrix4d(

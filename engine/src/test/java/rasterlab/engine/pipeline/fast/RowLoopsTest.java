@@ -215,7 +215,7 @@ class RowLoopsTest {
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
     }
 
-    /** On corners whose 1/w is far smaller than another's, colours leave 0 to 255. */
+    /** Colours leave 0 to 255 on corners whose 1/w is far smaller than another's. */
     @RepeatedTest(40)
     void drawTheSameColorsBeyondTheirRange() {
         var expected = new DepthRaster(WIDTH, TriangleScan.ROWS);

@@ -55,7 +55,10 @@ class TinyBlockTest {
         }
     }
 
-    /** In the band and the picture or across their ends, some large, some on whole pixels. */
+    /**
+     * Puts triangles in the band and the picture or across their ends, some large, some on whole
+     * pixels.
+     */
     private void place(ScreenVertices v, int first) {
         int reach = 1 << random.nextInt(random.nextInt(10) == 0 ? 18 : 4);
         int step = random.nextInt(3) == 0 ? Subpixels.ONE : 1;
@@ -69,7 +72,7 @@ class TinyBlockTest {
         } while (TwiceArea.of(v, first) == 0 || isBeside(v, first));
     }
 
-    /** To a box of the longest side that is small, or a step more. */
+    /** Stretches a triangle to a box of the longest side that is small, or a step more. */
     private void stretch(ScreenVertices v, int first) {
         int side = TinyScan.WIDEST + random.nextInt(2);
         int across = random.nextBoolean() ? side : 0;

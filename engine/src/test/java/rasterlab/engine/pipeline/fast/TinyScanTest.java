@@ -40,7 +40,7 @@ class TinyScanTest {
         assertTrue(found > TRIANGLES / 2, found + " pixels were found");
     }
 
-    /** Often on centres, in the picture, across its rim and across two bands. */
+    /** Puts triangles often on centres, in the picture, across its rim and across two bands. */
     private void place(Random random) {
         int x = (random.nextInt(SIDE + 8) - 4) * Subpixels.ONE;
         int y = (random.nextInt(SIDE + 8) - 4) * Subpixels.ONE;

@@ -1,8 +1,8 @@
 package rasterlab.engine.pipeline.fast;
 
 /**
- * Of the triangle of vertices 0, 1 and 2, in squared steps; negative where it turns
- * counter-clockwise on the picture.
+ * Computes twice the area of the triangle of vertices 0, 1 and 2, in squared steps; negative where
+ * it turns counter-clockwise on the picture.
  */
 final class TwiceArea {
     private TwiceArea() {}

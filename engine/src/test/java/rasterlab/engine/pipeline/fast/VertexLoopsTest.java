@@ -42,7 +42,7 @@ class VertexLoopsTest {
         }
     }
 
-    /** In the guard's reach, some on the picture's left and right. */
+    /** The vertices lie in the guard's reach, some on the picture's left and right. */
     @RepeatedTest(40)
     void findTheSamePlaces() {
         for (int i = 0; i < n; i++) {

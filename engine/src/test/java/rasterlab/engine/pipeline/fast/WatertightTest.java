@@ -40,7 +40,9 @@ class WatertightTest {
         }
     }
 
-    /** On centres, halves, steps of 1/256, anywhere, and outside beyond the guard. */
+    /**
+     * A coordinate on a centre, halfway, on a step of 1/256, anywhere, or outside beyond the guard.
+     */
     private static float coordinate(Random random) {
         int whole = random.nextInt(SIDE + 8) - 4;
         return switch (random.nextInt(8)) {

@@ -26,7 +26,7 @@ import rasterlab.engine.transform.GlMatrices;
 class SurfacesTest {
     private static final TriangleMesh TORUS = Torus.ofTriangles(1, 0.45, 5_000).mesh();
 
-    /** Of more triangles than the picture has pixels. */
+    /** A mesh of more triangles than the picture has pixels. */
     private static final TriangleMesh CROWDED = Torus.ofTriangles(1, 0.45, 40_000).mesh();
 
     /** The near plane and a plane of the user cut the torus. */

@@ -26,7 +26,9 @@ class PolygonPropertyTest {
 
     private record Span(int y, int from, int to) {}
 
-    /** On centres, halfway between them, anywhere, an ulp beside a centre, and far away. */
+    /**
+     * Coordinates on centres, halfway between them, anywhere, an ulp beside a centre, and far away.
+     */
     @Provide
     Arbitrary<Double> coordinates() {
         Arbitrary<Integer> whole = Arbitraries.integers().between(-4, SIDE + 4);

@@ -64,7 +64,7 @@ class TriangleBatchTest {
         }
     }
 
-    /** Out there an error grows with the distance, and only a triangle with area outgrows it. */
+    /** An error grows out there with the distance, and only a triangle with area outgrows it. */
     @Test
     void pointsFarOutAlongANeedleAreJudgedAsOneByOne() {
         var random = new Random(SEED);

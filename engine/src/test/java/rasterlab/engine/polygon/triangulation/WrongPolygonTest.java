@@ -67,7 +67,7 @@ class WrongPolygonTest {
         }
     }
 
-    /** With h and j as meant, the triangle that the printed listing fails on is cut. */
+    /** The triangle that the printed listing fails on is cut with h and j as meant. */
     @Test
     void mendedTheFirstTurnIsRight() {
         assertEquals("[0, 1, 2]", textbook(Points.of(0, 0, 4, 0, 0, 3)).toString());

@@ -228,7 +228,7 @@ class ForgivenMaterialsTest {
                 model.notes());
     }
 
-    /** Of each pair the second line names another material than the first. */
+    /** The second line of each pair names another material than the first. */
     @ParameterizedTest(name = "{0} and {1} become one")
     @MethodSource("names")
     void namesThatDifferStayDifferent(String one, String other) throws Exception {
@@ -255,7 +255,7 @@ class ForgivenMaterialsTest {
                 Arguments.of("Red", "red"));
     }
 
-    /** Neither name has a material, and without its end each would be that of another one. */
+    /** The names have no material, and without its end each would be that of another one. */
     @ParameterizedTest(name = "{0} and {1} become one beside a material {2}")
     @CsvSource({"Mat #1, Mat #2, Mat", "Mat, Mat #2, Mat #3", "Mat #1, Mat, Mat"})
     void namesWithoutAMaterialBecomeNoOther(String one, String other, String material)

@@ -15,7 +15,7 @@ final class Texts {
         return read(obj, "newmtl red\nKd 1 0 0\nnewmtl blue sky\nKd 0 0 1\n");
     }
 
-    /** With a material file {@code m.mtl}. */
+    /** A model read with a material file {@code m.mtl}. */
     static ObjModel read(String obj, String mtl) throws IOException, BrokenFileException {
         var files = Map.of("m.mtl", mtl, "my m.mtl", "newmtl wood\n");
         return ObjReader.read(

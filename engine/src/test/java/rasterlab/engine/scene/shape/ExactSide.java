@@ -2,7 +2,7 @@ package rasterlab.engine.scene.shape;
 
 import java.math.BigDecimal;
 
-/** On which side of a surface a point of a ray lies, in decimals without rounding. */
+/** Finds on which side of a surface a point of a ray lies, in decimals without rounding. */
 final class ExactSide {
     private ExactSide() {}
 

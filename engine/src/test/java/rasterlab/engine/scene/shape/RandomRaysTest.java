@@ -83,7 +83,9 @@ class RandomRaysTest {
         return Math.sqrt(ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz);
     }
 
-    /** From anywhere around, inside too, towards somewhere about the shape; some along axes. */
+    /**
+     * A ray from anywhere around, inside too, towards somewhere about the shape; some along axes.
+     */
     private static double[] line(Random random) {
         double[] line = new double[6];
         for (int i = 0; i < 3; i++) {

@@ -52,7 +52,10 @@ class AxisRotationTest {
         assertArrayEquals(new double[] {0.111, 0.596, 0.795}, walk.points(), 5e-4);
     }
 
-    /** Then R_z = [l/d −m/d; m/d l/d], and R_y, which is as printed, ends on the wrong axis. */
+    /**
+     * The turned step gives R_z = [l/d −m/d; m/d l/d], and R_y, which is as printed, ends on the
+     * wrong axis.
+     */
     @Test
     void lectureStepTwoTurnedRoundBringsTheAxisOntoX() {
         List<AxisStep> steps = new SevenStepsTextbook().steps(ORIGIN, AXIS, 37);

@@ -13,7 +13,10 @@ import rasterlab.engine.Topics;
 
 /** M_p is written down twice: as the named matrix CANONICAL and inside the homogeneous clipping. */
 class CanonicalVolumeTest {
-    /** From the middle of the volume outwards, so that exactly the second end is cut. */
+    /**
+     * The segments go from the middle of the volume outwards, so that exactly the second end is
+     * cut.
+     */
     @Test
     @DisplayName("clipping and the named matrix mean two different boxes")
     void whatClippingCutsEndsOnTheBoxOfTheNamedMatrix() {

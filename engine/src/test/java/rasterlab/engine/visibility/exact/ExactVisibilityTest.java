@@ -67,7 +67,7 @@ class ExactVisibilityTest {
     }
 
     /**
-     * Seen from the front at one pixel per unit; the pixel in the middle is looked at at x = 2⁻²⁰.
+     * The nearest face at the middle pixel, seen from the front at one pixel per unit, at x = 2⁻²⁰.
      */
     private static int middle(double[] xyz, int[]... faces) {
         var transform = new ViewTransform(new SphericalView(0, 1, 500), Projection.FRONT);

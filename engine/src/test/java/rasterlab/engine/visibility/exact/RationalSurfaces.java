@@ -122,7 +122,7 @@ final class RationalSurfaces {
                 && squaredDistance(face, founder).compareTo(allowed.times(allowed)) <= 0;
     }
 
-    /** Of the farthest corner of a face from the plane of another. */
+    /** The squared distance of the farthest corner of a face from the plane of another. */
     private Rational squaredDistance(int face, int founder) {
         Rational most = Rational.ZERO;
         for (int k = 0; k < mesh.cornerCount(face); k++) {
@@ -210,7 +210,10 @@ final class RationalSurfaces {
         return point;
     }
 
-    /** By the parity of crossings, without the coordinate along which the face is flattest. */
+    /**
+     * Whether the point is inside by the parity of crossings, without the coordinate along which
+     * the face is flattest.
+     */
     private boolean inside(int face, Rational[] point) {
         int flat = 0;
         for (int i = 1; i < 3; i++)

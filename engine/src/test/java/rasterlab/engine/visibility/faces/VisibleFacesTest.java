@@ -66,7 +66,7 @@ class VisibleFacesTest {
             assertEquals("", exact.deviation(new SeenFaces(visible(method, body))).first(), method);
     }
 
-    /** On a small grid many eyes lie in planes of faces, and many faces have no area. */
+    /** Many eyes lie in planes of faces on a small grid, and many faces have no area. */
     @Property(tries = 2_000)
     void noSignIsLostToRounding(@ForAll long seed, @ForAll @IntRange(max = 40) int exponent) {
         var random = new Random(seed);

@@ -66,7 +66,7 @@ class DepthOrderFullTest {
         }
     }
 
-    /** Through each other from wall to wall. */
+    /** Triangles that run through each other from wall to wall. */
     private static Sight triangles(int count, Random random) {
         var triangles = new double[count][];
         for (int k = 0; k < count; k++) triangles[k] = random.doubles(9, -100, 100).toArray();

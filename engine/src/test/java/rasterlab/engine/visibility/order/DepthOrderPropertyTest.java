@@ -61,7 +61,7 @@ class DepthOrderPropertyTest {
         return new Sight(triangles, eye(random));
     }
 
-    /** On a grid planes coincide, corners touch edges, and eyes lie in planes. */
+    /** Planes coincide on a grid, corners touch edges, and eyes lie in planes. */
     @Property(tries = 600)
     void squaresOnAGridAreOrdered(
             @ForAll @IntRange(min = 2, max = 8) int count, @ForAll long seed) {

@@ -50,7 +50,10 @@ final class VectorCompact {
         colorsInLanes(band, first, scan.rows, colors, columns);
     }
 
-    /** As {@link RowLoops#findInBox} does, where all columns that are asked are in the picture. */
+    /**
+     * Finds as {@link RowLoops#findInBox} does, where all columns that are asked are in the
+     * picture.
+     */
     int find(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
         int columns = RowDepth.columns(scan);
         int first = scan.top * width + scan.boxLeft - depthStart;

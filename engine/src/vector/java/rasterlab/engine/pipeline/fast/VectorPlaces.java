@@ -22,7 +22,7 @@ final class VectorPlaces {
     private static final IntVector BITS =
             IntVector.fromArray(INTS, new int[] {1, 2, 4, 8, 16, 32, 64, 128}, 0);
 
-    /** For each set of lanes, as such bits, the numbers of its lanes, then zeros. */
+    /** The numbers of the lanes in each set of lanes, which is given as such bits, then zeros. */
     private static final int[] LANES_OF = lanesOf();
 
     /** Whole numbers below 2²³ are the lowest bits of a float that this is added to. */

@@ -18,10 +18,10 @@ final class VectorRows {
     private static final double[] FIRST_NUMBERS = {0, 1, 2, 3};
     private static final DoubleVector NEXT = DoubleVector.broadcast(FOUR, LANES);
 
-    /** Above every number of pixels. */
+    /** A number above every number of pixels. */
     private static final double NO_END = 0x1p20;
 
-    /** For each row: the first pixel counted from the box's left, the number of pixels. */
+    /** The first pixel of each row, counted from the box's left, and the number of pixels. */
     private final double[] from = new double[TriangleScan.ROWS];
 
     private final double[] count = new double[TriangleScan.ROWS];
@@ -143,7 +143,10 @@ final class VectorRows {
         return k.add(0.5).add(WholeNumbers.ROUND).sub(WholeNumbers.ROUND);
     }
 
-    /** As max has it but for what no edge is: −0 and numbers that are none cost it much. */
+    /**
+     * The larger of two as max has it but for what no edge is: −0 and numbers that are none cost it
+     * much.
+     */
     private static DoubleVector most(DoubleVector a, DoubleVector b) {
         return a.blend(b, a.compare(VectorOperators.LT, b));
     }

@@ -157,7 +157,7 @@ final class VectorTinies {
         return number.lanewise(VectorOperators.LSHL, Subpixels.BITS);
     }
 
-    /** As {@link TriangleScan#owned} has it. */
+    /** The owned pixels as {@link TriangleScan#owned} has them. */
     private static IntVector owned(IntVector dx, IntVector dy) {
         IntVector leftward = dx.neg().lanewise(VectorOperators.LSHR, SIGN);
         return negative(dy.add(dy).sub(leftward)).not();

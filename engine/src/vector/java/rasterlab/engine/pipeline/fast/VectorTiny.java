@@ -38,7 +38,7 @@ final class VectorTiny {
         colorsInLanes(band.argb, band.width, scan, corners);
     }
 
-    /** As {@link RowLoops#collect} does, where depths are written at once. */
+    /** Collects as {@link RowLoops#collect} does, where depths are written at once. */
     void collect(
             float[] depth,
             int depthStart,
@@ -104,7 +104,7 @@ final class VectorTiny {
         }
     }
 
-    /** In place of the weights, what {@link TinyFill#smooth} calls shares. */
+    /** Computes, in place of the weights, what {@link TinyFill#smooth} calls shares. */
     private void sharesInLanes(int rows, SmoothCorners at) {
         for (int from = 0; from < rows * LANES; from += LANES) {
             FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, from);
