@@ -18,7 +18,7 @@ public final class CatalogueException extends IllegalArgumentException {
         this.said = said;
     }
 
-    /** With the place in front of the reason. */
+    /** Refuses a catalogue, with the place in front of the reason. */
     public CatalogueException(Path place, Phrase reason, Throwable cause) {
         this(Phrase.of("folder.at", place.toString(), reason), cause);
     }

@@ -108,7 +108,7 @@ public interface TopicGrading {
      *     as the judge allows
      */
     record Caps(int items, int bytes, Optional<Duration> processor) {
-        /** So many items, and as much else as can be taken. */
+        /** Caps the items at a number, and allows as much else as can be taken. */
         public static Caps ofItems(long items) {
             return new Caps(
                     (int) Math.min(items, Exercise.Caps.MOST_ITEMS),

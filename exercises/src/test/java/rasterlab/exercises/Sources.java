@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 
 /** Sources as students might send them, for tests. */
 public final class Sources {
-    /** Right on every int, whatever the direction. */
+    /** A source that is right on every int, whatever the direction. */
     public static final String RIGHT =
             """
             import rasterlab.contract.*;
@@ -77,7 +77,7 @@ public final class Sources {
                 + "    }\n}\n";
     }
 
-    /** From the top of the lattice each level doubles the ways: 2^levels of them. */
+    /** A lattice of which each level, from the top, doubles the ways: 2^levels of them. */
     public static String latticeOf(int levels) {
         return "interface A0 { }\ninterface B0 { }\n"
                 + IntStream.rangeClosed(1, levels)

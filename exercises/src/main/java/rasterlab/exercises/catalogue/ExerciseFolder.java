@@ -14,7 +14,10 @@ import rasterlab.exercises.score.Phrase;
 
 /** The files of one exercise, from a folder or from the class path; remembers texts it read. */
 final class ExerciseFolder {
-    /** More than any honest statement or case file; a mistaken file is named, not loaded. */
+    /**
+     * The limit for a file, above any honest statement or case file; a mistaken file is named, not
+     * loaded.
+     */
     private static final int MOST_BYTES = 1 << 20;
 
     /** Opens a file of the folder by its name, "cases/open.json" for one in a sub-folder. */

@@ -70,7 +70,7 @@ final class ExerciseReader {
     private final ExerciseFolder folder;
     private final Faults faults = new Faults();
 
-    /** Those of {@code exercise.json}; empty until it is read, or where it cannot be. */
+    /** The fields of {@code exercise.json}; empty until it is read, or where it cannot be. */
     private Optional<JsonFields> fields = Optional.empty();
 
     ExerciseReader(ExerciseFolder folder) {

@@ -31,7 +31,7 @@ final class CappedOutput extends OutputStream {
         if (kept > 0) beginning.write(bytes, from, kept);
     }
 
-    /** From now on nothing is kept, and any amount is allowed. */
+    /** Stops keeping what comes from now on, and allows any amount of it. */
     synchronized void drop() {
         dropping = true;
         dropped = 0;

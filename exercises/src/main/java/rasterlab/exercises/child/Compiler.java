@@ -110,7 +110,10 @@ public final class Compiler {
         return bytes.toByteArray();
     }
 
-    /** From 1, in characters, as an editor counts; the compiler takes a tab for up to eight. */
+    /**
+     * The column from 1, in characters, as an editor counts; the compiler takes a tab for up to
+     * eight.
+     */
     private static int column(String source, long position) {
         if (position == Diagnostic.NOPOS) return 0;
         String before = source.substring(0, (int) Math.min(position, source.length()));

@@ -201,7 +201,7 @@ public final class ContractCall {
         return new Done(value, value == null ? items : items + 1, spoilt);
     }
 
-    /** False where a record that was changed refuses its numbers. */
+    /** Copies what was changed; false where a changed record refuses its numbers. */
     private boolean copied(DataInputStream in, Object[] arguments) {
         try {
             for (int i = 0; i < arguments.length; i++)

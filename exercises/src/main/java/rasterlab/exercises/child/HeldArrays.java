@@ -23,7 +23,7 @@ public final class HeldArrays {
         last.clear();
     }
 
-    /** Those before a call; parent and child find them in the same order. */
+    /** The arrays held before a call; parent and child find them in the same order. */
     List<Object> before(ContractCall call, Object[] given) {
         List<Object> held = within(given);
         held.addAll(last.getOrDefault(call.number(), List.of()));

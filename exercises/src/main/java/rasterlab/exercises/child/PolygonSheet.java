@@ -10,7 +10,7 @@ import rasterlab.contract.PolygonSink;
 
 /** Keeps polygons, as they were when they were sent. */
 final class PolygonSheet extends Sheet implements PolygonSink, PieceSink {
-    /** For all polygons of a call: what an answer may be long at most. */
+    /** The most numbers that an answer may have, over all polygons of a call. */
     private static final int MOST_NUMBERS = Wire.MOST_FRAME_BYTES / Double.BYTES / 2;
 
     private record Piece(int polygon, double[] corners) {}

@@ -36,7 +36,10 @@ record Thrown(Throwable error, String type, Optional<String> kept) {
         return new Thrown(error, error.getClass().getName(), Optional.empty());
     }
 
-    /** Under the error's name too, or a refusal there would pass for one of the method's own. */
+    /**
+     * An error in an initialiser, told under that error's name too, or a refusal there would pass
+     * for one of the method's own.
+     */
     private static Thrown inInitialiser(Throwable error, String type, Optional<String> kept) {
         String around = ExceptionInInitializerError.class.getName();
         return new Thrown(error, around + ": " + type, kept);

@@ -33,7 +33,7 @@ abstract class WholeSheets extends Sheet {
         return i;
     }
 
-    /** Apart from the drawing, which a student's method repeats for each pixel. */
+    /** Makes room apart from the drawing, which a student's method repeats for each pixel. */
     private void makeRoom() {
         if (size == most) stop();
         cells = Arrays.copyOf(cells, (int) Math.min(most, Math.max(width, 2L * size)));

@@ -88,7 +88,7 @@ public final class Wire {
 
     public static final int MOST_CLASSES = 200;
 
-    /** For all class files of a source together. */
+    /** The most bytes of all class files of a source together. */
     public static final int MOST_CLASS_BYTES = 2 << 20;
 
     public static final int MOST_FRAME_BYTES = 4 << 20;

@@ -34,7 +34,7 @@ public final class ComplaintTexts {
     /** Where a topic has sentences of its own among its words. */
     private static final String OWN = "complaint.";
 
-    /** Compiled once: they are also asked for while a picture is painted. */
+    /** The sentences, compiled once: they are also asked for while a picture is painted. */
     private static final List<Sentence> SENTENCES = sentences();
 
     private final Locale language;

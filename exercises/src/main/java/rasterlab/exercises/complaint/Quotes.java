@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 /** The quotation marks of each language, in which names and what was typed stand. */
 final class Quotes {
     /**
-     * In marks of a language, and within them whatever was typed; or in straight quotes, of which
-     * an apostrophe in or behind a word is none.
+     * Matches a text in a language's quotation marks, whatever was typed within them; or in
+     * straight quotes, of which an apostrophe in or behind a word is none.
      */
     static final Pattern QUOTED =
             Pattern.compile("«[^»]*»|“[^”]*”|(?<![\\p{L}\\p{N}])'([^'\\n]*)'(?![\\p{L}\\p{N}])");

@@ -151,7 +151,7 @@ public final class AnswerGrid {
         for (Shape one : curves) stroked(g, place.createTransformedShape(one));
     }
 
-    /** Seen on paper and on lit pixels alike. */
+    /** Draws a shape so that it is seen on paper and on lit pixels alike. */
     private static void stroked(Graphics2D g, Shape shape) {
         g.setColor(Ink.PAPER);
         g.setStroke(new BasicStroke(4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));

@@ -22,7 +22,7 @@ public final class ImagePictures {
     /** Pixels of an image that are shown each way, at most. */
     static final int MOST = 512;
 
-    /** Even a noisy image of so many pixels each way is small as a file. */
+    /** The number of pixels each way up to which even a noisy image is small as a file. */
     private static final int FEWEST = 8;
 
     /** Sides of the squares below what is transparent, in pixels of the picture. */
@@ -31,7 +31,10 @@ public final class ImagePictures {
     private static final int LIGHT = 0xFFFFFF;
     private static final int DARK = 0xC4CAD2;
 
-    /** Enlarged so far, wrong pixels are crosses; below, at least so many pixels wide. */
+    /**
+     * The enlargement from which wrong pixels are crosses; below it they are at least so many
+     * pixels wide.
+     */
     private static final int SMALLEST_CROSS = 8;
 
     private static final int SMALLEST_SPOT = 3;

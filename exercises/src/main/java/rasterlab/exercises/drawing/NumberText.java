@@ -24,7 +24,7 @@ final class NumberText {
         return of(value, USUAL_DIGITS);
     }
 
-    /** At most so many significant digits: −0.25, 1.5·10³⁰⁰, NaN, −∞, −0. */
+    /** The number with at most so many significant digits: −0.25, 1.5·10³⁰⁰, NaN, −∞, −0. */
     static String of(double value, int digits) {
         if (Double.isNaN(value)) return "NaN";
         if (Double.isInfinite(value)) return value > 0 ? "∞" : "-∞";
@@ -52,7 +52,7 @@ final class NumberText {
         return Double.compare(one, other) == 0 ? USUAL_DIGITS : ALL_DIGITS;
     }
 
-    /** As a picture writes it: with a minus sign. */
+    /** The number as a picture writes it: with a minus sign. */
     static String inPicture(String number) {
         return number.replace('-', '−');
     }

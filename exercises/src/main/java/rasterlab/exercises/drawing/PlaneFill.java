@@ -45,7 +45,7 @@ final class PlaneFill {
         return dx <= ARM && dy == 0 || plus && dx == 0 && dy <= ARM;
     }
 
-    /** For each pixel whether a polygon covers its center. */
+    /** Whether a polygon covers the centre, for each pixel. */
     private int[] covered(List<PlaneFigure> figures) {
         var mask = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_BINARY);
         Graphics2D g = mask.createGraphics();

@@ -11,10 +11,10 @@ import java.util.List;
  * @param all how many there are
  */
 record ShownRange(int first, int count, int all) {
-    /** In {@link #lines}, the place of what is left out. */
+    /** The place in {@link #lines} of what is left out. */
     static final int GAP = -1;
 
-    /** At most so many, with one of them as near to the middle as the ends allow. */
+    /** The range of at most so many, with one of them as near to the middle as the ends allow. */
     static ShownRange around(int center, int most, int all) {
         int count = Math.min(most, all);
         int first = Math.max(0, Math.min(center - count / 2, all - count));

@@ -9,7 +9,7 @@ import java.util.Optional;
 final class TableComparison {
     /** How a cell of the actual table stands to the expected one. */
     enum State {
-        /** Neither table has it. */
+        /** The cell that neither table has. */
         ABSENT,
         RIGHT,
         WRONG,

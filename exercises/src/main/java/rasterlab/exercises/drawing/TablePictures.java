@@ -15,7 +15,7 @@ public final class TablePictures {
 
     private static final int MOST_COLUMNS = 12;
 
-    /** In pixels; fewer columns are shown where they would be wider. */
+    /** The largest width in pixels; fewer columns are shown where they would be wider. */
     private static final int WIDEST = 900;
 
     private final TableComparison table;

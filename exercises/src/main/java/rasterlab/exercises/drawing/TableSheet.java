@@ -58,12 +58,12 @@ final class TableSheet {
         for (int i = 0; i < columns.size(); i++) edges[i + 1] = edges[i] + columnWidth(i);
     }
 
-    /** In pixels. */
+    /** The width in pixels. */
     int width() {
         return Math.max(edges[columns.size()], MARGIN + ROW_HEIGHT) + MARGIN;
     }
 
-    /** In pixels. */
+    /** The height in pixels. */
     int height() {
         return 2 * MARGIN + ROW_HEIGHT * (Math.max(1, rows.size()) + 1);
     }

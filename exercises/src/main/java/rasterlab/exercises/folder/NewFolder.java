@@ -52,10 +52,10 @@ public final class NewFolder {
     /** The hazards with a short answer. */
     private final List<String> hazards;
 
-    /** Those that cases ask for, the ones that pay nothing first. */
+    /** The hazards that cases ask for, the ones that pay nothing first. */
     private final List<String> chosen;
 
-    /** Those of them on which the starter, which does nothing, is right. */
+    /** The hazards on which the starter, which does nothing, is right. */
     private final Set<String> free;
 
     private NewFolder(String topic) {

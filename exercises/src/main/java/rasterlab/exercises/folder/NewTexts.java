@@ -104,7 +104,7 @@ final class NewTexts {
                         result.isEmpty() ? "" : "\n        return " + result + ";\n    ");
     }
 
-    /** Those that a class has to implement, by name. */
+    /** The methods that a class has to implement, by name. */
     private static List<Method> methods(Class<?> contract) {
         return Stream.of(contract.getMethods())
                 .filter(one -> Modifier.isAbstract(one.getModifiers()))
@@ -112,7 +112,7 @@ final class NewTexts {
                 .toList();
     }
 
-    /** Their signatures, a line each, as code within a text. */
+    /** The signatures of the methods, a line each, as code within a text. */
     private static String signatures(Class<?> contract) {
         return methods(contract).stream().map(NewTexts::signature).collect(joining("\n    "));
     }

@@ -7,7 +7,7 @@ package rasterlab.exercises.formula;
  * @param displayed whether it stands on lines of its own, with room for large signs
  */
 public record Formula(String tex, boolean displayed) {
-    /** With its dollars, as in the statement. */
+    /** The formula with its dollars, as in the statement. */
     public String source() {
         String dollars = displayed ? "$$" : "$";
         return dollars + tex + dollars;

@@ -10,9 +10,9 @@ import org.commonmark.parser.block.MatchedBlockParser;
 import org.commonmark.parser.block.ParserState;
 
 /**
- * From a line that begins with two dollars to one that ends with two, so that a line of the formula
- * may begin with what would begin a list. An empty line ends it too: a forgotten end costs one
- * paragraph, not the rest of the page.
+ * Reads a block from a line that begins with two dollars to one that ends with two, so that a line
+ * of the formula may begin with what would begin a list. An empty line ends it too: a forgotten end
+ * costs one paragraph, not the rest of the page.
  */
 final class FormulaBlockParser extends AbstractBlockParser {
     private static final String DOLLARS = "$$";

@@ -21,7 +21,7 @@ public final class FormulaFaults extends AbstractVisitor {
      */
     public record Fault(String source, Message mistake) {}
 
-    /** Those of a Markdown text, in their order. */
+    /** The faults of a Markdown text, in their order. */
     public static List<Fault> in(String markdown) {
         FormulaFaults faults = new FormulaFaults();
         Parser.builder()

@@ -30,7 +30,7 @@ final class FormFigures {
         return given;
     }
 
-    /** Those of an answer; none where it does not lie in the plane. */
+    /** The figures of an answer; none where it does not lie in the plane. */
     List<PlaneFigure> of(JsonNode answer) {
         List<PlaneFigure> figures = new ArrayList<>();
         for (JsonNode all : fields.answered(answer, FieldKind.POLYGONS))

@@ -63,7 +63,7 @@ final class FormPictures {
                 Agreement.within(seen));
     }
 
-    /** Between numbers in the same place; 0 where all others are alike. */
+    /** The largest difference between numbers in the same place; 0 where all others are alike. */
     private double largestDifference() {
         double[][] right = rows(exact, new ArrayList<>());
         double[][] mine = rows(actual, new ArrayList<>());

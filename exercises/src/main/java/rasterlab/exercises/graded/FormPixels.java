@@ -24,8 +24,8 @@ final class FormPixels {
     }
 
     /**
-     * None where the answers have no pixels, or the same ones. Where none is missing or extra,
-     * those that come again are shown, or those out of turn.
+     * The pictures of two answers; none where they have no pixels, or the same ones. Where none is
+     * missing or extra, those that come again are shown, or those out of turn.
      */
     List<CasePicture> pictures(JsonNode exact, JsonNode actual) {
         PixelRecording right = pixels(exact);

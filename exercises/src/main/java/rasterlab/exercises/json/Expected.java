@@ -8,7 +8,7 @@ import rasterlab.exercises.score.Phrase;
 
 /** A value that is allowed, and the refusals of any other. */
 sealed interface Expected {
-    /** It in words, for the refusal of an input's value. */
+    /** The expectation in words, for the refusal of an input's value. */
     String words();
 
     /** The refusal of the value at a place of a file of people. */
@@ -154,7 +154,7 @@ sealed interface Expected {
         }
     }
 
-    /** So many whole numbers; two are a point. */
+    /** An array of so many whole numbers; two are a point. */
     record Wholes(int count) implements Expected {
         @Override
         public String words() {

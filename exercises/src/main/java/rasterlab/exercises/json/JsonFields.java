@@ -192,7 +192,7 @@ public final class JsonFields {
     private static final class Value extends JsonPlace<Value> {
         private final Phrase in;
 
-        /** Empty for {@link #in} itself. */
+        /** The name of the field, empty for {@link #in} itself. */
         private final String field;
 
         private final JsonNode node;

@@ -54,7 +54,10 @@ final class JsonMistake {
 
     private JsonMistake() {}
 
-    /** Such as "line 3, column 8: Duplicate field 'name'"; beyond the parser's limits no place. */
+    /**
+     * The mistake in words, such as "line 3, column 8: Duplicate field 'name'"; beyond the parser's
+     * limits without a place.
+     */
     static Phrase in(JsonProcessingException e) {
         JsonLocation at = e.getLocation();
         return at == null

@@ -79,7 +79,10 @@ final class PlaceRefusals implements Refusals {
         return StrictJson.at(object, inOrder(object.node(), fields));
     }
 
-    /** Its unknown fields, and behind them the others, up to the first one that is missing. */
+    /**
+     * The object with its unknown fields first, and behind them the others, up to the first one
+     * that is missing.
+     */
     private static JsonNode inOrder(JsonNode object, List<Field<?>> fields) {
         ObjectNode unknown = JsonNodeFactory.instance.objectNode();
         unknown.setAll((ObjectNode) object);

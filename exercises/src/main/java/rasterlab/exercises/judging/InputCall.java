@@ -25,7 +25,10 @@ final class InputCall<C, I, O> implements Call {
     private final I input;
     private final Demand demand;
 
-    /** Worked out when it is first asked for, which may take long, and kept for further answers. */
+    /**
+     * The right answer, worked out when it is first asked for, which may take long, and kept for
+     * further answers.
+     */
     private O truth;
 
     InputCall(ByTopic<C, I, O> grading, I input, Demand demand) {
@@ -43,7 +46,7 @@ final class InputCall<C, I, O> implements Call {
         return Caps.ofItems(demand.cut() ? demand.items() : topic().mostBeforeEndless(items()));
     }
 
-    /** None where the right method refuses the input. */
+    /** The number of items; none where the right method refuses the input. */
     @Override
     public long items() {
         if (demand.cut()) return demand.items();

@@ -44,7 +44,10 @@ public final class InputJson {
                 .toList();
     }
 
-    /** As {@code ./lab run} takes it; missing where it has what is not told outside. */
+    /**
+     * The hazard's input as {@code ./lab run} takes it; missing where it has what is not told
+     * outside.
+     */
     public static JsonNode of(Topic<?, ?, ?> topic, String hazard) {
         return written(topic, hazard);
     }

@@ -98,7 +98,10 @@ final class KnownMistakes<C, I, O> {
         return sameAs(output).test(right.apply(output));
     }
 
-    /** Empty where it refuses, goes on without end or breaks down, as a faulty one may. */
+    /**
+     * The method's answer, empty where it refuses, goes on without end or breaks down, as a faulty
+     * one may.
+     */
     @SuppressWarnings("unchecked") // what is recorded is an output of the topic
     private Optional<O> output(C method) {
         try {

@@ -26,7 +26,7 @@ final class Leaves {
     /** A smaller part of the largest difference is passed over, as rounding is. */
     private static final double SEEN = 0.01;
 
-    /** In the coordinates of exercises, which are of the order of 1 to 1000. */
+    /** The tolerance in the coordinates of exercises, which are of the order of 1 to 1000. */
     private static final double ROUNDING = 1e-9;
 
     /** Significant digits that are enough to see most differences. */
@@ -235,7 +235,7 @@ final class Leaves {
         return values.getOrDefault(place, NONE);
     }
 
-    /** At most three significant digits. */
+    /** The number with at most three significant digits. */
     static String number(double value) {
         return number(value, 3);
     }

@@ -37,7 +37,7 @@ public final class MethodsOnInput<C, I, O> {
     private final Topic<C, I, O> topic;
     private final I input;
 
-    /** Made when the first method is tried: the exact answer may take long. */
+    /** The trial, made when the first method is tried: the exact answer may take long. */
     private Function<Method<C>, HazardTrial.Tried<O>> trial;
 
     private MethodsOnInput(Topic<C, I, O> topic, I input) {

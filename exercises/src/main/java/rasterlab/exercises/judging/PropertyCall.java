@@ -218,7 +218,7 @@ final class PropertyCall<C, I, O> implements Call {
         return other.equals(input) ? found : found.and(shown("property.beside", other));
     }
 
-    /** Nothing where it is long. */
+    /** The value in words, or nothing where it is long. */
     private Message shown(String key, I one) {
         return isLong(one) ? Message.NONE : Message.of(key, json(one));
     }
@@ -255,7 +255,10 @@ final class PropertyCall<C, I, O> implements Call {
         return SmallerInputs.of(start).flatMap(one -> shrunkTo(one).stream());
     }
 
-    /** Empty where that is no input with a right answer, or none that the property speaks of. */
+    /**
+     * The call on a smaller input; empty where that is no input with a right answer, or none that
+     * the property speaks of.
+     */
     private Optional<Call> shrunkTo(Smaller smaller) {
         return TopicInputs.read(topic().format(), smaller.json())
                 .filter(property.assumed())

@@ -19,7 +19,9 @@ import rasterlab.exercises.score.Phrase;
  * left.
  */
 final class TimedInputs<C, I> implements Supplier<List<TimedInput<I>>> {
-    /** So that all ways to be wrong in some parts and right in the others can be tried. */
+    /**
+     * The most parts for which all ways to be wrong in some and right in the others can be tried.
+     */
     private static final int MOST_PARTS = 10;
 
     private final TopicInputs<C, I> inputs;

@@ -41,7 +41,7 @@ public final class Marking {
         byOpen = new Worth(open, Charges.once(exercise, open));
     }
 
-    /** Its line by what is known now, which later cases may change. */
+    /** Adds a case and gives its line by what is known now, which later cases may change. */
     public CaseReport add(TriedCase tried) {
         put(tried);
         return report(tried);

@@ -39,7 +39,10 @@ final class SharedCause {
         return calls.stream().filter(call -> !call.tellsLittle()).toList();
     }
 
-    /** Nothing where the failures share no mistake, or where there is but one. */
+    /**
+     * The sentence on a shared mistake; nothing where the failures share none, or where there is
+     * but one failure.
+     */
     Message said() {
         if (wrong.size() < 2) return Message.NONE;
         List<Cause> known = known();
@@ -72,7 +75,10 @@ final class SharedCause {
         return known.stream().filter(this::leavesRightOnesRight).toList();
     }
 
-    /** Else it is another mistake, which only looks like that one where the answer is wrong. */
+    /**
+     * Whether the cause explains no right answer away; else it is another mistake, which only looks
+     * like that one where the answer is wrong.
+     */
     private boolean leavesRightOnesRight(Cause cause) {
         return right.stream().allMatch(call -> call.call().isRightWith(cause.code()));
     }

@@ -59,7 +59,9 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
         return explanations().stream().flatMap(List::stream).anyMatch(mistakes::contains);
     }
 
-    /** Stopped, or answered otherwise the second time: no other case can be meant by that. */
+    /**
+     * Whether the call counts in any case: it was stopped, or answered otherwise the second time.
+     */
     boolean alwaysCounts() {
         return !right() && answer.isEmpty();
     }

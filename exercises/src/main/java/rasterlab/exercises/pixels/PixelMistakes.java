@@ -74,7 +74,10 @@ final class PixelMistakes {
                 : found.stream().filter(one -> one.size() == fewest).distinct().toList();
     }
 
-    /** Empty where it cannot be explained; one without a cause where it is right. */
+    /**
+     * The causes in one direction; empty where it cannot be explained, one without a cause where it
+     * is right.
+     */
     private List<List<Cause>> inDirection(
             PixelPath pixels, PixelRecording actual, String first, String last) {
         int reach = cut ? limit + 1 : limit;

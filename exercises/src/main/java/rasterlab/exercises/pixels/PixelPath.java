@@ -9,7 +9,7 @@ public interface PixelPath {
 
     Pixel last();
 
-    /** At most so many of the first pixels. */
+    /** The exact pixels, at most so many of the first ones. */
     PixelRecording exact(int limit);
 
     /**

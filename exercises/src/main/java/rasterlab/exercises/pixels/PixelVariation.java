@@ -139,7 +139,10 @@ record PixelVariation(Set<String> codes, Way way) {
         return one.isEmpty() || other.isEmpty() ? List.of(one + other) : List.of(one, other);
     }
 
-    /** In x or y from pixel i − 1 to pixel i; where it is to be straight, along the longer axis. */
+    /**
+     * The step in x or y from pixel i − 1 to pixel i; where it is to be straight, along the longer
+     * axis.
+     */
     private static int step(PixelRecording right, int i, Ends s, boolean straight, boolean inX) {
         boolean steep = Math.abs(s.y1() - s.y0()) > Math.abs(s.x1() - s.x0());
         if (straight && inX == steep) return 0;

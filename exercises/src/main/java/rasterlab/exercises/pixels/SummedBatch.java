@@ -83,7 +83,7 @@ final class SummedBatch<C, I> implements Timing {
         return longest;
     }
 
-    /** None: the sums of all tell enough. */
+    /** The items that were looked at; none, since the sums of all tell enough. */
     @Override
     public OptionalInt looked() {
         return OptionalInt.empty();

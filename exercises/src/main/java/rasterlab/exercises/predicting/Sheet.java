@@ -60,8 +60,8 @@ public record Sheet(long seed, List<Question> questions) {
     }
 
     /**
-     * Empty where the method refuses the input, has too few steps on it, or one that cannot be
-     * answered.
+     * The walk; empty where the method refuses the input, has too few steps on it, or one that
+     * cannot be answered.
      */
     private static Optional<Walk> walk(String topic, Predicting rules, String input) {
         try {
@@ -88,7 +88,7 @@ public record Sheet(long seed, List<Question> questions) {
         return walk.steps().subList(rules.shown(), end);
     }
 
-    /** False where a value is none, or a word that is not listed. */
+    /** Whether a step can be asked for: not where a value is none, or a word that is not listed. */
     private static boolean isAnswerable(JsonNode step, Predicting rules) {
         return rules.asked().stream()
                 .noneMatch(

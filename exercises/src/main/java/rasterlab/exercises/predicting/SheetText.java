@@ -98,7 +98,7 @@ public final class SheetText {
         return spaced(node.toString());
     }
 
-    /** With spaces between values, and none within texts changed. */
+    /** The text with spaces between values, and none within texts changed. */
     private static String spaced(String json) {
         StringBuilder text = new StringBuilder();
         boolean quoted = false;

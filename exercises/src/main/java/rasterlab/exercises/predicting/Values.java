@@ -12,7 +12,10 @@ public final class Values {
     /** Significant digits of a number that is told. */
     private static final MathContext TOLD = new MathContext(7);
 
-    /** From here on, and below its inverse, numbers are told with an exponent. */
+    /**
+     * The number of digits from which on, and below whose inverse, numbers are told with an
+     * exponent.
+     */
     private static final int PLAIN_DIGITS = 10;
 
     private Values() {}

@@ -11,7 +11,10 @@ import rasterlab.exercises.score.Message;
 
 /** Properties of areas: triangles of a polygon have its area together. */
 final class AreaProperties {
-    /** As a share of the polygon's area; sums of a few products are rounded by far less. */
+    /**
+     * The tolerance as a share of the polygon's area; sums of a few products are rounded by far
+     * less.
+     */
     private static final double ROUNDING = 1e-9;
 
     static final List<Property<Points, Triangles>> ALL =

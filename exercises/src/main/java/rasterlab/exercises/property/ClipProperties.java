@@ -12,7 +12,7 @@ import rasterlab.exercises.property.Relation.Broken;
 
 /** Properties of clipping: what is inside is not changed by clipping it again. */
 final class ClipProperties {
-    /** As a share of the window's area. */
+    /** The tolerance as a share of the window's area. */
     private static final double ROUNDING = 1e-9;
 
     static final List<Property<?, ?>> ALL =
@@ -64,7 +64,7 @@ final class ClipProperties {
                 - y * (corners[2 * c] - corners[2 * b]);
     }
 
-    /** Above 0 where they are gone round counter-clockwise. */
+    /** The signed area, above 0 where the corners go round counter-clockwise. */
     private static double area(double[] corners) {
         double doubled = 0;
         for (int i = 1; 2 * i + 2 < corners.length; i++) doubled += turn(corners, 0, i, i + 1);

@@ -12,7 +12,7 @@ import rasterlab.exercises.property.Relation.Broken;
 
 /** Properties of colours in several models: they mean the same in each. */
 final class ColorProperties {
-    /** Those in which every combination of numbers in their ranges is a colour. */
+    /** The models in which every combination of numbers in their ranges is a colour. */
     private static final List<ColorModel> MODELS =
             List.of(ColorModel.RGB, ColorModel.CMY, ColorModel.CMYK, ColorModel.HSV);
 

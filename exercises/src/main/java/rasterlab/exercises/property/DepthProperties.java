@@ -19,7 +19,7 @@ final class DepthProperties {
 
     private DepthProperties() {}
 
-    /** Of the same triangle again, the first one stays. */
+    /** Whether all triangles differ: of the same triangle again, the first one stays. */
     private static boolean areDifferent(DepthTriangles input) {
         List<double[]> triangles = input.triangles();
         for (int i = 0; i < triangles.size(); i++)

@@ -90,7 +90,7 @@ final class PixelProperties {
             return List.of(part(task, 0, half), part(task, half, corners));
         }
 
-        /** From one corner to another, the last being the first again. */
+        /** The part of a polygon from one corner to another, the last being the first again. */
         private static PolygonTask part(PolygonTask task, int from, int to) {
             double[] x = new double[to - from + 1];
             double[] y = new double[to - from + 1];

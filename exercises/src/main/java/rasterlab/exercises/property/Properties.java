@@ -27,7 +27,7 @@ public final class Properties {
         return ALL;
     }
 
-    /** Those of a topic. */
+    /** The properties of a topic. */
     public static List<Property<?, ?>> of(String topic) {
         return ALL.stream().filter(one -> one.topic().equals(topic)).toList();
     }

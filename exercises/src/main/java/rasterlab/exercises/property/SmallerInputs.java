@@ -58,7 +58,7 @@ public final class SmallerInputs {
         visit(JsonPointer.empty(), root);
     }
 
-    /** Made when they are asked for. */
+    /** Makes smaller inputs when they are asked for. */
     public static Stream<Smaller> of(Smaller start) {
         return new SmallerInputs(start).all();
     }

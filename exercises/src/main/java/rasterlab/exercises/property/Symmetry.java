@@ -11,7 +11,7 @@ import rasterlab.engine.raster.PixelRecording;
  * @param up whether y is
  */
 record Symmetry(boolean swapped, boolean left, boolean up) {
-    /** Those of a quadrant's pixels that leave the axes in their places. */
+    /** The symmetries of a quadrant's pixels that leave the axes in their places. */
     static final List<Symmetry> OF_QUADRANTS =
             List.of(
                     new Symmetry(false, true, false),

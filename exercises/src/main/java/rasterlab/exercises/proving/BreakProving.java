@@ -83,7 +83,7 @@ final class BreakProving {
         return MethodsOnInput.of(topic, Phrase.of("break.input"), json);
     }
 
-    /** Those of hazards that are there for mutants first, and short ones first. */
+    /** The samples of a topic, hazards that are there for mutants first, and short ones first. */
     private static <C, I, O> List<Sample> samples(Topic<C, I, O> topic) {
         Set<String> forMutants = new HashSet<>();
         for (Mutant<C> one : topic.mutants()) forMutants.add(one.hazard());
@@ -99,7 +99,9 @@ final class BreakProving {
         return samples;
     }
 
-    /** Empty where the input cannot be told outside, is too long, or is refused as one. */
+    /**
+     * The input as JSON; empty where it cannot be told outside, is too long, or is refused as one.
+     */
     private static <C, I, O> Optional<String> handed(Topic<C, I, O> topic, I input) {
         String json;
         try {

@@ -23,7 +23,7 @@ public record Proof(
         List<Kill> kills,
         Optional<SourcePoints> starter,
         Optional<SourcePoints> model) {
-    /** Of 100: more means that the starter does part of the work. */
+    /** The most points of 100 for the starter: more means that it does part of the work. */
     public static final int STARTER_AT_MOST = 10;
 
     /** The same of one that is an input: any input shows some mistakes. */

@@ -142,7 +142,10 @@ public final class Proving {
                 byName && tried.answeredWrong());
     }
 
-    /** Its name, and the codes of a topic that tells mistakes by what it sees in the answer. */
+    /**
+     * The codes that a mistake has: its name, and those of a topic that tells mistakes by what it
+     * sees in the answer.
+     */
     private Set<String> codes(String name) {
         Set<String> codes = new HashSet<>(grading.mistakes());
         topic.methods().forEach(one -> codes.remove(one.name()));

@@ -38,7 +38,10 @@ final class BreakRun {
     private final List<Diagnostic> said = new ArrayList<>();
     private boolean agreed;
 
-    /** For all inputs, until one takes too long; null before the first and after such a one. */
+    /**
+     * The child for all inputs, until one takes too long; null before the first and after such a
+     * one.
+     */
     private Child child;
 
     BreakRun(

@@ -33,7 +33,9 @@ final class Child implements AutoCloseable {
     /** How long a child that closed its pipe may take to end by itself. */
     private static final Duration GRACE = Duration.ofMillis(500);
 
-    /** Longer than the system needs to end a killed process, unless it hangs in the kernel. */
+    /**
+     * A time longer than the system needs to end a killed process, unless it hangs in the kernel.
+     */
     private static final Duration DEATH = Duration.ofSeconds(2);
 
     /** A system counts processor time in steps of about this. */

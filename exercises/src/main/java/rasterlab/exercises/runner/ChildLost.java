@@ -11,17 +11,17 @@ final class ChildLost extends Exception {
     enum Reason {
         /** The limit of processor time, or that of wall time, passed. */
         TIME,
-        /** It ended because its memory did not suffice. */
+        /** The child ended because its memory did not suffice. */
         MEMORY,
-        /** It ended because it printed or plotted too much. */
+        /** The child ended because it printed or plotted too much. */
         OUTPUT,
-        /** It was ended from here, or could not be had. */
+        /** The child was ended from here, or could not be had. */
         KILLED,
         /** A signal ended it, or it ended with a status that looks like that. */
         SIGNAL,
-        /** It ended for another reason. */
+        /** The child ended for another reason. */
         ENDED,
-        /** It answered something that the protocol does not know. */
+        /** The child answered something that the protocol does not know. */
         PROTOCOL
     }
 

@@ -69,7 +69,7 @@ final class Classics {
         return beside;
     }
 
-    /** By name, without those that refuse a call. */
+    /** The errors by name, without those that refuse a call. */
     private static Map<String, Double> errors(TopicGrading topic, List<Call> calls) {
         Map<String, Double> errors = new HashMap<>();
         topic.classics()

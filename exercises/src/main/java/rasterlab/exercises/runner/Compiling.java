@@ -10,7 +10,7 @@ interface Compiling {
     Compilation compile(Children children, String source, TimeLimit limit)
             throws ChildLost, InterruptedException;
 
-    /** In a fresh child, as hostile sources need. */
+    /** Compiles in a fresh child, as hostile sources need. */
     static Compilation inAChild(Children children, String source, TimeLimit limit)
             throws ChildLost, InterruptedException {
         try (Child compiler = children.take(ChildKind.COMPILE)) {

@@ -151,7 +151,7 @@ public final class Judge implements Grading, AutoCloseable {
         return made;
     }
 
-    /** For the next grading; that it fails must not take this one's report away. */
+    /** Prepares the next grading; that it fails must not take this one's report away. */
     private void refill() {
         try {
             children.refill();
@@ -191,7 +191,7 @@ public final class Judge implements Grading, AutoCloseable {
         }
     }
 
-    /** False when that was done before. */
+    /** Releases the child; false when that was done before. */
     private boolean release() {
         if (released.getAndSet(true)) return false;
         children.close();

@@ -23,13 +23,14 @@ public record JudgeSettings(
         Box box) {
     /** How speed is measured; where nobody asks for its points, that takes time for nothing. */
     public enum Speed {
-        /** Until times are settled. */
+        /** Speed is measured until times are settled. */
         MEASURED,
         /**
-         * By one batch, to see that it could be; it is told as one that the machine did not let be.
+         * Speed is tried with one batch, to see that it could be measured; it is told as one that
+         * the machine did not let be.
          */
         ONCE,
-        /** Not at all; told as one that the machine did not let be measured. */
+        /** Speed is not measured; it is told as one that the machine did not let be. */
         OFF
     }
 
@@ -52,7 +53,9 @@ public record JudgeSettings(
         positive("runLimit", runLimit);
     }
 
-    /** For a server: 10 s to compile, 2 s a call, 8 s in all, spares on, strongest box. */
+    /**
+     * The settings of a server: 10 s to compile, 2 s a call, 8 s in all, spares on, strongest box.
+     */
     public static JudgeSettings defaults() {
         return new JudgeSettings(
                 Duration.ofSeconds(10),

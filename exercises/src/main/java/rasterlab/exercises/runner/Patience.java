@@ -10,7 +10,7 @@ import java.util.function.DoubleSupplier;
  * turn, which is no fault of its own; only one that sleeps or is locked waits this long.
  */
 final class Patience {
-    /** On an idle machine. */
+    /** The wall time for a unit of processor time on an idle machine. */
     static final int MARGIN = 3;
 
     /** No machine is taken to be busier: one that waits for ever must end some time. */

@@ -19,7 +19,7 @@ final class ProcessorTime {
         this.boxed = boxed;
     }
 
-    /** Empty where the system does not tell. */
+    /** The processor time used; empty where the system does not tell. */
     Optional<Duration> used() {
         return processes().stream()
                 .map(one -> one.info().totalCpuDuration())

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 /** Programs of this machine that children are started with. */
 final class Programs {
     /**
-     * For all processes and threads of the account: beyond what a server with 64 workers and a
-     * person's session need, and far below what a machine can bear.
+     * The limit for all processes and threads of the account: beyond what a server with 64 workers
+     * and a person's session need, and far below what a machine can bear.
      */
     static final int MOST_PROCESSES = 4096;
 

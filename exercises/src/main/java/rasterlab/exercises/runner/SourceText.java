@@ -17,7 +17,10 @@ final class SourceText {
     /** Why a source is not even compiled. */
     record Fault(GradingVerdict verdict, Diagnostic diagnostic) {}
 
-    /** Without the byte order mark that some editors put in front, such as Windows Notepad. */
+    /**
+     * The source without the byte order mark that some editors put in front, such as Windows
+     * Notepad.
+     */
     static String withoutMark(String source) {
         return source.startsWith("\uFEFF") ? source.substring(1) : source;
     }

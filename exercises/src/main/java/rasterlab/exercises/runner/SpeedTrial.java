@@ -23,7 +23,9 @@ final class SpeedTrial {
     /** Wall time for all rounds of one try, so that a slow method is not waited for. */
     private static final long BUDGET_NANOS = 3_000_000_000L;
 
-    /** So many calls show Java how a method is used; a slow one is not waited for longer. */
+    /**
+     * The number of calls that show Java how a method is used; a slow one is not waited for longer.
+     */
     private static final int MOST_BEFORE = 60;
 
     /** Each in fresh children, later than the one before. */
@@ -168,7 +170,10 @@ final class SpeedTrial {
         for (int i = 0; i < inputs; i++) student.run().time(batch.alone(i));
     }
 
-    /** False where the reference was lost, which no student can help: then nothing is settled. */
+    /**
+     * Times the reference; false where it was lost, which no student can help: then nothing is
+     * settled.
+     */
     private boolean timeReference(TimedBatch batch, long count) throws InterruptedException {
         try {
             ours.add(reference.run().time(batch), count);

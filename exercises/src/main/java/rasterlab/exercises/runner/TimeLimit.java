@@ -9,7 +9,9 @@ import java.time.Duration;
  * @param wall time that may pass, so that one who waits or sleeps does not do so for ever
  */
 record TimeLimit(Duration processor, Duration wall) {
-    /** Whatever passes first: for a child that runs nothing of a student's. */
+    /**
+     * A limit on wall time and processor time alike, for a child that runs nothing of a student's.
+     */
     static TimeLimit wall(Duration limit) {
         return new TimeLimit(limit, limit);
     }

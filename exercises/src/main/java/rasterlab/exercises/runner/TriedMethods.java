@@ -41,7 +41,7 @@ record TriedMethods(List<Tried> right, List<Tried> faulty) {
                 BreakMain.class.getName());
     }
 
-    /** Of this process; relative parts are meant from its folder. */
+    /** The class path of this process; relative parts are meant from its folder. */
     private static String classPath() {
         List<String> parts = new ArrayList<>();
         for (String part : System.getProperty("java.class.path").split(File.pathSeparator))

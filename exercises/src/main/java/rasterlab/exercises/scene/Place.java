@@ -66,7 +66,7 @@ final class Place extends JsonPlace<Place> {
         return this;
     }
 
-    /** So many numbers. */
+    /** Reads so many numbers. */
     double[] numbers(int count, double least, double most) {
         List<Place> members = members();
         if (members.size() != count)

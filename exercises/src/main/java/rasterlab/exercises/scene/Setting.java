@@ -87,7 +87,7 @@ public final class Setting<T> {
     public static final Setting<HiddenLines> HIDDEN_LINES =
             named("hiddenLines", List.of(HiddenLines.values()), HiddenLines::code);
 
-    /** Degrees. */
+    /** The crease, in degrees. */
     public static final Setting<Double> CREASE = number("crease", 0, 180);
 
     public static final Setting<Boolean> OUTLINE = flag("outline");
@@ -102,11 +102,11 @@ public final class Setting<T> {
     /** The distance of the two eyes in world units. */
     public static final Setting<Double> EYES = number("eyes", LEAST_EYES, SphericalView.FARTHEST);
 
-    /** Those that a file has beside its scene. */
+    /** The settings that a file has beside its scene. */
     static final List<Setting<?>> OF_VIEW =
             List.of(CAMERA, PROJECTION, ZOOM, NEAR, FAR, CLIP_PLANES);
 
-    /** Those that it has under {@code look}. */
+    /** The settings that a file has under {@code look}. */
     static final List<Setting<?>> OF_LOOK =
             List.of(
                     VISIBILITY,
@@ -155,7 +155,7 @@ public final class Setting<T> {
         return Stream.concat(OF_VIEW.stream(), OF_LOOK.stream()).toList();
     }
 
-    /** As it is called in a file. */
+    /** The setting's name in a file. */
     public String field() {
         return field;
     }

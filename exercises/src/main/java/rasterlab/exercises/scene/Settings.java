@@ -28,7 +28,7 @@ public final class Settings {
     }
 
     /**
-     * With one thing more, or another value of it.
+     * The same settings with one thing more, or another value of it.
      *
      * @throws IllegalArgumentException for a value that no file may have
      */

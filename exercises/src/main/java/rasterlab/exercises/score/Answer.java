@@ -29,15 +29,15 @@ public record Answer(
     /** The ways in which a call ends. */
     public enum Ending {
         RETURNED,
-        /** Stopped, because it went on beyond the limit of items. */
+        /** The method was stopped because it went on beyond the limit of items. */
         CUT,
-        /** Its answer has more bytes than are taken. */
+        /** The method's answer has more bytes than are taken. */
         TOO_LONG,
-        /** It returned null. */
+        /** The method returned null. */
         NULL,
-        /** It wrote into what it was only given to read. */
+        /** The method wrote into what it was only given to read. */
         OVERWROTE,
-        /** It returned no answer to this input, such as too few numbers. */
+        /** The method returned no answer to this input, such as too few numbers. */
         UNUSABLE,
         THREW
     }
@@ -94,7 +94,7 @@ public record Answer(
         return Stream.of(exception.split(": ")).allMatch(one -> one.startsWith("java."));
     }
 
-    /** In which line that was; nothing where none is known. */
+    /** The line in which that was; nothing where none is known. */
     public Message place() {
         return line > 0 ? Message.of("thrown.line", line) : Message.NONE;
     }

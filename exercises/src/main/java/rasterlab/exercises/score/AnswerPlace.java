@@ -13,7 +13,7 @@ final class AnswerPlace {
     private AnswerPlace() {}
 
     /**
-     * In words; the path itself where there are none.
+     * The place in words; the path itself where there are none.
      *
      * @param topic whose answer it is
      * @param path as in the answer's JSON

@@ -64,7 +64,7 @@ public record CaseReport(
                 "");
     }
 
-    /** Its points of those that can be earned there, or what is taken off alone. */
+    /** The case's points of those that can be earned there, or what is taken off alone. */
     public static String pointsOf(int points, int of) {
         return points < 0 ? "−" + -points : points + "/" + of;
     }

@@ -7,12 +7,12 @@ package rasterlab.exercises.score;
  * @param column from 1; 0 where no column is known
  */
 public record Diagnostic(int line, int column, Message said) {
-    /** In English; may have several lines. */
+    /** The diagnostic in English; may have several lines. */
     public String message() {
         return message("en");
     }
 
-    /** In that language. */
+    /** The diagnostic in a language. */
     public String message(String language) {
         return said.in(language);
     }

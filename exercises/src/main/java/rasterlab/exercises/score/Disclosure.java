@@ -9,7 +9,7 @@ public enum Disclosure {
     VERDICT_ONLY,
     /** Name and the class of the error only, until the deadline has passed. */
     AFTER_DEADLINE,
-    /** Not even the name. */
+    /** Nothing is shown, not even the name. */
     NEVER;
 
     /** Lower-case words with hyphens, as in files and in the HTTP API. */

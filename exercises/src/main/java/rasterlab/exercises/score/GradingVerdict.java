@@ -16,11 +16,14 @@ public enum GradingVerdict {
     RUNTIME_ERROR,
     /** The child ended early or broke the protocol. */
     NO_RESULT,
-    /** Only for the report's line on speed: nothing was timed, so that nothing can be said. */
+    /** Nothing was timed, so that nothing can be said; only for the report's line on speed. */
     NOT_MEASURED,
-    /** Only for the report's line on speed: measured, and right, but worth no point. */
+    /**
+     * The method was measured, and right, but is worth no point; only for the report's line on
+     * speed.
+     */
     TOO_SLOW,
-    /** Only for a case: its turn did not come, for the method was stopped before. */
+    /** The case's turn did not come, for the method was stopped before; only for a case. */
     NOT_RUN,
     /** Our own fault: tried again, never a mark. */
     INTERNAL;
@@ -44,7 +47,7 @@ public enum GradingVerdict {
         };
     }
 
-    /** In words, the same wherever they are read. */
+    /** The verdict in words, the same wherever they are read. */
     public String word(String language) {
         return Message.of("verdict." + code()).in(language);
     }

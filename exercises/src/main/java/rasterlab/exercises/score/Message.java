@@ -22,7 +22,7 @@ public record Message(List<Sentence> sentences) {
 
     private static final String ROWS = "rows";
 
-    /** Above what a picture of pixels has in its rows. */
+    /** A number of items above what a picture of pixels has in its rows. */
     private static final int MOST_IN_ROWS = 10_000;
 
     /** A number as this project writes it: 12, -0.5, 1.5·10³⁰⁰, ∞, NaN. */
@@ -163,7 +163,7 @@ public record Message(List<Sentence> sentences) {
     }
 
     /**
-     * In words; English where there are none in that language.
+     * The message in words; English where there are none in that language.
      *
      * @param language such as "ru"
      */
@@ -179,7 +179,7 @@ public record Message(List<Sentence> sentences) {
         return text.toString();
     }
 
-    /** As JSON to be stored: for each sentence an array of its key and arguments. */
+    /** The message as JSON to be stored: for each sentence an array of its key and arguments. */
     public String data() {
         List<List<String>> all = new ArrayList<>();
         for (Sentence one : sentences)
@@ -214,7 +214,7 @@ public record Message(List<Sentence> sentences) {
         return sentences.stream().flatMap(one -> one.place().stream()).findFirst();
     }
 
-    /** In English. */
+    /** The message in English. */
     @Override
     public String toString() {
         return in("en");

@@ -37,7 +37,7 @@ public record Phrase(String key, List<Object> arguments) {
     }
 
     /**
-     * In words; English where there are none in that language.
+     * The phrase in words; English where there are none in that language.
      *
      * @param language such as "ru"
      */
@@ -50,7 +50,7 @@ public record Phrase(String key, List<Object> arguments) {
         return argument instanceof Phrase phrase ? phrase.in(language) : argument;
     }
 
-    /** In English. */
+    /** The phrase in English. */
     @Override
     public String toString() {
         return in("en");

@@ -20,7 +20,10 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
         return shown.equals(whole);
     }
 
-    /** At most so many columns and rows of what is shown, with the pixel in their middle. */
+    /**
+     * The part of at most so many columns and rows of what is shown, with the pixel in their
+     * middle.
+     */
     public PicturePart around(int columns, int rows) {
         return new PicturePart(shown.around(pixel.x(), pixel.y(), columns, rows), whole, pixel);
     }
@@ -30,7 +33,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
         return text.lines().skip(isWhole() ? 0 : 1).toList();
     }
 
-    /** In words: its first and last column, those of the whole, and its rows. */
+    /** The part in words: its first and last column, those of the whole, and its rows. */
     public Message said() {
         return Message.of(
                 "picture.part",
@@ -44,7 +47,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
                 whole.ymax());
     }
 
-    /** As JSON, to be stored and for scripts. */
+    /** The part as JSON, to be stored and for scripts. */
     public String data() {
         try {
             return OwnJson.MAPPER.writeValueAsString(this);

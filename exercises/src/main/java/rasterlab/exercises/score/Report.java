@@ -47,7 +47,7 @@ public record Report(
         return new Report(verdict, points, cases, diagnostics, isolation, nanosPerItem, measured);
     }
 
-    /** Its line on speed; empty where nothing was run. */
+    /** The report's line on speed; empty where nothing was run. */
     public Optional<CaseReport> speed() {
         return cases.stream().filter(one -> one.name().equals(CaseReport.SPEED)).findFirst();
     }

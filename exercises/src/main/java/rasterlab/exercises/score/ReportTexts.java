@@ -20,7 +20,7 @@ record ReportTexts(ResourceBundle general) {
     private static final Pattern ON_A_TOPIC =
             Pattern.compile("(mutant|property|place|faults?)\\.([a-z-]+)\\.(.+)");
 
-    /** Of faults that are longer than that in all, the first are told. */
+    /** The number of characters beyond which only the first faults are told. */
     private static final int LONG_FAULTS = 120;
 
     /** A first fault that is longer is told up to its first comma. */
@@ -54,7 +54,7 @@ record ReportTexts(ResourceBundle general) {
         return text;
     }
 
-    /** As many parts of a text as make no more than that many characters, but one at least. */
+    /** The first parts of a text that make no more than that many characters, but one at least. */
     private static String first(String text, String between, int most) {
         if (text.length() <= most) return text;
         int end = text.lastIndexOf(between, most);

@@ -109,7 +109,10 @@ public final class TopicGradings {
                         .formatted(topic.name(), String.join(", ", names())));
     }
 
-    /** Worked out once, when somebody asks: each topic has to be made for it. */
+    /**
+     * The topics that can be graded, worked out once, when somebody asks: each topic has to be made
+     * for it.
+     */
     private static final class Gradable {
         static final List<String> NAMES = gradable().map(Topic::name).toList();
     }

@@ -85,7 +85,7 @@ public class Model implements ColorConverter {
         return new double[] {turn(hue), value, saturation};
     }
 
-    /** From 0 to below 360. */
+    /** The turn, from 0 to below 360. */
     private static double turn(double degrees) {
         double positive = degrees < 0 ? degrees + 360 : degrees;
         return positive >= 360 ? 0 : positive;

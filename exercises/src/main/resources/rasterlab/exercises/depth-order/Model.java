@@ -6,7 +6,7 @@ import rasterlab.contract.PieceSink;
 
 /** A tree of half-spaces: the far side of a plane, what lies in it, the near side. */
 public class Model implements DepthOrder {
-    /** Of the largest coordinate, which is about 1 here. */
+    /** The tolerance as a share of the largest coordinate, which is about 1 here. */
     private static final double ON_THE_PLANE = 1e-13;
 
     /** A polygon or a piece of one, in units in which the largest coordinate is about 1. */

@@ -52,7 +52,10 @@ public class Model implements PointShader {
                 : Math.pow(Math.max(0, cosine), cone.exponent());
     }
 
-    /** Divided by its largest number first, so that no square overflows or vanishes. */
+    /**
+     * The vector of length 1, divided by its largest number first, so that no square overflows or
+     * vanishes.
+     */
     private static double[] unit(String name, double[] v) {
         double largest = Math.max(Math.abs(v[0]), Math.max(Math.abs(v[1]), Math.abs(v[2])));
         if (largest == 0) throw new IllegalArgumentException(name + " must not be (0, 0, 0)");

@@ -115,7 +115,7 @@ class DiskFilesTest {
         assertEquals(link + ": is a link to what is not there", refusal(folder));
     }
 
-    /** Skipped for a user who may read everything. */
+    /** The test is skipped for a user who may read everything. */
     @Test
     void tellsWhatTheUserHasNoRightTo() throws IOException {
         Files.writeString(file, "{}");

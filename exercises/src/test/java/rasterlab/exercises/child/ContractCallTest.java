@@ -30,7 +30,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Contracts;
 
-/** Whatever a contract's method is given and answers comes over the wire as it is. */
+/** What a contract's method is given and answers comes over the wire as it is. */
 class ContractCallTest {
     private static final int MOST = CalledHere.MOST;
 
@@ -190,7 +190,7 @@ class ContractCallTest {
                 () -> Values.write(String.class, "x".repeat(Wire.MOST_FRAME_BYTES + 1), out));
     }
 
-    /** Otherwise a student could be given what nobody keeps. */
+    /** A student could otherwise be given what nobody keeps. */
     @Test
     void thereIsASheetForEverySinkOfAContract() {
         List<Class<?>> sinks =

@@ -116,7 +116,7 @@ class MisshapenAnswersTest {
         return topic.correct(topic.compare(input, exact, output));
     }
 
-    /** Otherwise a promise of a new array could not be checked. */
+    /** A promise of a new array could otherwise not be checked. */
     @ParameterizedTest
     @MethodSource("topics")
     <C, I, O> void anArrayThatOthersHoldIsToldAsWhereItIsMade(Topic<C, I, O> topic) {

@@ -46,7 +46,7 @@ class PixelPicturesTest {
         return ImageIO.read(new ByteArrayInputStream(of(pictures, CasePicture.DIFFERENCE).png()));
     }
 
-    /** Around the last pixel. */
+    /** The pictures around the last pixel. */
     private static List<CasePicture> pictures(String row) {
         return PixelPictures.of(difference(row), PixelSet.EMPTY, new Pixel(row.length() - 1, 0));
     }

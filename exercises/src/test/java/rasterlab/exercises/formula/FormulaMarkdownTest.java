@@ -25,7 +25,7 @@ class FormulaMarkdownTest {
         return Parser.builder().extensions(List.of(new FormulaMarkdown())).build().parse(markdown);
     }
 
-    /** As in the statement, each in brackets. */
+    /** The formulas as in the statement, each in brackets. */
     private static String found(String markdown) {
         var found = new StringBuilder();
         parsed(markdown)

@@ -11,7 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class TexCommandsTest {
-    /** In classes of their own, as in a process that has set no formula yet. */
+    /** The test loads classes of its own, as in a process that has set no formula yet. */
     @Test
     void aMacroIsKnownThoughItIsTheFirstCommandThatIsLookedAt() throws Exception {
         List<URL> places = new ArrayList<>();

@@ -20,7 +20,7 @@ class RightPictureTest {
     private static final int LIT = 0xFF2B3A4A;
     private static final int PAPER = 0xFFFFFFFF;
 
-    /** Of the numbers beside the rows and above the columns. */
+    /** The margin for the numbers beside the rows and above the columns. */
     private static final int MARGIN = 26;
 
     private static JsonNode json(String text) throws IOException {

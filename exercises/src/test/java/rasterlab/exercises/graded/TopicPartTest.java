@@ -30,7 +30,7 @@ class TopicPartTest {
         assertEquals(1, ContractCalls.of(part.contract()).all().size());
     }
 
-    /** Otherwise there is nothing to hold a student's speed against while it is prepared. */
+    /** There would otherwise be nothing to hold a student's speed against while it is prepared. */
     @ParameterizedTest(name = "no right method of the topic does {0}")
     @MethodSource("parts")
     void aRightMethodOfTheTopicDoesThePart(TopicPart<?, ?> part) {

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class JsonTextTest {
-    /** In whichever way a tree is made. */
+    /** The refusal is the same in whichever way a tree is made. */
     @ParameterizedTest(name = "{0} is taken")
     @CsvSource(
             delimiter = '|',

@@ -30,7 +30,7 @@ class FairMarkingTest {
     private static final LineRasterizer RIGHT = new BresenhamLine();
     private static final long[] SEEDS = {0, 1, 42, -7, Long.MAX_VALUE};
 
-    /** Of accuracy and stability; speed is not marked here. */
+    /** The points for accuracy and stability; speed is not marked here. */
     private static final int ALL = EXERCISE.points().accuracy() + EXERCISE.points().stability();
 
     private static MarkedMethod marked(LineRasterizer method, long seed) {

@@ -55,7 +55,7 @@ class LineExerciseTest {
                 .methods().stream().filter(Method::faulty).filter(LineExerciseTest::failsSomewhere);
     }
 
-    /** On a segment without a window, as the exercise's are. */
+    /** Whether the method fails on a segment without a window, as the exercise's are. */
     private static boolean failsSomewhere(Method<LineRasterizer> method) {
         return new LineTopic()
                 .hazards().stream()
@@ -159,7 +159,7 @@ class LineExerciseTest {
         assertEquals("#..\n.##", text(finding, CasePicture.ACTUAL));
     }
 
-    /** Between right ends a shift of the line and one along itself would take each other back. */
+    /** A shift of the line between right ends and one along itself would take each other back. */
     @ParameterizedTest(name = "rounding towards 0 is told as a shift: {0}, {1}")
     @CsvSource({"3, 1", "3, -1", "3, 2", "-3, 1", "1, 3", "-1, -3"})
     void aLineBetweenRightEndsIsNotShifted(int x1, int y1) {

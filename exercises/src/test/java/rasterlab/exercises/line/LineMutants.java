@@ -151,7 +151,7 @@ final class LineMutants {
                 });
     }
 
-    /** Right, but for the two differences, which are ints. */
+    /** Draws right, but for the two differences, which are ints. */
     private static void intDifferences(int x0, int y0, int x1, int y1, Pixels out) {
         int dx = x1 - x0;
         int dy = y1 - y0;

@@ -73,7 +73,7 @@ record MarkedMethod(Exercise exercise, Marking marking) {
                 .toList();
     }
 
-    /** Of those cases. */
+    /** The cases that failed, of those given. */
     List<String> failed(List<Case> cases) {
         List<String> names = cases.stream().map(Case::name).toList();
         return failed().stream().filter(names::contains).toList();

@@ -143,12 +143,12 @@ record OneMistake(String name, int points, String said, LineRasterizer method) {
                         RIGHT.draw(x0, y0, x1, y1, (x, y) -> move.plot(x, y, out)));
     }
 
-    /** Without pixels beyond the ends. */
+    /** A mistake without pixels beyond the ends. */
     private static OneMistake by(String name, int points, String said, Times times) {
         return of(name, points, said + ". This shows on every line", walk(0, 0, times));
     }
 
-    /** With pixel −1 where {@code times} has it, and those up to n + {@code beyond}. */
+    /** A mistake with pixel −1 where {@code times} has it, and those up to n + {@code beyond}. */
     private static OneMistake by(String name, int points, String said, Times times, int beyond) {
         return of(name, points, said, walk(-1, beyond, times));
     }

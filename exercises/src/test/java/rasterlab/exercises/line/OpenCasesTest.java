@@ -41,7 +41,9 @@ class OpenCasesTest {
         assertEquals(alone(OpenCasesTest::cutShort), among(OpenCasesTest::cutShort, seed));
     }
 
-    /** Wrong in several ways at once, so that it depends on the line which of them is told. */
+    /**
+     * Draws wrong in several ways at once, so that it depends on the line which of them is told.
+     */
     private static void cutShort(int x0, int y0, int x1, int y1, Pixels out) {
         for (int x = x0; x < x1; x++) out.plot(x, y0 + (y1 - y0) * (x - x0) / (x1 - x0));
     }

@@ -69,7 +69,7 @@ class PropertiesTest {
         }
     }
 
-    /** Those of lines have mutants of their own, as each case there has. */
+    /** The exercises but for lines, which have mutants of their own, as each case there has. */
     static Stream<Exercise> withoutLines() {
         return exercises().filter(one -> !one.topic().equals("line"));
     }

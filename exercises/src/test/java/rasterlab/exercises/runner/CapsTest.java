@@ -46,7 +46,7 @@ class CapsTest {
             }
             """;
 
-    /** True, wherever the point is. */
+    /** A source that answers true, wherever the point is. */
     private static final String INSIDE =
             """
             import rasterlab.contract.*;

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 class ChildKillTest {
     private static final int STARTS = Boolean.getBoolean("rasterlab.full") ? 2_000 : 100;
 
-    /** Within which the box has begun and the child's Java machine runs. */
+    /** The time within which the box has begun and the child's Java machine runs. */
     private static final Duration LATEST = Duration.ofMillis(20);
 
     @Test
@@ -54,7 +54,7 @@ class ChildKillTest {
         return left;
     }
 
-    /** Empty where the process has ended or another account's hides it. */
+    /** The command of a process; empty where it has ended or another account's hides it. */
     private static String command(ProcessHandle process) {
         try {
             return Files.readString(Path.of("/proc/" + process.pid() + "/cmdline"));

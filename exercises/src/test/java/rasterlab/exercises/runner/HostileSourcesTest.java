@@ -240,7 +240,7 @@ class HostileSourcesTest {
                 .collect(joining("", "class Long {\n" + constants, "}\n"));
     }
 
-    /** Whatever of it was refused would be told with its line. */
+    /** A source that is welcome: whatever of it was refused would be told with its line. */
     static Stream<Arguments> welcome() {
         String all =
                 """

@@ -22,7 +22,10 @@ import rasterlab.exercises.score.Report;
 
 @Tag("slow")
 class JudgeCloseTest {
-    /** Right on the first case, then endless: only closing the judge can end it in time. */
+    /**
+     * A source that is right on the first case, then endless: only closing the judge can end it in
+     * time.
+     */
     private static final String ENDLESS_LATER =
             Sources.RIGHT.replace("long dx", "while (x1 == 2 && y1 == 9); long dx");
 

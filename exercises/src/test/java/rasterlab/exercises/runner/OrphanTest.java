@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Without a box nothing of the system's ends a child whose parent was killed. */
+/** A child whose parent was killed is ended by nothing of the system's without a box. */
 @Tag("slow")
 class OrphanTest {
     @TempDir private Path folder;

@@ -49,7 +49,7 @@ class PaceTest {
         assertTrue(told(1500, 300).isCredibleBeside(told(800, 200)));
     }
 
-    /** With a wall clock that agrees with the child's. */
+    /** A pace with a wall clock that agrees with the child's. */
     private static Pace rounds(long... nanos) {
         Pace pace = new Pace();
         for (long one : nanos) pace.add(timed(one, one), PIXELS);

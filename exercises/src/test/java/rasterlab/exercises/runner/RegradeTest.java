@@ -27,7 +27,7 @@ class RegradeTest {
     private static final int SUBMISSIONS = FULL ? 20 : 3;
     private static final int TIMES = FULL ? 50 : 2;
 
-    /** Evenly out of all, those that are right and those that are not. */
+    /** The programs, taken evenly out of all, those that are right and those that are not. */
     private static List<Path> programs() throws IOException {
         try (Stream<Path> files = Files.walk(PROGRAMS)) {
             List<Path> all = files.filter(Files::isRegularFile).sorted().toList();
@@ -74,8 +74,9 @@ class RegradeTest {
     }
 
     /**
-     * Of speed the points alone: a busy machine may not let it be measured, at the same points.
-     * What is said may differ, as smaller counterexamples are looked for as long as there is time.
+     * The case's line, of speed the points alone: a busy machine may not let it be measured, at the
+     * same points. What is said may differ, as smaller counterexamples are looked for as long as
+     * there is time.
      */
     private static String line(CaseReport one) {
         boolean speed = one.name().equals(CaseReport.SPEED);

@@ -47,14 +47,14 @@ class SpeedFiguresTest {
         assertTrue(json.contains("\"speed\":{\"ratio\":"), json);
     }
 
-    /** Without its last pixel it keeps most points; a missing pixel is an error of one. */
+    /** The method keeps most points without its last pixel; a missing pixel is an error of one. */
     @Test
     void theErrorIsThatOfTheStudentsOwnAnswers() throws Exception {
         Report report = JUDGE.grade(Sources.RIGHT.replace("k <= n", "k < n"));
         assertEquals(1, figures(report).error());
     }
 
-    /** On a busy machine a speed cannot be measured, and has no figures. */
+    /** The figures of a report; a speed that a busy machine did not let be measured has none. */
     private static SpeedFigures figures(Report report) {
         assumeFalse(report.speedIsUnsettled(), "the machine is too busy");
         return report.figures().orElseThrow();

@@ -39,7 +39,7 @@ class SpeedTest {
         assertEquals("it threw java.lang.IllegalStateException on the long lines", speed.message());
     }
 
-    /** Its name could tell on which line it was thrown. */
+    /** The exception's name could tell on which line it was thrown. */
     @Test
     void anExceptionOfTheStudentsOwnIsNotNamedOnTheLongLines() throws Exception {
         String own = "static class Line1001 extends RuntimeException { }\npublic void";
@@ -48,7 +48,7 @@ class SpeedTest {
         assertEquals("it threw an exception of its own on the long lines", speed.message());
     }
 
-    /** It loses the points of the cases on the last pixel and keeps those for speed. */
+    /** The method loses the points of the cases on the last pixel and keeps those for speed. */
     @Test
     void aMistakeThatWasPaidForIsTimed() throws Exception {
         CaseReport speed = speed(report(Sources.RIGHT.replace("k <= n", "k < n")));

@@ -25,7 +25,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class MessageTest {
     private static final Pattern PLACE = Pattern.compile("\\{(\\d+)}");
 
-    /** Their first place is that of an English text, their second that of a Russian one. */
+    /**
+     * The keys whose first place is that of an English text, their second that of a Russian one.
+     */
     private static final Set<String> TITLED =
             Set.of("printed.case", "group.hidden", "in-both-languages", "predict.why");
 

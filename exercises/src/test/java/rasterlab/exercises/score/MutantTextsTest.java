@@ -51,7 +51,7 @@ class MutantTextsTest {
         return word.length() == 1 || word.charAt(1) == '-' || Character.isUpperCase(word.charAt(1));
     }
 
-    /** Within one language two mistakes of a topic are not told by the same words. */
+    /** Two mistakes of a topic are not told by the same words within one language. */
     @ParameterizedTest
     @ValueSource(strings = {"messages.properties", "messages_ru.properties"})
     void noTwoMutantsOfATopicAreSaidAlike(String file) throws IOException {

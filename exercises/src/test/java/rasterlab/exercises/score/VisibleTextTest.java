@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Nothing in a report acts on the terminal or hides on the page. */
+/** A report has nothing that acts on the terminal or hides on the page. */
 class VisibleTextTest {
     static Stream<Arguments> texts() {
         return Stream.of(

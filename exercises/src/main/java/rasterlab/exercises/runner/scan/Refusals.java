@@ -51,12 +51,15 @@ final class Refusals {
      */
     private record Mistake(int line, String owner, String name) {}
 
-    /** In the order of instructions; classes by their internal names, others by their mistakes. */
+    /**
+     * What was found, in the order of instructions; classes by their internal names, others by
+     * their mistakes.
+     */
     private final Map<Object, Found> found = new LinkedHashMap<>();
 
     private final Map<Object, Found> exceptions = new LinkedHashMap<>();
 
-    /** By lines, the classes of what refused calls in them answer. */
+    /** The classes of what refused calls answer, by lines. */
     private final Map<Integer, Set<String>> answers = new HashMap<>();
 
     Refusals(String source) {
@@ -149,8 +152,8 @@ final class Refusals {
     }
 
     /**
-     * In the order of their places in the source; of a line at least the first, and all that stands
-     * in it. What may be used instead is said with the last that it is said of.
+     * The diagnostics in the order of their places in the source; of a line at least the first, and
+     * all that stands in it. What may be used instead is said with the last that it is said of.
      */
     List<Diagnostic> list() {
         var all = (found.isEmpty() ? exceptions : found).values();

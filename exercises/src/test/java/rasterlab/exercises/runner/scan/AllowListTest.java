@@ -141,7 +141,7 @@ class AllowListTest {
         return Contracts.all();
     }
 
-    /** Whatever a method is given or asked for may be named, and only what the contracts have. */
+    /** A source may name what a method is given or asked for, and only what the contracts have. */
     @ParameterizedTest(name = "{0}")
     @MethodSource("contracts")
     void allowsWhatTheMethodsOfEveryContractTakeAndGiveBack(Class<?> contract) {
