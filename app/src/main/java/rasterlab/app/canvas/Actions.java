@@ -21,7 +21,10 @@ import rasterlab.app.language.Texts;
 public final class Actions extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Narrower than usual, so that the longest Russian text fits half the inspector. */
+    /**
+     * Margins that are narrower than usual, so that the longest Russian text fits half the
+     * inspector.
+     */
     public static final Insets NARROW = new Insets(2, 4, 2, 4);
 
     private static final List<String> REDO_KEYS = List.of("ctrl Y", "ctrl shift Z");
@@ -42,7 +45,7 @@ public final class Actions extends JPanel {
     private transient Runnable onChange = () -> {};
     private long changes;
 
-    /** Told what could not be copied; set by {@link #addPicture}. */
+    /** Receives what could not be copied; set by {@link #addPicture}. */
     private transient Optional<Consumer<Throwable>> onFailure = Optional.empty();
 
     public Actions(Texts texts) {

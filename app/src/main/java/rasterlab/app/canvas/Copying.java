@@ -27,7 +27,9 @@ public final class Copying {
                     (step, then) -> EventQueue.invokeLater(() -> finish(step.asked(), then)),
                     Throwable::printStackTrace);
 
-    /** Raised when what was asked for before is no longer wanted. */
+    /**
+     * The number of the latest request, raised when what was asked for before is no longer wanted.
+     */
     private volatile int request;
 
     /**

@@ -20,7 +20,7 @@ public record Formula(List<Part> parts) {
 
     /** Something that stands in the line. */
     public sealed interface Part {
-        /** For assistive technology and as text. */
+        /** The formula for assistive technology and as text. */
         String said();
     }
 

@@ -78,7 +78,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         return lab.keptType();
     }
 
-    /** Also what is still being read. */
+    /** The files to keep, also while they are still being read. */
     @Override
     public K kept() {
         return coming().map(Coming::files).orElseGet(() -> lab.files(lab.shown()));
@@ -90,7 +90,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         readComing();
     }
 
-    /** Those of what stands in their place, still. */
+    /** The files that are being read, as long as what they shall replace still stands there. */
     private Optional<Coming<K, S>> coming() {
         return coming.filter(one -> lab.place(one.inTheirPlace()).equals(lab.place(lab.shown())));
     }

@@ -10,12 +10,15 @@ import javax.swing.KeyStroke;
 public final class KeyBinding {
     private KeyBinding() {}
 
-    /** While the component itself has the focus. */
+    /** Binds a key while the component itself has the focus. */
     public static void whenFocused(JComponent component, KeyStroke key, Runnable action) {
         bind(component, JComponent.WHEN_FOCUSED, key, action);
     }
 
-    /** While the component or one inside it has the focus and does not use the key itself. */
+    /**
+     * Binds a key while the component or one inside it has the focus and does not use the key
+     * itself.
+     */
     public static void within(JComponent component, KeyStroke key, Runnable action) {
         bind(component, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, key, action);
     }

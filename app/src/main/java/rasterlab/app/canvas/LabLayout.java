@@ -34,7 +34,7 @@ public final class LabLayout extends JPanel {
 
     private static final String HIDDEN = "Rasterlab.inspectorsHidden";
 
-    /** From this share of the lab on an inspector in large type crowds the stage. */
+    /** The share of the lab from which on an inspector in large type crowds the stage. */
     private static final double CROWD = 0.45;
 
     /** Whether the inspectors were asked for where they crowd the stage. */
@@ -110,7 +110,10 @@ public final class LabLayout extends JPanel {
         UIManager.put(CROWDING, shown);
     }
 
-    /** In every lab of the window at once, so that no tab looks otherwise than the one before. */
+    /**
+     * Shows or hides the inspector in every lab of the window at once, so that no tab looks
+     * otherwise than the one before.
+     */
     private void toggle(JComponent stage) {
         boolean shown = !column.isVisible();
         if (crowded()) showCrowdingInspectors(shown);
@@ -139,15 +142,15 @@ public final class LabLayout extends JPanel {
         return large && getWidth() > 0 && wide > CROWD * getWidth();
     }
 
-    /** In view units as they are, where INSPECTOR still grows with the font. */
+    /** The width needed, in view units as they are, where INSPECTOR still grows with the font. */
     private static int needed(Inspector inspector) {
         int bar = UIScale.scale(UIManager.getInt("ScrollBar.width"));
         return inspector.getMinimumSize().width + bar;
     }
 
     /**
-     * In a layout that asks its parts for no more sizes than it needs: MigLayout asks for each
-     * several times, and one in another as often as the product of both.
+     * A column laid out by a layout that asks its parts for no more sizes than it needs: MigLayout
+     * asks for each several times, and one in another as often as the product of both.
      */
     private static JPanel column(Inspector inspector, JComponent actions) {
         var column = new JPanel(new BorderLayout(0, 8));

@@ -26,7 +26,7 @@ public class LastFolderChooser extends JFileChooser {
         this.language = language;
     }
 
-    /** In the middle of the whole window, whatever part of it asks. */
+    /** The dialog opens in the middle of the whole window, whatever part of it asks. */
     @Override
     protected JDialog createDialog(Component parent) {
         return super.createDialog(JOptionPane.getFrameForComponent(parent));

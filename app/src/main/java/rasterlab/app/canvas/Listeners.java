@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Those who are told of each change; all on one thread.
+ * A list of those who are told of each change; all on one thread.
  *
  * @param <S> what they are told, such as a model's newest state
  */

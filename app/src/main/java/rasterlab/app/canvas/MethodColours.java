@@ -50,11 +50,11 @@ public final class MethodColours {
     public static final Color VIOLET = new Color(0xA000F0);
 
     /**
-     * For lines on a dark ground, in which these drown; merely paler, they would be others. No
-     * published palette: these were found by measuring, as the class's tests do, the contrast with
-     * the dark stage, at least 3, the distance from every other colour of the palette, at least
-     * 0.12 in OKLab, and the same with red and green taken together: as far as on white, or 40
-     * levels.
+     * The colours for lines on a dark ground, in which the usual ones drown; merely paler, they
+     * would be others. No published palette: these were found by measuring, as the class's tests
+     * do, the contrast with the dark stage, at least 3, the distance from every other colour of the
+     * palette, at least 0.12 in OKLab, and the same with red and green taken together: as far as on
+     * white, or 40 levels.
      */
     private static final Map<Color, Color> ON_DARK =
             Map.of(
@@ -163,7 +163,7 @@ public final class MethodColours {
                 + 0.0722 * linear(colour.getBlue());
     }
 
-    /** From an sRGB level in 0..255 to linear light in [0, 1]. */
+    /** Converts an sRGB level in 0..255 to linear light in [0, 1]. */
     private static double linear(int level) {
         double s = level / 255.0;
         return s <= 0.04045 ? s / 12.92 : Math.pow((s + 0.055) / 1.055, 2.4);

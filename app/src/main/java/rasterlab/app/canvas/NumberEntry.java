@@ -32,7 +32,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
 
     private static final int SMALLEST_TYPE = 6;
 
-    /** After the decimal sign of a number in a sentence. */
+    /** The digits after the decimal sign of a number in a sentence. */
     private static final int DIGITS = 5;
 
     /** What the caret takes, and what padding that is scaled may be rounded by. */
@@ -126,7 +126,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         fit();
     }
 
-    /** As with the usual type, or a smaller one would make the field smaller in turn. */
+    /** The size with the usual type, or a smaller one would make the field smaller in turn. */
     @Override
     public Dimension getPreferredSize() {
         JTextField field = getTextField();
@@ -179,7 +179,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     private static final class Format extends DecimalFormat {
         private static final long serialVersionUID = 1L;
 
-        /** For what the pattern would round to 0, and for what has too many digits. */
+        /** The format for what the pattern would round to 0, and for what has too many digits. */
         private final DecimalFormat power;
 
         /** Whether there is no room for all digits. */

@@ -67,7 +67,7 @@ public final class NumberSlider extends JPanel {
         reading.setText(text);
     }
 
-    /** As wide as the longest usual number, so that sliders below each other end together. */
+    /** A number as wide as the longest usual one, so that sliders below each other end together. */
     private static final class Reading extends JLabel {
         private static final long serialVersionUID = 1L;
 

@@ -30,7 +30,7 @@ final class OldPicture extends SelfDrawn {
         getAccessibleContext().setAccessibleName(sentence);
     }
 
-    /** Whoever points at the veil points at the stage. */
+    /** The veil contains no point: whoever points at it points at the stage. */
     @Override
     public boolean contains(int x, int y) {
         return false;

@@ -7,7 +7,9 @@ import javax.swing.UIManager;
 public final class PaleWords {
     private PaleWords() {}
 
-    /** As pale as the present theme's switched-off words, with a contrast of at least 4.5. */
+    /**
+     * A colour as pale as the present theme's switched-off words, with a contrast of at least 4.5.
+     */
     public static Color on(Color ground) {
         return MethodColours.textOn(ground, UIManager.getColor("Label.disabledForeground"));
     }

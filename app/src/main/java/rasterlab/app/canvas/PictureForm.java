@@ -10,7 +10,7 @@ public enum PictureForm {
     PNG,
     SVG;
 
-    /** Without its dot. */
+    /** The file ending without its dot. */
     String ending() {
         return name().toLowerCase(Locale.ROOT);
     }

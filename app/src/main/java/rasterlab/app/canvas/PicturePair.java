@@ -48,7 +48,10 @@ public final class PicturePair extends JPanel implements AutoCloseable {
         revalidate();
     }
 
-    /** Beside each other or one above the other, whichever shows everything larger. */
+    /**
+     * Places the pictures beside each other or one above the other, whichever shows everything
+     * larger.
+     */
     @Override
     public void doLayout() {
         int width = getWidth();

@@ -24,7 +24,7 @@ public final class PictureType {
 
     private PictureType() {}
 
-    /** For words in a picture of that size in view units. On the event thread. */
+    /** The type for words in a picture of that size in view units. On the event thread. */
     public static Font in(Dimension picture) {
         Font label = UIManager.getFont("Label.font");
         float most = Math.min((float) picture.height / HIGH, (float) picture.width / WIDE);

@@ -19,7 +19,7 @@ public record PixelGrid(double originX, double originY, double cell) {
     public static final double SMALLEST = 0.25;
     public static final double LARGEST = 96;
 
-    /** Beyond this many view units Java2D's own clipping loses precision. */
+    /** The number of view units beyond which Java2D's own clipping loses precision. */
     private static final double FAR = 1e5;
 
     public PixelGrid {

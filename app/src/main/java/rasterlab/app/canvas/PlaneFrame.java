@@ -48,10 +48,10 @@ record PlaneFrame(
         Locale locale) {
     private static final double DOT = 3.5;
 
-    /** Between a point and its label, for the ring around the point. */
+    /** The distance between a point and its label, for the ring around the point. */
     private static final int AWAY = 15;
 
-    /** Between a point's ring and its label, the best first. */
+    /** The distances between a point's ring and its label, the best first. */
     private static final int[] FARTHER = {0, 14};
 
     /** The same where pixels may have to be left clear. */
@@ -63,7 +63,7 @@ record PlaneFrame(
     /** Side of a handle's square. */
     private static final int HANDLE = 22;
 
-    /** From a point to the outer edge of its ring. */
+    /** The distance from a point to the outer edge of its ring. */
     private static final double RING = 10.5;
 
     /**
@@ -315,7 +315,7 @@ record PlaneFrame(
         g.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
     }
 
-    /** Beside the point, on the side away from the middle of all points. */
+    /** The label beside its point, on the side away from the middle of all points. */
     private Label label(Placed placed, FontMetrics metrics, double middleX, double middleY) {
         PlanePoint point = placed.point;
         double x = placed.x;

@@ -13,7 +13,10 @@ public final class PlaneRulers {
     /** View units between grid lines, at least. */
     private static final double APART = 28;
 
-    /** Beyond so many lines the numbers are too far from 0 to be told apart in doubles. */
+    /**
+     * The number of lines beyond which their numbers are too far from 0 to be told apart in
+     * doubles.
+     */
     private static final int MOST = 1000;
 
     /** Share of the usual size below which a number is written with a power of ten instead. */

@@ -29,7 +29,9 @@ public final class Plates {
         g.drawString(text, x, y);
     }
 
-    /** Under words that should be read rather than what lies behind them. */
+    /**
+     * A colour for the ground under words that should be read rather than what lies behind them.
+     */
     public static Color nearlyOpaque(Color ground) {
         return new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
     }

@@ -71,7 +71,7 @@ final class PlayerRows implements LayoutManager {
         return rows;
     }
 
-    /** With the gap behind it. */
+    /** The least width of a component with the gap behind it. */
     private int least(Component component) {
         return component.getMinimumSize().width + gap;
     }

@@ -61,7 +61,7 @@ final class RefusalTip {
         popup.show();
     }
 
-    /** Below the field, or above it where the screen ends. */
+    /** The place below the field, or above it where the screen ends. */
     private Point place(Dimension tip) {
         Point at = field.getLocationOnScreen();
         Rectangle screen = field.getGraphicsConfiguration().getBounds();

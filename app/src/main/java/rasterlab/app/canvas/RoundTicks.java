@@ -11,7 +11,7 @@ import java.util.Locale;
  * @param exponent of ten
  */
 record RoundTicks(int digit, int exponent) {
-    /** From here on numbers are written with a power of ten. */
+    /** The number of digits from which on numbers are written with a power of ten. */
     private static final int LONG = 7;
 
     /** The closest ticks that are at least so far apart. */

@@ -10,7 +10,7 @@ import java.awt.Rectangle;
 
 /** Grid lines between pixels, the axes, and the coordinates along the upper and left margin. */
 public final class Rulers {
-    /** Below this many view units per pixel the grid would be grey. */
+    /** The view units per pixel below which the grid would be grey. */
     private static final double FINEST_GRID = 5;
 
     private final PixelGrid grid;
@@ -112,7 +112,7 @@ public final class Rulers {
         return digits.length() <= 5 ? digits : "…" + digits.substring(digits.length() - 4);
     }
 
-    /** With a minus as long as a digit is wide, as in the inspector. */
+    /** The number with a minus as long as a digit is wide, as in the inspector. */
     private static String shown(long number) {
         return Long.toString(number).replace('-', '−');
     }

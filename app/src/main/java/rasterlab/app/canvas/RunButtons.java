@@ -67,7 +67,10 @@ public final class RunButtons {
         if (pressed.isPresent()) cancel.requestFocusInWindow();
     }
 
-    /** For one who comes back to these buttons, to try the same again. */
+    /**
+     * Moves the keyboard to the button that was used last, for one who comes back to try the same
+     * again.
+     */
     public void focus() {
         last.ifPresentOrElse(JButton::requestFocusInWindow, elsewhere);
     }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 public final class ShellPath {
     private ShellPath() {}
 
-    /** As a POSIX shell takes it. */
+    /** The path as a POSIX shell takes it. */
     public static String quoted(Path file) {
         String path = file.toString();
         return path.matches("[\\w./-]+") ? path : "'" + path.replace("'", "'\\''") + "'";

@@ -23,7 +23,9 @@ public final class Shown {
     private static final Pattern PIXEL =
             Pattern.compile("(?<=\\b(?:pixel|missing,) )\\(-?\\d+, -?\\d+\\)");
 
-    /** At most four decimals; very large and very small ones with a power of ten. */
+    /**
+     * The number with at most four decimals; very large and very small ones with a power of ten.
+     */
     public static String number(double value, Locale locale) {
         return number(value, 4, locale);
     }

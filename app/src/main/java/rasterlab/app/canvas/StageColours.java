@@ -37,7 +37,7 @@ public record StageColours(
                     new Color(0x25282C),
                     new Color(0x6CB2FF));
 
-    /** For a projector, whose weak greys are lost on the wall. */
+    /** The colours for a projector, whose weak greys are lost on the wall. */
     public static final StageColours PROJECTOR =
             new StageColours(
                     Color.WHITE,

@@ -85,7 +85,7 @@ final class StageHint extends SelfDrawn {
         return new Dimension(0, 0);
     }
 
-    /** It is on the screen only, in no copied picture. */
+    /** Paints on the screen only, in no copied picture. */
     @Override
     public void paint(Graphics g) {
         if (!isPaintingForPrint()) super.paint(g);

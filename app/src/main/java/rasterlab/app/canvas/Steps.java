@@ -25,7 +25,7 @@ public interface Steps {
         return first() + Math.floorMod(to - first(), last() - first() + 1);
     }
 
-    /** Told when no other step follows at once: one was made alone, or playing has stopped. */
+    /** Called when no other step follows at once: one was made alone, or playing has stopped. */
     default void rest() {}
 
     /** Whether the first step comes after the last. */

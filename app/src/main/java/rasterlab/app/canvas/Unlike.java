@@ -47,7 +47,7 @@ public record Unlike(Kind kind, List<Object> parts) {
         COLOUR_CUT,
         /** A point at which is divided by 0 is nowhere. */
         NO_IMAGE,
-        /** So many of the method's points that are off cannot be told apart from the exact ones. */
+        /** Many of the method's points that are off cannot be told apart from the exact ones. */
         POINTS_TOGETHER,
         /** The method's point is too far away to be in the picture. */
         POINT_BEYOND,

@@ -84,7 +84,7 @@ public final class ZoomButtons extends JPanel {
         return new Rectangle(handle.x, buttons.y - handle.height, handle.width, handle.height);
     }
 
-    /** They are on the screen only, in no copied picture. */
+    /** Paints on the screen only, in no copied picture. */
     @Override
     public void paint(Graphics g) {
         if (!isPaintingForPrint()) super.paint(g);

@@ -7,7 +7,7 @@ package rasterlab.app.card;
  * @param input of the topic's own type
  */
 public record TopicInput(String topic, String hazard, Object input) {
-    /** Unlike every lab scene's name. */
+    /** The scene's name, which is unlike every lab scene's. */
     public String name() {
         return hazard.isEmpty() ? topic + "-input" : topic + "-" + hazard;
     }

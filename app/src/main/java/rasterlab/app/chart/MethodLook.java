@@ -28,7 +28,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
                     SeriesMarkers.TRAPEZOID,
                     SeriesMarkers.RECTANGLE);
 
-    /** On, off, on, … of a line in pixels; one that is not broken first. */
+    /** The lengths on, off, on, … of a line in pixels; one that is not broken first. */
     private static final List<float[]> DASHES =
             List.of(new float[0], new float[] {8, 4}, new float[] {2, 3}, new float[] {8, 3, 2, 3});
 

@@ -114,7 +114,7 @@ public final class Lab {
         return COMMANDS;
     }
 
-    /** Made only when it is called, since each loads what it may need. */
+    /** Makes a command only when it is called, since each loads what it may need. */
     private static Object command(String name, Console console) {
         return switch (name) {
             case "methods" -> new MethodsCommand(console);

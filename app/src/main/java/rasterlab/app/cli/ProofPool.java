@@ -17,7 +17,7 @@ final class ProofPool implements AutoCloseable {
     private final Progress progress;
     private final ExecutorService workers;
 
-    /** Told by several threads that a proof begins. */
+    /** Hears from several threads that a proof begins. */
     interface Progress {
         void begun(Exercise one, int place, int of);
     }

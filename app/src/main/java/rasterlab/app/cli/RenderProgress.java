@@ -16,7 +16,7 @@ final class RenderProgress implements BooleanSupplier {
         this.console = console;
     }
 
-    /** Asked by the renderer, on any of its threads. */
+    /** Whether to stop; the renderer asks on any of its threads. */
     @Override
     public boolean getAsBoolean() {
         long passed = (System.nanoTime() - start) / EVERY;

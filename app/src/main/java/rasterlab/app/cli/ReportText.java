@@ -126,7 +126,7 @@ final class ReportText {
                 judged.message());
     }
 
-    /** Below the case's name too, with which the names of its picture files begin. */
+    /** Prints the pictures, below the case's name, with which the names of their files begin. */
     private void printPicture(PublishedCase judged) {
         judged.pictures().stream()
                 .filter(picture -> picture.kind().equals(CasePicture.DIFFERENCE))

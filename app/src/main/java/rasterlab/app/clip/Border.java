@@ -76,7 +76,7 @@ record Border(double[] normal, double offset) {
         return new Border(normal, offset);
     }
 
-    /** Above 0 within, in lengths of the normal. */
+    /** The distance from the border in lengths of the normal, above 0 within. */
     double distance(double[] ends, int end) {
         double sum = offset;
         for (int i = 0; i < normal.length; i++)

@@ -38,7 +38,7 @@ public record ClipChoice(
         return new ClipChoice(other, segments, polygon, volume, difference);
     }
 
-    /** With that scene in its mode, which becomes the chosen one. */
+    /** The choice with that scene in its mode, which becomes the chosen one. */
     ClipChoice with(ClipScene scene) {
         return new ClipChoice(
                 scene.mode(),

@@ -151,7 +151,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         edit(state.choice().scene().grown(state.selected()));
     }
 
-    /** Without the selected corner or segment, unless it is needed. */
+    /** Removes the selected corner or segment, unless it is needed. */
     public void shrink() {
         edit(state.choice().scene().without(state.selected()));
     }
@@ -174,7 +174,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         return history;
     }
 
-    /** Back to the mode's first scene and method; can be undone. */
+    /** Returns to the mode's first scene and method; can be undone. */
     public void reset() {
         change(state.choice().with(state.choice().firstScene()).withDifference(false), true);
     }

@@ -140,7 +140,7 @@ final class ClipPainter {
         g.draw(path);
     }
 
-    /** With an edge that is seen on the ground, whatever the colour. */
+    /** Draws a path with an edge that is seen on the ground, whatever the colour. */
     private void edged(Path2D path, Color colour, float width) {
         stroke(path, MethodColours.edgeOn(colours.ground(), colour), width + 1.5f);
         stroke(path, colour, width);
@@ -193,7 +193,7 @@ final class ClipPainter {
         return MethodColours.mix(colours.axis(), colours.ink(), 0.5);
     }
 
-    /** Behind everything else. */
+    /** Paints a region behind everything else. */
     private void paint(Drawn.Region region, List<Line2D> segments) {
         Rectangle view = g.getClipBounds();
         double left = Math.max(view.getMinX(), map.viewX(region.xmin()));

@@ -76,7 +76,7 @@ final class ClipReadings {
         return end(0);
     }
 
-    /** Its second end. */
+    /** The second end of the segment. */
     String to() {
         return end(1);
     }
@@ -184,7 +184,7 @@ final class ClipReadings {
         return texts.text("worst." + scene.mode().code(), small(worst));
     }
 
-    /** As a power of ten where it is small, with superscript digits. */
+    /** The value as a power of ten where it is small, with superscript digits. */
     private String small(double value) {
         if (!(value > 0 && value < 1e-4)) return Shown.number(value, locale());
         int exponent = (int) Math.floor(Math.log10(value));

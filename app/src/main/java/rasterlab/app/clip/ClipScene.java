@@ -19,12 +19,15 @@ public sealed interface ClipScene permits SegmentScene, PolygonScene, VolumeScen
     /** Where the points that can be moved are in the picture; none may be finite. */
     Map<Grip, Place> grips();
 
-    /** With one of the {@link #grips} elsewhere in the picture. */
+    /** The scene with one of the {@link #grips} elsewhere in the picture. */
     ClipScene moved(Grip grip, Place to);
 
-    /** With one corner or segment more, beside what the grip belongs to. */
+    /** The scene with one corner or segment more, beside what the grip belongs to. */
     ClipScene grown(Grip beside);
 
-    /** Without the corner or segment that the grip belongs to; the same where it is needed. */
+    /**
+     * The scene without the corner or segment that the grip belongs to; the same where it is
+     * needed.
+     */
     ClipScene without(Grip grip);
 }

@@ -61,7 +61,10 @@ final class ClipStage extends JPanel implements AutoCloseable {
         return view;
     }
 
-    /** Beside each other or one above the other, whichever shows everything larger. */
+    /**
+     * Places the pictures beside each other or one above the other, whichever shows everything
+     * larger.
+     */
     @Override
     public void doLayout() {
         int width = getWidth();

@@ -42,13 +42,13 @@ public record ClipStep(
 
     /** Which way something passes a border. */
     public enum Passing {
-        /** It comes in. */
+        /** The segment comes in. */
         ENTERING,
-        /** It goes out. */
+        /** The segment goes out. */
         LEAVING,
-        /** It comes in at the first place and goes out at the second. */
+        /** The segment comes in at the first place and goes out at the second. */
         BOTH,
-        /** It runs along, or no border is looked at. */
+        /** The segment runs along, or no border is looked at. */
         NONE
     }
 }

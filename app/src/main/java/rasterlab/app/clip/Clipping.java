@@ -30,7 +30,7 @@ public record Clipping(
     /** How the method came to its end. */
     public enum Ending {
         ENDED,
-        /** It went on although a segment needs no more steps. */
+        /** The method went on although a segment needs no more steps. */
         ENDLESS,
         REFUSED,
         CRASHED

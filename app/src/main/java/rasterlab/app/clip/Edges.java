@@ -43,8 +43,9 @@ final class Edges {
     }
 
     /**
-     * With e(s) = from + s·(to − from), the other's ends are at s = ((p − from)·(to − from))/|to −
-     * from|², and it covers what lies between where both are on the line.
+     * Cuts an edge e(s) = from + s·(to − from) where the other covers it: that one's ends are at s
+     * = ((p − from)·(to − from))/|to − from|², and it covers what lies between where both are on
+     * the line.
      */
     private static List<double[]> cut(double[] edge, double[] other, double tolerance) {
         double length = distance(edge, 0, edge, edge.length / 2);
@@ -105,7 +106,10 @@ final class Edges {
         return both;
     }
 
-    /** Between two points that begin at {@code i} and {@code j}, in as many dimensions as a. */
+    /**
+     * The distance between two points that begin at {@code i} and {@code j}, in as many dimensions
+     * as a.
+     */
     private static double distance(double[] a, int i, double[] b, int j) {
         int dimension = Math.min(a.length - i, b.length - j);
         double square = 0;

@@ -26,7 +26,9 @@ public record Grip(Kind kind, int index, int end) {
         return new Grip(Kind.END, segment, end);
     }
 
-    /** As people count: the window's corners by number, a segment's ends as A and B. */
+    /**
+     * The grip's name as people count: the window's corners by number, a segment's ends as A and B.
+     */
     public String label() {
         return kind == Kind.END ? (end == 0 ? "A" : "B") + (index + 1) : String.valueOf(index + 1);
     }

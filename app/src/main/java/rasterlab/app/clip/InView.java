@@ -14,7 +14,7 @@ final class InView {
     /** View units around the view, so that no cut end is seen. */
     private static final double MARGIN = 40;
 
-    /** Beyond so many view units Java2D's own clipping loses precision. */
+    /** The number of view units beyond which Java2D's own clipping loses precision. */
     private static final double FAR = 1e5;
 
     private final PlaneMap map;

@@ -67,7 +67,7 @@ final class PolygonDrawing {
         add(new Drawn.Sign(place, sense * way[0], sense * way[1], shape, ""));
     }
 
-    /** From a place on the rim towards the middle of the window. */
+    /** The direction from a place on the rim towards the middle of the window. */
     private double[] inward(Place place) {
         double[] xy = scene.window().xy();
         double x = 0;

@@ -94,7 +94,7 @@ final class SegmentClipping {
         return EndComparison.compare(exact, parts, unit(scene), input.segments(), point -> true);
     }
 
-    /** Told by the formula of its decision: a code or t. */
+    /** Whether the clipper decides by a code or by t, told by the formula of its decision. */
     private static boolean decidesByCode(SegmentClipper clipper) {
         return clipper instanceof SteppedSegmentClipper stepped
                 && stepped.decisionFormula().startsWith("code");

@@ -38,7 +38,9 @@ public record SegmentScene(
                 comparison);
     }
 
-    /** With the window as a rectangle or a polygon; a polygon is what cyrus-beck is for. */
+    /**
+     * The scene with the window as a rectangle or a polygon; a polygon is what cyrus-beck is for.
+     */
     SegmentScene shaped(boolean upright) {
         return new SegmentScene(
                 window.shaped(upright),

@@ -56,7 +56,7 @@ public record ShownWindow(List<Place> corners, boolean upright) {
         return PlaneFigures.xy(corners);
     }
 
-    /** With a corner elsewhere; that of a rectangle stops at the sides it is not on. */
+    /** The window with a corner elsewhere; that of a rectangle stops at the sides it is not on. */
     ShownWindow moved(int corner, Place to) {
         if (!upright) return new ShownWindow(Lists.replaced(corners, corner, to), false);
         ClipWindow now = rectangle();
@@ -70,13 +70,13 @@ public record ShownWindow(List<Place> corners, boolean upright) {
                         bottom ? now.ymax() : Math.max(to.y(), now.ymin())));
     }
 
-    /** With one corner more, behind that one; a rectangle stays as it is. */
+    /** The window with one corner more, behind that one; a rectangle stays as it is. */
     ShownWindow grown(int corner) {
         if (upright) return this;
         return new ShownWindow(PlaneFigures.grown(corners, corner), false);
     }
 
-    /** Without that corner; a rectangle and a triangle stay as they are. */
+    /** The window without that corner; a rectangle and a triangle stay as they are. */
     ShownWindow without(int corner) {
         if (upright || corners.size() == 3) return this;
         return new ShownWindow(Lists.removed(corners, corner), false);

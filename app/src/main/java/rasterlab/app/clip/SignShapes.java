@@ -49,7 +49,7 @@ final class SignShapes {
         };
     }
 
-    /** Its point where the border is passed. */
+    /** An arrow with its point where the border is passed. */
     private static Path2D arrow() {
         var arrow = new Path2D.Double();
         arrow.moveTo(SIZE * 0.35, 0);

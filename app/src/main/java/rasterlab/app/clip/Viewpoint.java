@@ -5,13 +5,14 @@ import rasterlab.engine.transform.Angle;
 import rasterlab.engine.transform.ProjectionMatrices;
 
 /**
- * From where space is looked at: a parallel picture, turned by α about y, then by β about x.
+ * The direction from which space is looked at: a parallel picture, turned by α about y, then by β
+ * about x.
  *
  * @param alphaDegrees α, in [−180, 180]
  * @param betaDegrees β, in [−90, 90]; from above where it is below 0
  */
 public record Viewpoint(double alphaDegrees, double betaDegrees) {
-    /** From the right and above, the eye at the left. */
+    /** The view from the right and above, the eye at the left. */
     static final Viewpoint FIRST = new Viewpoint(50, -18);
 
     public Viewpoint {
@@ -23,7 +24,7 @@ public record Viewpoint(double alphaDegrees, double betaDegrees) {
                             + betaDegrees);
     }
 
-    /** Turned further; β stops at its ends. */
+    /** The viewpoint turned further; β stops at its ends. */
     Viewpoint turned(double alpha, double beta) {
         return new Viewpoint(
                 Math.IEEEremainder(alphaDegrees + alpha, 360),

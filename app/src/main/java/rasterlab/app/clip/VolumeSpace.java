@@ -6,11 +6,11 @@ import rasterlab.engine.naming.Named;
 
 /** The space in which the view volume is shown: before, between and after its normalisations. */
 public enum VolumeSpace {
-    /** As seen: a pyramid through the screen. */
+    /** The volume as seen: a pyramid through the screen. */
     EYE,
-    /** After NORMALIZE: |x| ≤ z, |y| ≤ z, zmin ≤ z ≤ 1, where segments are clipped. */
+    /** The volume after NORMALIZE: |x| ≤ z, |y| ≤ z, zmin ≤ z ≤ 1, where segments are clipped. */
     NORMALISED,
-    /** After CANONICAL and the division by H: a box. */
+    /** The volume after CANONICAL and the division by H: a box. */
     CANONICAL;
 
     /** Lower-case name, the key of its texts. */

@@ -35,7 +35,7 @@ public record WrongParts(List<double[]> missing, List<double[]> extra) {
                 times(Edges.minus(done, right, TOLERANCE), unit));
     }
 
-    /** Measured in units, so that no square of a length is beyond a double. */
+    /** The edges measured in units, so that no square of a length is beyond a double. */
     private static List<double[]> over(List<double[]> edges, double unit) {
         return edges.stream()
                 .map(edge -> Arrays.stream(edge).map(c -> c / unit).toArray())

@@ -15,7 +15,7 @@ record Standing(State state, Optional<Earned> points, Optional<Instant> deadline
 
     enum State {
         NOT_TRIED,
-        /** Handed in, without a result as yet. */
+        /** The work was handed in, without a result as yet. */
         WAITING,
         GRADED
     }

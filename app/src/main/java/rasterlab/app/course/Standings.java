@@ -41,7 +41,7 @@ public final class Standings implements AutoCloseable {
         SERVER,
         /** Tries on this computer, since the server does not tell. */
         HERE_SERVER_SILENT,
-        /** Nothing: what was kept here cannot be read. */
+        /** No source: what was kept here cannot be read. */
         UNREADABLE
     }
 

@@ -33,7 +33,7 @@ final class CaseCanvas extends SelfDrawn {
     private static final String TOGETHER = "together";
     private static final String BLINK = "blink";
 
-    /** As long as the eye needs to see what jumps. */
+    /** The time that the eye needs to see what jumps. */
     private static final int BLINK_MILLIS = 450;
 
     private static final int GAP = 10;
@@ -232,7 +232,7 @@ final class CaseCanvas extends SelfDrawn {
         g.drawString(name, place.x, base);
     }
 
-    /** Below the pictures and their names, which part of them is seen. */
+    /** Writes below the pictures and their names which part of them is seen. */
     private void write(Graphics2D g, PlacedCase placed) {
         int lowest =
                 placed.pictures().places().stream()

@@ -26,7 +26,7 @@ record CaseDrawing(
         boolean divisible,
         Optional<PicturePart> part,
         Map<String, PaintedPicture> pictures) {
-    /** Before there is a picture. */
+    /** The drawing before there is a picture. */
     static final CaseDrawing NONE =
             new CaseDrawing(new Dimension(1, 1), true, Optional.empty(), Map.of());
 
@@ -120,7 +120,9 @@ record CaseDrawing(
         return enlarged ? dots : 0;
     }
 
-    /** At most so many columns and rows around the pixel that the case's message names. */
+    /**
+     * The cut of at most so many columns and rows around the pixel that the case's message names.
+     */
     Cut cut(Dimension size) {
         if (part.isEmpty())
             return new Cut(

@@ -77,7 +77,10 @@ final class CaseTable extends JTable {
         if (getTableHeader() != null) getTableHeader().setFont(type);
     }
 
-    /** Without verdicts in words where they would be cut off: signs tell them too. */
+    /**
+     * Lays the columns out, without verdicts in words where they would be cut off: signs tell them
+     * too.
+     */
     @Override
     public void doLayout() {
         int rest = getWidth() - least();

@@ -15,7 +15,7 @@ public final class Closing {
     public enum Answer {
         /** Each is written to a file that the user names. */
         SAVE_ELSEWHERE,
-        /** They are lost. */
+        /** The changes are lost. */
         CLOSE_ANYWAY,
         /** The window stays. */
         STAY

@@ -11,7 +11,7 @@ import rasterlab.app.language.Texts;
 
 /** Buttons and labels of the tab, named after the keys of their texts. */
 final class Controls {
-    /** Narrower than usual, so that a row of buttons fits beside the statement. */
+    /** A margin narrower than usual, so that a row of buttons fits beside the statement. */
     private static final Insets MARGIN = new Insets(2, 10, 2, 10);
 
     private Controls() {}

@@ -88,7 +88,7 @@ final class DraftFile implements Closeable {
         throw new IOException("all " + MOST + " drafts of " + exercise + " are in use");
     }
 
-    /** Empty where another window, of this process or another, holds it. */
+    /** The lock of the file; empty where another window, of this process or another, holds it. */
     private static Optional<FileChannel> held(Path file) throws IOException {
         FileChannel channel =
                 FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);

@@ -24,7 +24,9 @@ import rasterlab.exercises.predicting.HandedAnswers;
 final class EditorBar extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Small, like the buttons' margins, so that all stand in one row of a usual window. */
+    /**
+     * The gap, as small as the buttons' margins, so that all stand in one row of a usual window.
+     */
     private static final int GAP = 4;
 
     private final transient ExerciseLabModel model;

@@ -25,7 +25,7 @@ record ExerciseChoice(String exercise, int typeSteps) {
         return new ExerciseChoice(other, typeSteps);
     }
 
-    /** With larger type, or smaller; stops at the ends of the range. */
+    /** The choice with larger type, or smaller; stops at the ends of the range. */
     ExerciseChoice grown(int points) {
         int next = Math.max(SMALLEST, Math.min(LARGEST, typeSteps + points));
         return new ExerciseChoice(exercise, next);

@@ -181,8 +181,8 @@ public final class ExercisePanel extends LabPanel implements Settling {
     }
 
     /**
-     * Beside its label above the statement, in large type above all, where it has room; the map's
-     * button is below it where a title needs the width.
+     * The list of exercises beside its label above the statement, in large type above all, where it
+     * has room; the map's button is below it where a title needs the width.
      */
     private JPanel chooser(String insets) {
         var row = new JPanel(new MigLayout("insets " + insets + ", gap 8", "[][grow,fill][]"));

@@ -30,7 +30,7 @@ record ExerciseState(
         otherDrafts = List.copyOf(otherDrafts);
     }
 
-    /** Before anything was done. */
+    /** The state before anything was done. */
     static ExerciseState of(Exercise exercise, String source) {
         return new ExerciseState(
                 exercise,

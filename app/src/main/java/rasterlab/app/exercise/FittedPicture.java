@@ -40,7 +40,7 @@ record FittedPicture(BufferedImage picture) implements PaintedPicture {
                 height);
     }
 
-    /** Averaged over each dot of a smaller picture: thin lines would be lost else. */
+    /** The picture averaged over each dot of a smaller one: thin lines would be lost else. */
     private Image inDots(double perUnit, Rectangle fitted) {
         int width = (int) Math.max(1, Math.round(perUnit * fitted.width));
         int height = (int) Math.max(1, Math.round(perUnit * fitted.height));

@@ -16,7 +16,7 @@ import rasterlab.exercises.Hint;
 record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
     /** Who counts what hints cost. */
     enum Origin {
-        /** Nobody: there is no server. */
+        /** Nobody counts the hints: there is no server. */
         PRACTICE,
         /** A server that was not asked yet which ones were shown. */
         UNASKED,
@@ -28,7 +28,7 @@ record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
         shown = List.copyOf(shown);
     }
 
-    /** So many steps shown without a server. */
+    /** The hints shown without a server, as many as given. */
     static HintView practice(Exercise exercise, int shown) {
         List<Hint> all = exercise.hints();
         return new HintView(
@@ -38,7 +38,7 @@ record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
                 Origin.PRACTICE);
     }
 
-    /** Before a server was asked. */
+    /** The hints before a server was asked. */
     static HintView unasked(Exercise exercise) {
         return new HintView(
                 exercise.hints().size(), List.of(), OptionalInt.empty(), Origin.UNASKED);

@@ -163,7 +163,7 @@ final class JoinForm extends JPanel {
         labels.get(field).setEnabled(needed);
     }
 
-    /** In their order in the form. */
+    /** The fields that are needed, in their order in the form. */
     private Stream<JTextField> needed() {
         return known.isSelected() ? Stream.of(address, token) : Stream.of(address, code, student);
     }
@@ -224,7 +224,7 @@ final class JoinForm extends JPanel {
         return problem.getParent() == this && problem.getText().equals(refused.problem().in(texts));
     }
 
-    /** Below the field that is to be typed anew, which gets the keyboard. */
+    /** Shows a refusal below the field that is to be typed anew, which gets the keyboard. */
     private void tell(JoinAnswer refused) {
         JTextField field =
                 switch (refused.field()) {

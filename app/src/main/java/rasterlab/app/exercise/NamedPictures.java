@@ -19,7 +19,7 @@ import java.util.stream.IntStream;
  * @param type of the names
  */
 record NamedPictures(List<Rectangle> places, Font type) {
-    /** Between a picture and its name. */
+    /** The gap between a picture and its name. */
     static final int ABOVE_NAME = 2;
 
     /** Names become smaller in such steps, where they have no room otherwise, down to the least. */
@@ -43,7 +43,7 @@ record NamedPictures(List<Rectangle> places, Font type) {
             Font type,
             Function<Font, FontMetrics> metrics,
             int gap) {
-        /** Empty where the names have no room. */
+        /** The pictures placed in the room; empty where the names have no room. */
         Optional<NamedPictures> in(Dimension room) {
             Optional<NamedPictures> best = Optional.empty();
             for (int columns = names.size(); columns >= 1; columns--) {
@@ -54,8 +54,8 @@ record NamedPictures(List<Rectangle> places, Font type) {
         }
 
         /**
-         * Across and down, as much of the raster as has so many units for each pixel in that room;
-         * the whole where too little would be left.
+         * The size of the raster's part that has so many units for each pixel in that room; the
+         * whole where too little would be left.
          */
         Dimension part(int pixel, Dimension room) {
             Dimension best = new Dimension();

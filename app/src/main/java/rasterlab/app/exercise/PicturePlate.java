@@ -34,7 +34,7 @@ final class PicturePlate {
 
     private PicturePlate() {}
 
-    /** Empty where the file is broken or too large. */
+    /** The image; empty where the file is broken or too large. */
     static Optional<Image> of(Picture picture) {
         return picture.form() == Picture.Form.SVG ? svg(picture) : png(picture);
     }

@@ -32,7 +32,7 @@ record PlacedCase(Rectangle part, NamedPictures pictures, List<String> words) {
      */
     record Wanted(
             CaseDrawing drawing, NamedPictures.Wanted whole, Function<PicturePart, String> said) {
-        /** Empty where the names have no room. */
+        /** The case placed in the room; empty where the names have no room. */
         Optional<PlacedCase> in(Dimension room) {
             for (int lines = 0; lines < MOST_LINES; lines++) {
                 Optional<PlacedCase> placed = above(lines, room);
@@ -57,7 +57,7 @@ record PlacedCase(Rectangle part, NamedPictures pictures, List<String> words) {
         }
     }
 
-    /** Broken at spaces: a range of columns stays whole. */
+    /** The lines of a text broken at spaces: a range of columns stays whole. */
     private static List<String> lines(String said, FontMetrics metrics, int width) {
         var lines = new ArrayList<String>();
         String line = "";

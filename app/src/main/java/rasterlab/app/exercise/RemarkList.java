@@ -42,7 +42,7 @@ final class RemarkList extends JList<Outcome.Remark> {
         remarks.forEach(items::addElement);
     }
 
-    /** As wide as what scrolls it: remarks are wrapped. */
+    /** Whether the list is as wide as what scrolls it: it is, for remarks are wrapped. */
     @Override
     public boolean getScrollableTracksViewportWidth() {
         return true;
@@ -58,7 +58,10 @@ final class RemarkList extends JList<Outcome.Remark> {
         setFixedCellHeight(-1);
     }
 
-    /** Below the last remark there is none, though its list would choose the last. */
+    /**
+     * The index at a place; there is none below the last remark, though a list would choose the
+     * last.
+     */
     @Override
     public int locationToIndex(Point place) {
         int index = super.locationToIndex(place);

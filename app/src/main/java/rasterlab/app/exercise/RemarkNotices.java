@@ -80,7 +80,7 @@ final class RemarkNotices extends AbstractParser {
             return Optional.of(dot ? token.to(tokens.get(found + 1)) : token);
         }
 
-        /** But for spaces and comments. */
+        /** The tokens of a line but for spaces and comments. */
         private static List<Span> tokens(RSyntaxDocument document, int index) {
             var tokens = new ArrayList<Span>();
             for (Token each = document.getTokenListForLine(index);

@@ -24,7 +24,7 @@ final class ResultLayout implements LayoutManager {
     /** The same in large type, which is smaller already than that of labels. */
     private static final int BESIDE_LARGE = 15;
 
-    /** From so much height on the cases can stand above the pictures, in sizes of the type. */
+    /** The height from which on the cases can stand above the pictures, in sizes of the type. */
     private static final int ABOVE = 16;
 
     /** The same in large type, beside which half a row more counts for less than all verdicts. */
@@ -95,7 +95,7 @@ final class ResultLayout implements LayoutManager {
         picture.setBounds(left + gap, lines + gap / 2, right, height - lines - gap / 2);
     }
 
-    /** At most so high, and so that the lower edge cuts no row. */
+    /** A height of at most so much, at which the lower edge cuts no row. */
     private int wholeRows(int height) {
         Insets border = cases.getInsets();
         int head = table.getTableHeader().getPreferredSize().height;
@@ -105,14 +105,14 @@ final class ResultLayout implements LayoutManager {
         return all || rows < 1 ? height : around + rows * table.getRowHeight();
     }
 
-    /** More than usual only where they would be cut at that height. */
+    /** The width of words, more than usual only where they would be cut at that height. */
     private int widthOfWords(int width, int most) {
         int tenths = WORDS;
         while (tenths < WORDS_MOST && heightOfWords(width * tenths / 10) > most) tenths++;
         return width * tenths / 10;
     }
 
-    /** Wrapped to that width. */
+    /** The height of the words wrapped to that width. */
     private int heightOfWords(int width) {
         for (int round = 0; round < 2; round++) {
             words.setSize(width, Short.MAX_VALUE);

@@ -132,7 +132,10 @@ final class ResultPane extends JPanel {
         return all;
     }
 
-    /** In the type of its size, by which the parts are measured from the head on. */
+    /**
+     * Lays the parts out in the type of the pane's size, by which they are measured from the head
+     * on.
+     */
     @Override
     public void doLayout() {
         wear(ResultType.in(getSize()));

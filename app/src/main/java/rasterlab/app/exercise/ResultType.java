@@ -28,7 +28,7 @@ final class ResultType {
 
     private ResultType() {}
 
-    /** For a result of that size. */
+    /** The type for a result of that size. */
     static Font in(Dimension result) {
         Font label = UIManager.getFont("Label.font");
         float usual = label.getSize2D();

@@ -242,7 +242,7 @@ final class SourceEditor extends JPanel {
         area.requestFocusInWindow();
     }
 
-    /** While the editor has the keyboard, before it uses the key itself. */
+    /** Binds a key while the editor has the keyboard, before it uses the key itself. */
     void bind(KeyStroke key, Runnable action) {
         KeyBinding.whenFocused(area, key, action);
     }

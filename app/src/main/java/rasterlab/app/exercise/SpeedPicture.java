@@ -15,7 +15,7 @@ final class SpeedPicture implements PaintedPicture {
     /** The kind of this picture; no case has one of it. */
     static final String KIND = "chart";
 
-    /** Across and down, of which a place has the shape. */
+    /** The shape of a place, across and down. */
     static final Dimension SHAPE = new Dimension(24, 16);
 
     /** A chart in a smaller place is painted so large in its own units, and made smaller. */

@@ -44,7 +44,7 @@ final class Statement {
         /** A picture of the exercise by its name; empty where it cannot be shown. */
         Optional<Image> picture(String name);
 
-        /** Empty as long as the formula is not set. */
+        /** The formula as it is set; empty as long as it is not. */
         Optional<Typeset> formula(Formula formula);
     }
 

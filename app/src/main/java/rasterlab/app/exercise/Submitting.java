@@ -23,7 +23,7 @@ import rasterlab.exercises.score.Report;
 
 /** Hands a source in and follows it to its result. */
 final class Submitting {
-    /** Told how a submission gets on, on the thread that follows it. */
+    /** Hears how a submission gets on, on the thread that follows it. */
     interface Follower {
         /**
          * @param position in the queue, 1 being the next, 0 when its turn has come
@@ -113,7 +113,7 @@ final class Submitting {
                 english.speed());
     }
 
-    /** Below what is said, why a hidden case is there, once the server tells it. */
+    /** Adds, below what is said, why a hidden case is there, once the server tells it. */
     private static Said withReason(
             Said said, PublishedCase english, Optional<PublishedCase> russian) {
         if (english.why().isEmpty()) return said;

@@ -50,7 +50,10 @@ record TriedCase(
         return new TriedCase(one.name(), "", 0, one.points(), Said.NOTHING, List.of(), "");
     }
 
-    /** Those whose own names are kept from the student get numbers, by which they are chosen. */
+    /**
+     * The cases, of which those whose own names are kept from the student get numbers, by which
+     * they are chosen.
+     */
     static List<TriedCase> toldApart(List<TriedCase> cases) {
         var toldApart = new ArrayList<TriedCase>();
         int hidden = 0;

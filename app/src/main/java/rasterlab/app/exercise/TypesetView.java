@@ -25,7 +25,7 @@ import rasterlab.exercises.formula.Typeset;
  * aloud is the source. It takes size and colour from the text around it and stands on its line.
  */
 final class TypesetView extends View {
-    /** Up to here, in em, a formula may leave its line without the lines moving apart. */
+    /** The distance in em by which a formula may leave its line without the lines moving apart. */
     private static final double LEEWAY = 0.1;
 
     /** What is wider than its line shrinks at most to this part, and only then makes it wider. */
@@ -38,7 +38,10 @@ final class TypesetView extends View {
     private Font font;
     private double em;
 
-    /** Whole, like the places that lines are given, so that no stroke is blurred. */
+    /**
+     * The ascent, a whole number like the places that lines are given, so that no stroke is
+     * blurred.
+     */
     private double ascent;
 
     private double descent;
@@ -76,7 +79,10 @@ final class TypesetView extends View {
         return id == null ? "" : id.toString();
     }
 
-    /** Midway between letters as high as the text's small ones and as high as its capitals. */
+    /**
+     * The size of an em, midway between letters as high as the text's small ones and as high as its
+     * capitals.
+     */
     private static double em(Font font) {
         double small = height(font, "x") / Typeset.Drawn.X_HEIGHT;
         double capital = height(font, "E") / Typeset.Drawn.CAPITAL_HEIGHT;

@@ -22,7 +22,7 @@ final class VerdictLook {
         return !UNTRIED.contains(verdict);
     }
 
-    /** For words on that ground. */
+    /** The colour for a verdict's words on that ground. */
     static Color colour(String verdict, Color ground) {
         Color own = right(verdict) ? MethodColours.GREEN : MethodColours.VERMILLION;
         return MethodColours.textOn(ground, own);

@@ -85,8 +85,8 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
     }
 
     /**
-     * Its faces with their normals; takes long for many faces. Where the user's own program is to
-     * find the normals, they are the scene's own: {@link #scene(VertexNormals)} asks it.
+     * The body's faces with their normals; takes long for many faces. Where the user's own program
+     * is to find the normals, they are the scene's own: {@link #scene(VertexNormals)} asks it.
      */
     Scene scene() {
         Scene bare = bare();
@@ -94,7 +94,7 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
         return known ? smoothed(bare, new NormalsTopic().method(normals).implementation()) : bare;
     }
 
-    /** Its faces with the normals that a method finds. */
+    /** The body's faces with the normals that a method finds. */
     Scene scene(VertexNormals method) {
         return smoothed(bare(), method);
     }

@@ -101,7 +101,7 @@ record ColourChoice(
         return new ColourChoice(model, components, name, yaw, pitch, outside);
     }
 
-    /** Turned; it never stands on its head. */
+    /** The choice turned; the cube never stands on its head. */
     ColourChoice turned(double right, double down) {
         double tilted = Math.max(-1.4, Math.min(1.4, pitch + down));
         return new ColourChoice(model, components, method, yaw + right, tilted, outside);
@@ -113,7 +113,7 @@ record ColourChoice(
         return other == model ? own : new FormulaColors().convert(model, own, other);
     }
 
-    /** 0xRRGGBB. */
+    /** The colour as 0xRRGGBB. */
     int rgb() {
         double[] rgb = in(ColorModel.RGB);
         int value = 0;

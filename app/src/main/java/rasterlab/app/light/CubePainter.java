@@ -33,7 +33,7 @@ final class CubePainter {
     /** View units from a corner to its name. */
     private static final double GAP = 12;
 
-    /** From the cube's middle to a corner, in edges. */
+    /** The distance from the cube's middle to a corner, in edges. */
     private static final double CORNER = Math.sqrt(3) / 2;
 
     /** View units from a name to the stage's edge. */
@@ -198,8 +198,8 @@ final class CubePainter {
     }
 
     /**
-     * From a corner to the middle of its name, which lies outwards and as near as leaves the corner
-     * free.
+     * The vector from a corner to the middle of its name, which lies outwards and as near as leaves
+     * the corner free.
      *
      * @param dx from the cube's middle to the corner; so is dy
      */

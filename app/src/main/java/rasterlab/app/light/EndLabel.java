@@ -19,8 +19,8 @@ final class EndLabel {
     private EndLabel() {}
 
     /**
-     * Below the end, above it, to its left or right: the first of them that neither a lamp nor the
-     * plate touches; below it where all are touched.
+     * The place below the end, above it, to its left or right: the first of them that neither a
+     * lamp nor the plate touches; below it where all are touched.
      *
      * @param lamps their middles
      * @param plate what else must stay in sight

@@ -45,7 +45,7 @@ record Lamp(
     enum Kind {
         /** Shines from its place all around. */
         POINT,
-        /** Infinitely far in its direction. */
+        /** A sun, infinitely far in its direction. */
         SUN,
         /** Shines from its place in a cone towards the scene's middle. */
         SPOT;
@@ -122,7 +122,7 @@ record Lamp(
         return aims ? new SpotCone(new double[] {-x, -y, -z}, cutoff, exponent) : SpotCone.none();
     }
 
-    /** In its place; a sun in the middle shines from above. */
+    /** The light from the lamp's place; a sun in the middle shines from above. */
     Light light() {
         boolean middle = x == 0 && y == 0 && z == 0;
         if (kind == Kind.SUN) return Light.from(source(), x, y, middle ? 1 : z);

@@ -118,7 +118,7 @@ final class LampControls {
         if (!listing) model.choose(choice -> choice.selecting(Integer.parseInt(index)));
     }
 
-    /** As many entries as there are lamps. */
+    /** Lists as many entries as there are lamps. */
     private void list(int lamps) {
         listing = true;
         while (lamp.getItemCount() > lamps) lamp.removeItemAt(lamp.getItemCount() - 1);

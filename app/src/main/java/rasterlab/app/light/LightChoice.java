@@ -183,7 +183,7 @@ record LightChoice(
         return draft.choice();
     }
 
-    /** Lit by the user's own program on that topic; "" for the three shadings. */
+    /** The choice lit by the user's own program on that topic; "" for the three shadings. */
     LightChoice withShaded(String topic) {
         var draft = new Draft(this);
         draft.shaded = topic;
@@ -191,8 +191,8 @@ record LightChoice(
     }
 
     /**
-     * Lit by the user's own program on a topic about light: by its normals, drawn as arrows, or by
-     * the light that it finds, whose mirrored term is Phong's.
+     * The choice lit by the user's own program on a topic about light: by its normals, drawn as
+     * arrows, or by the light that it finds, whose mirrored term is Phong's.
      */
     LightChoice byOwn(String topic) {
         if (topic.equals(OwnNormals.TOPIC))
@@ -225,7 +225,7 @@ record LightChoice(
         return with(next, next.size() - 1);
     }
 
-    /** Without the selected lamp, unless it is the only one. */
+    /** The choice without the selected lamp, unless it is the only one. */
     LightChoice shrunk() {
         if (lamps.size() == 1) return this;
         var next = new ArrayList<>(lamps);

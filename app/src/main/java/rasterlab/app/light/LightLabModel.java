@@ -108,7 +108,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         publish(state.choice(), state.drawn(), problem);
     }
 
-    /** Also where what is chosen was shown already: the user has gone on. */
+    /**
+     * Forgets what could not be shown, also where what is chosen was shown already: the user has
+     * gone on.
+     */
     private void forgetProblem() {
         if (!state.problem().isEmpty()) tellProblem("");
     }
@@ -309,7 +312,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         return history;
     }
 
-    /** Back to the first light and colour; can be undone. */
+    /** Returns to the first light and colour; can be undone. */
     void reset() {
         var first = new Chosen(LightChoice.first(), state.colours(), ColourChoice.first());
         if (first.equals(chosen())) {

@@ -213,7 +213,7 @@ final class LightStage extends SelfDrawn implements Settling {
             setCursor(Cursor.getPredefinedCursor(cursor));
         }
 
-        /** On a lamp it moves the lamp away, with Ctrl it zooms, else it moves the eye. */
+        /** Moves the lamp under the pointer away, zooms with Ctrl, else moves the eye. */
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
             double turned = e.getPreciseWheelRotation();

@@ -122,7 +122,7 @@ final class LitInputs {
         return normals;
     }
 
-    /** By how much of each corner the point is made, by areas seen along the normal. */
+    /** The share of each corner in the point, by areas seen along the normal. */
     private static double[] shares(double[] abc, double[] point) {
         double[] whole = cross(abc, 0, abc, 3, abc, 6);
         double all = dot(whole, whole);

@@ -46,7 +46,7 @@ final class LitSceneSaving {
                         told, () -> ask("copy.title", file -> told.accept(commands(file))));
     }
 
-    /** For what the file holds, even if the lamps have gone on since. */
+    /** The commands for what the file holds, even if the lamps have gone on since. */
     private String commands(LitSceneFile file) {
         LightFrame.Drawn drawn = model.state().drawn().orElseThrow();
         return file.commands(file.choice(), drawn.width(), drawn.height());

@@ -45,7 +45,10 @@ public final class MachBandsChart {
         return faces;
     }
 
-    /** Evenly spaced places would be taken for the only ones that an axis may name. */
+    /**
+     * The places a little uneven: evenly spaced ones would be taken for the only ones that an axis
+     * may name.
+     */
     private static double[] uneven(double[] places) {
         for (int i = 0; i < places.length; i += PER_FACE) places[i] += 1e-3;
         return places;

@@ -18,12 +18,12 @@ record MarkPlaces(int width, int height) {
         return PictureFit.of(width, height, 1);
     }
 
-    /** From 0 to the picture's width. */
+    /** The mark's place across, from 0 to the picture's width. */
     double x(double mark) {
         return within(frame().toPixelX((mark - 0.5) * PictureFit.NATURAL_WIDTH), width);
     }
 
-    /** From 0 to the picture's height. */
+    /** The mark's place down, from 0 to the picture's height. */
     double y(double mark) {
         return within(frame().toPixelY((0.5 - mark) * PictureFit.NATURAL_HEIGHT), height);
     }

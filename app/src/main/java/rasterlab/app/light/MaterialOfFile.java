@@ -10,7 +10,9 @@ import rasterlab.engine.scene.Finish;
 final class MaterialOfFile {
     private MaterialOfFile() {}
 
-    /** Empty where faces differ, are glass, or are of no substance that the lab has. */
+    /**
+     * The material; empty where faces differ, are glass, or are of no substance that the lab has.
+     */
     static Optional<MaterialChoice> of(List<Finish> finishes) {
         if (finishes.size() != 1) return Optional.empty();
         Finish one = finishes.get(0);

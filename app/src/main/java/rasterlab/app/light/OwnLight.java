@@ -62,7 +62,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
         }
     }
 
-    /** Nothing of the program is seen where it gave no answer. */
+    /** The light of a program that gave no answer, of which nothing is seen. */
     private static OwnLight refused(
             LitSamples samples, int background, Raster right, IllegalArgumentException why) {
         Raster none = samples.picture(background, k -> 0xFF000000 | SAME);
@@ -73,7 +73,9 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
         return Levels.rgb(light[3 * k], light[3 * k + 1], light[3 * k + 2]);
     }
 
-    /** In levels of 255; as much as there can be where the program says no number. */
+    /**
+     * The difference in levels of 255; as much as there can be where the program says no number.
+     */
     private static double difference(double[] mine, double[] right, int k) {
         double worst = 0;
         for (int c = 3 * k; c < 3 * k + 3; c++) {

@@ -28,7 +28,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
     /** A tip that is nearer is in its place. */
     private static final double RIGHT = 1e-9;
 
-    /** On any thread; the program is asked once. */
+    /** Asks the program for its normals, once and on any thread. */
     static OwnNormals of(Body body, OwnMethods own) {
         var asked = new Asked(own);
         VertexNormals truth = new NormalsTopic().method(truth(own)).implementation();

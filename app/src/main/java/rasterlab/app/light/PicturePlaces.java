@@ -8,12 +8,12 @@ import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;
 
-/** From the world to a picture of the lab and back: lamps and normals. */
+/** Maps the world to a picture of the lab and back: lamps and normals. */
 record PicturePlaces(ViewedMesh view) {
     /** Length of an arrow in world units. */
     private static final double ARROW = 16;
 
-    /** Nearer to the eye than this share of ρ a lamp is taken to be that far. */
+    /** The share of ρ that a lamp nearer to the eye is taken to be away. */
     private static final double NEAREST = 0.05;
 
     static PicturePlaces of(LightChoice choice, Scene body, int width, int height) {
@@ -48,7 +48,7 @@ record PicturePlaces(ViewedMesh view) {
         return world;
     }
 
-    /** From the middle of each face whose outside is seen. */
+    /** The arrows from the middle of each face whose outside is seen. */
     double[] faceArrows() {
         Mesh mesh = view.mesh();
         var ends = new double[4 * mesh.faceCount()];
@@ -70,7 +70,9 @@ record PicturePlaces(ViewedMesh view) {
         return Arrays.copyOf(ends, at);
     }
 
-    /** From each corner of such faces, as the shadings of corners and pixels have them. */
+    /**
+     * The arrows from each corner of such faces, as the shadings of corners and pixels have them.
+     */
     double[] cornerArrows() {
         Mesh mesh = view.mesh();
         var ends = new double[4 * mesh.totalCorners()];

@@ -98,7 +98,7 @@ record PointReading(
                                 everywhere));
     }
 
-    /** To the side that is lit. */
+    /** The normal to the side that is lit. */
     static double[] normal(LightChoice choice, SeenPoint seen) {
         double[] normal = seen.normal();
         if (choice.twoSided() && seen.behind()) for (int c = 0; c < 3; c++) normal[c] = -normal[c];

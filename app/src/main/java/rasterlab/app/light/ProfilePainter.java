@@ -87,7 +87,9 @@ final class ProfilePainter {
         return metrics.getHeight();
     }
 
-    /** Upwards along the levels; left out where it is longer than they are high. */
+    /**
+     * Writes "brightness" upwards along the levels; left out where it is longer than they are high.
+     */
     private void nameBrightness(Rectangle2D box) {
         FontMetrics metrics = g.getFontMetrics();
         String name = texts.text("brightness");

@@ -14,7 +14,7 @@ import rasterlab.contract.LitPoint;
  * @param lampZ of the lamp
  */
 record SpotPlace(double x, double lampX, double lampZ) {
-    /** Empty where the point's light has no cone. */
+    /** The place in the spot; empty where the point's light has no cone. */
     static Optional<SpotPlace> of(LitPoint point) {
         if (point.light().cone().shinesAllAround()) return Optional.empty();
         double[] axis = point.light().cone().direction();

@@ -24,7 +24,10 @@ final class AloneMark extends FlatAbstractIcon {
         super(SIZE, SIZE, null);
     }
 
-    /** Whole also where the pixel has a mark of its own, over which it is to be painted. */
+    /**
+     * Paints the mark whole, also where the pixel has a mark of its own, over which it is to be
+     * painted.
+     */
     static void paint(Graphics2D g, StageColours colours, Rectangle2D pixel) {
         if (pixel.getWidth() < ROOMY) {
             double size = Math.max(SMALLEST_DOT, pixel.getWidth());

@@ -34,7 +34,10 @@ public record ArcFigure(boolean round, int centreX, int centreY, int radiusX, in
         return new Ellipse(centreX, centreY, radiusX, radiusY);
     }
 
-    /** With that half-axis along the rows, and along the columns too where it is a circle. */
+    /**
+     * The figure with that half-axis along the rows, and along the columns too where it is a
+     * circle.
+     */
     ArcFigure withRadiusX(int radius) {
         return new ArcFigure(round, centreX, centreY, radius, round ? radius : radiusY);
     }

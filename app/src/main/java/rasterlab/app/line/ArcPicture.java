@@ -23,7 +23,7 @@ import rasterlab.engine.raster.PixelSet;
  */
 record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone)
         implements PlanePicture {
-    /** From so many view units a pixel on, pixels have edges and marks. */
+    /** The view units a pixel from which on pixels have edges and marks. */
     private static final double ROOMY = 5;
 
     private static final int BETWEEN_CHECKS = 5000;

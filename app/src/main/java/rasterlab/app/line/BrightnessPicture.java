@@ -49,7 +49,10 @@ record BrightnessPicture(
         for (int i = 0; i < methods.size(); i++) key(g, map, colours, i);
     }
 
-    /** Beyond the curves: below the end of the one axis, over the end of the other. */
+    /**
+     * Writes the axes' names beyond the curves: below the end of the one axis, over the end of the
+     * other.
+     */
     private void nameAxes(Graphics2D g, PlaneMap map, StageColours colours) {
         FontMetrics metrics = g.getFontMetrics();
         double right = map.viewX(SlopeFigure.STEEPEST) - metrics.stringWidth(words.degrees);

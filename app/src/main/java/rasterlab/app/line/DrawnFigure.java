@@ -17,12 +17,12 @@ public sealed interface DrawnFigure permits ArcFigure, PenFigure, SlopeFigure {
 
     DrawnFigure moved(String grip, Spot to);
 
-    /** After two clicks on the ground; the same where nothing can be added. */
+    /** The figure after two clicks on the ground; the same where nothing can be added. */
     default DrawnFigure added(Spot at) {
         return this;
     }
 
-    /** Without that point; the same where it is needed. */
+    /** The figure without that point; the same where it is needed. */
     default DrawnFigure without(String grip) {
         return this;
     }

@@ -12,7 +12,7 @@ import rasterlab.engine.raster.PixelSet;
 final class ExtraWrites {
     static final ExtraWrites NONE = new ExtraWrites(new int[0]);
 
-    /** Their places among all that were sent, from 0, ascending. */
+    /** The places of the writes among all that were sent, from 0, ascending. */
     private final int[] places;
 
     private ExtraWrites(int[] places) {

@@ -21,7 +21,7 @@ final class FigureCommand {
                 .formatted(methods);
     }
 
-    /** Empty where no command draws the figure. */
+    /** The command; empty where none draws the figure. */
     static Optional<String> of(FigureScene scene) {
         if (scene.mode() == LineMode.BRIGHTNESS) return Optional.of(brightness(scene));
         if (!(scene.figure() instanceof ArcFigure arc)) return Optional.empty();

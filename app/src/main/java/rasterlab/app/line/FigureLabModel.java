@@ -220,7 +220,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         return history;
     }
 
-    /** Back to the mode's first figure and method; can be undone. */
+    /** Returns to the mode's first figure and method; can be undone. */
     public void reset() {
         change(FigureScene.first(state.scene().mode()), true);
     }

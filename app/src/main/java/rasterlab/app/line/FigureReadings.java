@@ -131,7 +131,7 @@ final class FigureReadings {
                 : NONE;
     }
 
-    /** Between the brightest and the darkest slope. */
+    /** The ratio of brightness between the brightest and the darkest slope. */
     String spread() {
         if (drawing.brightness().isEmpty()) return NONE;
         double least =

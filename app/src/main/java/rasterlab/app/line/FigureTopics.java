@@ -28,7 +28,7 @@ record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line, Ow
         this(new CircleTopic(), new EllipseTopic(), new LineTopic(), own);
     }
 
-    /** Empty where the pen draws. */
+    /** The topic of a mode; empty where the pen draws. */
     Optional<Topic<?, ?, ?>> of(LineMode mode) {
         return switch (mode) {
             case CIRCLE -> Optional.of(circle);
@@ -54,7 +54,7 @@ record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line, Ow
                 .toList();
     }
 
-    /** Those of circles and ellipses. */
+    /** The hazards of circles and ellipses. */
     List<? extends Hazard<?>> hazards(LineMode mode) {
         if (mode == LineMode.CIRCLE) return circle.hazards();
         return mode == LineMode.ELLIPSE ? ellipse.hazards() : List.of();

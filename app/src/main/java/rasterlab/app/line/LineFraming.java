@@ -54,7 +54,7 @@ final class LineFraming {
         return shown;
     }
 
-    /** Those far away would leave nothing of the others. */
+    /** Adds the pixels that are near: those far away would leave nothing of the others. */
     private static void addNear(Rectangle shown, PixelRecording plotted) {
         var near = new Rectangle(shown);
         near.grow(Math.max(BESIDE, shown.width), Math.max(BESIDE, shown.height));

@@ -36,7 +36,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final FigureLabModel figures;
     private final Listeners<LineMode> modeListeners = new Listeners<>();
 
-    /** As it was chosen; among the figures undo may have gone on to another. */
+    /** The mode as it was chosen; among the figures undo may have gone on to another. */
     private LineMode mode = LineMode.SEGMENT;
 
     private Optional<Tried> tried = Optional.empty();
@@ -237,7 +237,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         return history;
     }
 
-    /** Back to the first segment and method; can be undone. */
+    /** Returns to the first segment and method; can be undone. */
     public void reset() {
         arrange(first, Optional.empty());
     }

@@ -22,7 +22,7 @@ public final class LineMarks {
     private final int last;
     private final PixelSet missing;
 
-    /** Those of the pixels that are extra and were not lit before, ascending. */
+    /** The extra pixels that were not lit before, ascending. */
     private final int[] extra;
 
     private LineMarks(PixelRecording pixels, int[] steps, int last, PixelSet missing, int[] extra) {

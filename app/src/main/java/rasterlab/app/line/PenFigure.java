@@ -60,7 +60,7 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
         return Arrays.stream(picture(0, -1).argb()).filter(argb -> argb == -1).count();
     }
 
-    /** From point to point, in pixels. */
+    /** The length from point to point, in pixels. */
     double length() {
         double length = 0;
         for (int i = 1; i < points.size(); i++)
@@ -105,7 +105,7 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
         return with(moved);
     }
 
-    /** Not so far away that no pixel is left in the picture. */
+    /** The spot, moved to where some pixel is left in the picture if it was too far away. */
     private static Spot clamped(Spot to) {
         return new Spot(
                 Math.max(-WIDTH, Math.min(2 * WIDTH, to.x())),

@@ -60,7 +60,7 @@ final class CallLog extends JList<GlCall> {
         EventQueue.invokeLater(this::reveal);
     }
 
-    /** That of labels, smaller where names of calls would be broken. */
+    /** The size of type as in labels, smaller where names of calls would be broken. */
     private static float type(int width) {
         float label = UIManager.getFont("Label.font").getSize2D();
         return Math.min(label, Math.max(LEAST, width / (COLUMNS * LETTER)));
@@ -183,7 +183,7 @@ final class CallLog extends JList<GlCall> {
             }
         }
 
-        /** As smooth as labels are. */
+        /** Draws words as smooth as labels are. */
         private void draw(Graphics g, String words, int x, int y) {
             FlatUIUtils.drawString(this, g, words, x, y);
         }

@@ -7,7 +7,7 @@ import rasterlab.app.opengl.state.Setting;
 
 /** Scenes on which a state is seen to matter or to fail. */
 public enum GlView {
-    /** Lit as the front is, the tube's inner side is dark or wrong. */
+    /** One-sided light: lit as the front is, the tube's inner side is dark or wrong. */
     ONE_SIDE(
             choice ->
                     choice.with(Setting.TWO_SIDE, "GL_FALSE")
@@ -47,7 +47,7 @@ public enum GlView {
             choice ->
                     choice.with(Setting.BLEND, "GL_SRC_ALPHA:GL_ONE_MINUS_SRC_ALPHA")
                             .with(Setting.ALPHA, "0.5")),
-    /** Without a depth test the last triangle wins. */
+    /** No depth test: the last triangle wins. */
     NO_DEPTH(choice -> choice.with(Setting.DEPTH_TEST, "off"));
 
     private final UnaryOperator<GlChoice> change;

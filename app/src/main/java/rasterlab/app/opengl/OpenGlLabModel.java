@@ -117,7 +117,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                 Optional.of(Comparison.of(openGl, software)));
     }
 
-    /** On the thread that draws, as all that uses the painter. */
+    /** The painter, used on the thread that draws. */
     private SoftwarePainter painter() {
         if (painter.isEmpty()) painter = Optional.of(new SoftwarePainter());
         return painter.get();
@@ -247,7 +247,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         return history;
     }
 
-    /** Back to how the lab opens; can be undone. */
+    /** Returns to how the lab opens; can be undone. */
     public void reset() {
         change(GlChoice.first(), Setting.SCENE);
     }

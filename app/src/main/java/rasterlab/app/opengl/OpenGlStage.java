@@ -181,7 +181,7 @@ final class OpenGlStage extends JPanel implements Settling {
         return new Dimension(800, 600);
     }
 
-    /** On a screen OpenGL gets its window. */
+    /** Adds OpenGL's window where there is a screen. */
     @Override
     public void addNotify() {
         super.addNotify();

@@ -20,7 +20,7 @@ import rasterlab.engine.raster.Raster;
 final class PicturePane extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
-    /** Around words, in view units. */
+    /** The margin around words, in view units. */
     private static final int MARGIN = 12;
 
     /** Points of the smallest type that is read. */
@@ -74,7 +74,9 @@ final class PicturePane extends SelfDrawn {
         g.dispose();
     }
 
-    /** In type that is small enough for all of it, but no smaller than can be read. */
+    /**
+     * Draws a sentence in type that is small enough for all of it, but no smaller than can be read.
+     */
     private void say(Graphics2D g, String sentence) {
         g.setColor(StageColours.now().ink());
         List<String> lines = lines(g, sentence);

@@ -10,7 +10,7 @@ import rasterlab.engine.raster.Raster;
  * @param openGl levels of red, green and blue, or a dash where there is no picture
  */
 record PixelReading(int x, int y, String openGl, String software) {
-    /** Empty where there is no such pixel yet. */
+    /** The reading at a pixel; empty where there is no such pixel yet. */
     static Optional<PixelReading> at(OpenGlLabState.Pictures pictures, int x, int y) {
         return pictures.software()
                 .filter(raster -> raster.contains(x, y))

@@ -27,13 +27,13 @@ public enum FileKind {
         this.most = most;
     }
 
-    /** With its article. */
+    /** The kind's name with its article. */
     @Override
     public String toString() {
         return words;
     }
 
-    /** Bytes. */
+    /** The most bytes of such a file. */
     public int most() {
         return most;
     }

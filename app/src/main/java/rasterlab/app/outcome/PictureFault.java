@@ -52,7 +52,7 @@ final class PictureFault {
         }
     }
 
-    /** Without those at the end, which some programs fill a file up with. */
+    /** The bytes without zeros at the end, which some programs fill a file up with. */
     private static String withoutZeros(String bytes) {
         int length = bytes.length();
         while (length > 0 && bytes.charAt(length - 1) == 0) length--;

@@ -32,7 +32,7 @@ public enum Stretch {
         throw new IllegalArgumentException("distance must be finite, got " + distance);
     }
 
-    /** Its name in files and keys of texts. */
+    /** The name of the stretch in files and keys of texts. */
     public String code() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

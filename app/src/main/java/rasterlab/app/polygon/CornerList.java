@@ -78,7 +78,7 @@ final class CornerList {
         return List.copyOf(copy);
     }
 
-    /** Without that corner; the same where only {@code least} are left. */
+    /** The corners without that one; the same where only {@code least} are left. */
     static List<Place> removed(List<Place> corners, int index, int least) {
         if (corners.size() <= least) return corners;
         var copy = new ArrayList<>(corners);

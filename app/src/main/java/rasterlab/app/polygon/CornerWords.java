@@ -24,7 +24,8 @@ record CornerWords(List<String> lines, Rectangle place) {
     private static final int ABOVE_READ_OUT = 3;
 
     /**
-     * To the lower left above the read-out, or in an upper corner where they cover less there.
+     * The words to the lower left above the read-out, or in an upper corner where they cover less
+     * there.
      *
      * @param taken what they should not cover
      */

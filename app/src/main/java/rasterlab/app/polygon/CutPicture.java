@@ -89,7 +89,7 @@ record CutPicture(
         strokes.line(corners.get(0), corners.get(2), colours.focus(), 4);
     }
 
-    /** In the middle of the triangle, shared with its number: the number stands above. */
+    /** Marks the middle of the triangle, shared with its number: the number stands above. */
     private void mark(Graphics2D g, PlaneMap map, Cut cut) {
         Place middle = middle(cut);
         PixelMark.EXTRA.paint(
@@ -118,7 +118,10 @@ record CutPicture(
         }
     }
 
-    /** In the triangle: its middle first, then towards its sides, then towards its corners. */
+    /**
+     * The places in the triangle: its middle first, then towards its sides, then towards its
+     * corners.
+     */
     private Stream<Place> places(Cut cut) {
         List<Place> corners = corners(cut);
         Place middle = middle(cut);

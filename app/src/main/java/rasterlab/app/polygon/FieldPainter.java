@@ -10,7 +10,7 @@ import rasterlab.engine.raster.PixelMark;
 
 /** Draws a field: where a method says inside, and where another judge says otherwise. */
 final class FieldPainter {
-    /** From so many view units between points on, each is drawn by itself, with a mark. */
+    /** The view units between points from which on each is drawn by itself, with a mark. */
     private static final double ROOMY = 11;
 
     private static final double SHARE = 0.32;

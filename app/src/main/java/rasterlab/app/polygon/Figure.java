@@ -21,10 +21,13 @@ public sealed interface Figure permits InsideFigure, CutFigure, FillFigure, Seed
     /** One corner more behind that one, or a wall at the pen. */
     Figure grown(Grip beside);
 
-    /** Without that corner unless it is needed, or without the wall at the pen. */
+    /** The figure without that corner unless it is needed, or without the wall at the pen. */
     Figure without(Grip grip);
 
-    /** After two clicks on the ground: a corner more there, the point there, or a wall there. */
+    /**
+     * The figure after two clicks on the ground: a corner more there, the point there, or a wall
+     * there.
+     */
     Figure clicked(Place at);
 
     /** The least way that a key moves a point, in the plane's units; 0 for any. */

@@ -50,7 +50,7 @@ final class FigureControls {
         column.row("colour", colour);
     }
 
-    /** Named as its text, whose mnemonic it has. */
+    /** A check box named as its text, whose mnemonic it has. */
     static JCheckBox checkBox(String key, Texts texts) {
         var box = new JCheckBox(texts.label(key));
         box.setName(key);

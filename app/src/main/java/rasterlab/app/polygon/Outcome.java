@@ -13,10 +13,10 @@ public record Outcome(
     /** How it came to its end. */
     public enum Ending {
         ENDED,
-        /** It threw for what it cannot do. */
+        /** The method threw for what it cannot do. */
         REFUSED,
         CRASHED,
-        /** It went on beyond all bounds and was stopped. */
+        /** The method went on beyond all bounds and was stopped. */
         ENDLESS
     }
 

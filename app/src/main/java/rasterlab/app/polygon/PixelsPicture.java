@@ -28,7 +28,7 @@ import rasterlab.engine.surface.Brush;
  */
 record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wrong, int step)
         implements PlanePicture {
-    /** From so many view units a pixel on, lines between pixels and marks are drawn. */
+    /** The view units a pixel from which on lines between pixels and marks are drawn. */
     private static final double GRID = 5;
 
     private static final double LARGEST_MARK = 44;
@@ -149,7 +149,7 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
             g.draw(new Line2D.Double(left, map.viewY(y - 0.5), right, map.viewY(y - 0.5)));
     }
 
-    /** Around each run, so that every colour is seen on the ground. */
+    /** Draws an edge around each run, so that every colour is seen on the ground. */
     private void edges(Graphics2D g, PlaneMap map, StageColours colours) {
         g.setColor(MethodColours.edgeOn(colours.ground(), PolygonColours.OWN.of(method)));
         g.setStroke(new BasicStroke(1));

@@ -30,7 +30,7 @@ public record PolygonChoice(
         return new PolygonChoice(other, scenes, difference);
     }
 
-    /** With that scene in its mode, which becomes the chosen one. */
+    /** The choice with that scene in its mode, which becomes the chosen one. */
     PolygonChoice with(PolygonScene scene) {
         var changed = new EnumMap<>(scenes);
         changed.put(scene.mode(), scene);

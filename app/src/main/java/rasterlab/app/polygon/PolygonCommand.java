@@ -16,7 +16,9 @@ final class PolygonCommand {
 
     private PolygonCommand() {}
 
-    /** Empty where no command takes the figure, such as one with a corner that is nowhere. */
+    /**
+     * The command; empty where none takes the figure, such as one with a corner that is nowhere.
+     */
     static Optional<String> of(PolygonScene scene) {
         if (scene.figure() instanceof SeedFigure seed && seed.width() * seed.height() > MOST_PIXELS)
             return Optional.empty();

@@ -152,7 +152,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         edit(figure().grown(state.selected()));
     }
 
-    /** Without the selected corner unless it is needed, or without the wall at the pen. */
+    /** Removes the selected corner unless it is needed, or the wall at the pen. */
     public void shrink() {
         edit(figure().without(state.selected()));
     }
@@ -199,7 +199,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         return history;
     }
 
-    /** Back to the mode's first scene and method; can be undone. */
+    /** Returns to the mode's first scene and method; can be undone. */
     public void reset() {
         PolygonScene first = PolygonScene.first(state.choice().mode());
         change(state.choice().with(first).withDifference(false), true);

@@ -133,7 +133,9 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         return note.isEmpty() && named ? OwnWords.called(outcome.method(), texts.language()) : note;
     }
 
-    /** At the places that the user chose last, though the picture may not be there yet. */
+    /**
+     * The points at the places that the user chose last, though the picture may not be there yet.
+     */
     private List<PlanePoint> points(PolygonScene scene) {
         var points = new ArrayList<PlanePoint>();
         scene.figure()

@@ -15,7 +15,7 @@ import rasterlab.app.canvas.StageColours;
 
 /** Lines of a figure on the stage. */
 final class Strokes {
-    /** Beyond so many view units Java2D's own clipping loses precision. */
+    /** The number of view units beyond which Java2D's own clipping loses precision. */
     private static final double FAR = 1e6;
 
     private final Graphics2D g;
@@ -44,7 +44,10 @@ final class Strokes {
         return ring(places, map);
     }
 
-    /** Through the places in turn and back to the first one; those that are nowhere left out. */
+    /**
+     * The path through the places in turn and back to the first one; those that are nowhere left
+     * out.
+     */
     static Path2D ring(List<Place> places, PlaneMap map) {
         var path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
         for (Place place : places) {
@@ -113,7 +116,7 @@ final class Strokes {
                 colours.ink());
     }
 
-    /** Between the ink of words and that of the grid. */
+    /** A colour between the ink of words and that of the grid. */
     Color faint() {
         return MethodColours.mix(colours.axis(), colours.ink(), 0.3);
     }

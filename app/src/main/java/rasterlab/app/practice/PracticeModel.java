@@ -137,14 +137,14 @@ public final class PracticeModel implements AutoCloseable {
         else publish(state.next());
     }
 
-    /** Back to the lab, or to the exercise whose sheet was answered. */
+    /** Returns to the lab, or to the exercise whose sheet was answered. */
     void leave() {
         boolean answered = state.graded().isPresent();
         publish(PracticeState.LEFT);
         if (answered) graded.orElseThrow().back().run();
     }
 
-    /** Back to the lab, which is about to show something else; a sheet keeps its answers. */
+    /** Returns to the lab, which is about to show something else; a sheet keeps its answers. */
     public void giveWay() {
         if (state.topic().isPresent()) publish(PracticeState.LEFT);
     }

@@ -41,7 +41,7 @@ final class RowSketches {
         return new Board(Space.PIXELS, figures, new Run(ROW, FROM, TO));
     }
 
-    /** Around all pixels of a picture. */
+    /** A path around all pixels of a picture. */
     static Path border(int width, int height) {
         double right = width - 0.5;
         double bottom = height - 0.5;

@@ -31,7 +31,7 @@ final class SpaceView {
         return of.path(index).doubleValue();
     }
 
-    /** From a point as far as a vector goes, times a factor. */
+    /** An arrow from a point as far as a vector goes, times a factor. */
     static Path arrow(JsonNode from, JsonNode vector, double factor, Look look) {
         Point2D end =
                 at(

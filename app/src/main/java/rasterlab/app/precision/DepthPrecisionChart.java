@@ -38,10 +38,10 @@ public final class DepthPrecisionChart {
 
     private static final int MARKS_PER_DECADE = 2;
 
-    /** Its line shows on both sides of the one that lies on it. */
+    /** The wide line, which shows on both sides of the one that lies on it. */
     private static final String WIDE = "z24";
 
-    /** Its line lies on the wide one, so its marks stand between those. */
+    /** The line that lies on the wide one, so its marks stand between those. */
     private static final String COVERED = "zfloat";
 
     private DepthPrecisionChart() {}

@@ -14,7 +14,7 @@ final class DepthTriangleKind
     private static final int BACKGROUND = 0xFF7F7F7F;
     private static final int[] COLOURS = {0xFFE69F00, 0xFF56B4E9, 0xFF009E73, 0xFFCC79A7};
 
-    /** Of the depth range, beyond which the topic calls a depth wrong. */
+    /** The share of the depth range beyond which the topic calls a depth wrong. */
     private static final double USABLE = 1.0 / (1 << 16);
 
     DepthTriangleKind() {

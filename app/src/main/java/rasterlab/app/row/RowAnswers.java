@@ -34,7 +34,7 @@ final class RowAnswers<C, I, O> {
         this.topic = topic;
     }
 
-    /** On any thread but the event thread, as all of this class. */
+    /** The right answer, asked for on any thread but the event thread, as all of this class. */
     O right(Hazard<I> hazard) {
         return rights.computeIfAbsent(
                 hazard.name(), name -> topic.exact(hazard.input(), Integer.MAX_VALUE));

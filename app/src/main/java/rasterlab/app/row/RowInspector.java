@@ -143,7 +143,7 @@ final class RowInspector {
         return cells;
     }
 
-    /** As many digits as tell apart what a format does. */
+    /** The number with as many digits as tell apart what a format does. */
     private String number(double value, int digits) {
         String text = String.format(Locale.ROOT, "%." + digits + "g", value);
         if (value == Math.rint(value) && Math.abs(value) < 1e10)

@@ -39,7 +39,7 @@ abstract class RowKind<C, I, O> {
 
     abstract List<RowScene.Band> made(I input, O actual);
 
-    /** In the topic's unit. */
+    /** The error of a pixel in the topic's unit. */
     abstract double error(I input, O exact, O actual, int pixel);
 
     abstract boolean wrong(I input, O exact, O actual, int pixel);

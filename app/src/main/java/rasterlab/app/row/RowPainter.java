@@ -24,7 +24,7 @@ final class RowPainter {
     private static final int MARK = 16;
     private static final int BELOW_WORDS = 4;
 
-    /** With less for each, there are bands and nothing else. */
+    /** The height for each below which there are bands and nothing else. */
     private static final int LOWEST = 10;
 
     /** View units that a pixel needs for a mark of its own; narrower ones share a bar. */
@@ -136,7 +136,10 @@ final class RowPainter {
         g.drawRect(MARGIN, y, (int) wide, high);
     }
 
-    /** In the middle of each run of pixels with the same words, if it has room for them. */
+    /**
+     * Writes words in the middle of each run of pixels with the same words, if it has room for
+     * them.
+     */
     private void words(RowScene.Band band, int base) {
         int from = 0;
         for (int i = 1; i <= scene.pixels(); i++) {

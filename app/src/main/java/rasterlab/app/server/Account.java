@@ -10,7 +10,7 @@ import java.net.URI;
  * @param student the name that was given on joining; "" where only a token is known
  */
 public record Account(URI server, String token, String student) {
-    /** Without the token, which is nobody else's business. */
+    /** The account without the token, which is nobody else's business. */
     @Override
     public String toString() {
         return server.toString();

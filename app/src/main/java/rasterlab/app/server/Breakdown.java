@@ -19,7 +19,7 @@ public enum Breakdown {
     SLOW,
     /** The connection ended before the answer did. */
     LOST,
-    /** Told by the failure's own words. */
+    /** A breakdown told by the failure's own words. */
     OTHER;
 
     /** The kind of a failure that is no refusal. */

@@ -166,7 +166,7 @@ public final class CourseServer {
         throw refusal(response.statusCode(), response.body());
     }
 
-    /** In the server's words; where it has none, with what the answer is. */
+    /** The refusal in the server's words; where it has none, with what the answer is. */
     private ServerRefusal refusal(int status, byte[] body) {
         try {
             JsonNode problem = OwnJson.MAPPER.readTree(body);

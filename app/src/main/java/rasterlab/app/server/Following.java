@@ -10,20 +10,20 @@ public final class Following {
     /** Connections that may break off, one after the other, before that is told. */
     private static final int MOST_BREAKS = 3;
 
-    /** Told how a submission gets on, on the thread that follows it. */
+    /** Hears how a submission gets on, on the thread that follows it. */
     public interface Follower {
-        /** Told at the beginning, and again whenever everything is told once more. */
+        /** Called at the beginning, and again whenever everything is told once more. */
         default void begins() {}
 
         /**
-         * Told of the submission's turn.
+         * Called with the submission's turn.
          *
          * @param position in the queue, 1 being the next, 0 when its turn has come
          */
         void waits(int position);
 
         /**
-         * Told of each case.
+         * Called with each case.
          *
          * @param one as the server publishes it
          */
@@ -44,7 +44,7 @@ public final class Following {
             if (left == 0) throw new IOException("the events of submission " + id + " break off");
     }
 
-    /** False where the events ended before the submission did. */
+    /** Follows the events; false where they ended before the submission did. */
     private boolean followed(String id, Follower follower)
             throws IOException, InterruptedException {
         follower.begins();

@@ -24,7 +24,7 @@ public final class ServerRefusal extends IOException {
         return status;
     }
 
-    /** Such as "unknown-course"; empty where the server names none. */
+    /** The code, such as "unknown-course"; empty where the server names none. */
     public String code() {
         return code;
     }

@@ -34,7 +34,10 @@ public final class ServerReport {
                         .flatMap(ServerReport::speed));
     }
 
-    /** Empty where the figures cannot be used: they are shown beside the result, not in it. */
+    /**
+     * The speed; empty where the figures cannot be used: they are shown beside the result, not in
+     * it.
+     */
     private static Optional<PublishedSpeed> speed(JsonNode speed) {
         try {
             return Optional.of(

@@ -23,7 +23,7 @@ final class DropThrough extends ContainerAdapter {
 
     private DropThrough() {}
 
-    /** In all that the container holds, and all that is added to it later. */
+    /** Works in all that the container holds, and all that is added to it later. */
     static void within(Container container) {
         if (!GraphicsEnvironment.isHeadless()) LISTENER.open(container);
     }

@@ -27,7 +27,7 @@ final class FocusOffDisabled extends WindowAdapter {
         this.window = window;
     }
 
-    /** From now on until the window is closed. On the event thread. */
+    /** Watches a window from now on until it is closed. On the event thread. */
     static void in(Window window) {
         var keyboard = new FocusOffDisabled(window);
         manager().addPropertyChangeListener(OWNER, keyboard.owners);
@@ -43,7 +43,7 @@ final class FocusOffDisabled extends WindowAdapter {
         return !owner.isEnabled() && SwingUtilities.isDescendingFrom(owner, window);
     }
 
-    /** Unless another place for the keyboard was asked for meanwhile. */
+    /** Hands the keyboard on, unless another place for it was asked for meanwhile. */
     private void handOn(Component owner) {
         if (owner.isFocusOwner() && isHeldInVain(owner)) owner.transferFocus();
     }

@@ -172,7 +172,10 @@ public final class LabFrame extends JFrame {
         else wear(look.with(coming.map(Coming::look).orElse(look).language()));
     }
 
-    /** Unless something else was chosen, or the window closed, while they were made. */
+    /**
+     * Puts a look on, unless something else was chosen, or the window closed, while its tabs were
+     * made.
+     */
     private void wear(Coming next) {
         if (!coming.equals(Optional.of(next))) return;
         coming = Optional.empty();

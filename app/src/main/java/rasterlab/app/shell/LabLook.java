@@ -33,12 +33,12 @@ public record LabLook(LabTheme theme, Language language, int textPercent) {
         return new LabLook(theme, other, textPercent);
     }
 
-    /** In the next larger type, the same at the end of the list. */
+    /** The look in the next larger type, the same at the end of the list. */
     public LabLook larger() {
         return resized(1);
     }
 
-    /** In the next smaller type, the same at the end of the list. */
+    /** The look in the next smaller type, the same at the end of the list. */
     public LabLook smaller() {
         return resized(-1);
     }

@@ -74,7 +74,7 @@ final class LabModel<M> implements AutoCloseable {
         if (!closed) get();
     }
 
-    /** Empty while it is not made. */
+    /** The lab's model, or empty while it is not made. */
     Optional<M> ifMade() {
         return made;
     }

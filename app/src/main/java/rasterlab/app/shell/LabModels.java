@@ -96,7 +96,7 @@ public final class LabModels implements AutoCloseable {
     }
 
     /**
-     * None of them made.
+     * The models of a new window, none of them made.
      *
      * @param events runs what it is given on one thread, in order
      * @param bringBack brings parts of a lab that is made, by the name under which they are kept,

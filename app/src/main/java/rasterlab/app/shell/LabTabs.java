@@ -15,7 +15,7 @@ import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
-    /** In the order of the window. */
+    /** The names of the tabs, in the order of the window. */
     public static final List<String> NAMES =
             TabRooms.all().stream().<String>map(LabRoom::name).toList();
 
@@ -95,7 +95,7 @@ public final class LabTabs implements AutoCloseable {
         return opening;
     }
 
-    /** Told what a lab could not do, on any thread. */
+    /** Receives what a lab could not do, on any thread. */
     Consumer<Throwable> onFailure() {
         return onFailure;
     }

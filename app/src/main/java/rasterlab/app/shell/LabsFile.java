@@ -45,7 +45,7 @@ public final class LabsFile {
     /** Names of the labs whose parts could not be used. */
     private final Set<String> refusedParts = ConcurrentHashMap.newKeySet();
 
-    /** Those of them that nothing is written over, since there is no copy. */
+    /** The parts that nothing is written over, since there is no copy. */
     private final Set<String> uncopied = ConcurrentHashMap.newKeySet();
 
     /**
@@ -137,7 +137,7 @@ public final class LabsFile {
         }
     }
 
-    /** Only after the copy is made the part counts as one to be written over. */
+    /** Refuses a part, which counts as one to be written over only after its copy is made. */
     private void refuse(String name, String reason, Content content) {
         try {
             String copy = BrokenFile.keep(file, content.text).toString();

@@ -51,7 +51,7 @@ final class Problems implements Consumer<Problem> {
         if (frame != null) tell();
     }
 
-    /** On the event thread. */
+    /** Shows the problems in a window, on the event thread. */
     void showIn(LabFrame shown) {
         EventQueue.invokeLater(
                 () -> {

@@ -61,7 +61,7 @@ final class SettingsText {
                         settings.chosen().form());
     }
 
-    /** As Properties reads it: a folder may have any name. */
+    /** The text as Properties reads it: a folder may have any name. */
     private static String escaped(String text) {
         return text.replace("\\", "\\\\")
                 .replace("\n", "\\n")
@@ -96,7 +96,7 @@ final class SettingsText {
         return new LastChosen(folder(kept.getProperty("folder", "")), form);
     }
 
-    /** Empty also where its name cannot be written in the encoding of this run. */
+    /** The folder; empty also where its name cannot be written in the encoding of this run. */
     private static Optional<Path> folder(String name) {
         try {
             return Optional.of(name).filter(some -> !some.isEmpty()).map(Path::of);

@@ -34,15 +34,15 @@ final class TabRows extends FlatTabbedPaneUI {
         return false;
     }
 
-    /** Up and down, as {@link FromAbove} turns the rows about. */
+    /** The offset up and down, as {@link FromAbove} turns the rows about. */
     @Override
     protected int getTabRunOffset(int tabPlacement, int tabCount, int tabIndex, boolean forward) {
         return -super.getTabRunOffset(tabPlacement, tabCount, tabIndex, !forward);
     }
 
     /**
-     * In rows the line under a chosen title would seem to lie over a title of the next row; a frame
-     * tells there that the keys move among the titles.
+     * Paints no line under a chosen title in rows, where it would seem to lie over a title of the
+     * next row; a frame tells there that the keys move among the titles.
      */
     @Override
     protected void paintTabSelection(
@@ -60,7 +60,7 @@ final class TabRows extends FlatTabbedPaneUI {
         g.dispose();
     }
 
-    /** In rows the chosen title is told by its ground. */
+    /** The title's ground, by which the chosen one is told in rows. */
     @Override
     protected Color getTabBackground(int tabPlacement, int tabIndex, boolean isSelected) {
         Color usual = super.getTabBackground(tabPlacement, tabIndex, isSelected);

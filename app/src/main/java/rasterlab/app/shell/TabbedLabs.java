@@ -217,7 +217,10 @@ final class TabbedLabs extends JTabbedPane {
                 });
     }
 
-    /** In the next event, unless another tab was chosen or the window changed all till then. */
+    /**
+     * Runs a step in the next event, unless another tab was chosen or the window changed all till
+     * then.
+     */
     private void later(int index, Runnable step) {
         EventQueue.invokeLater(
                 () -> {

@@ -81,7 +81,10 @@ final class TitleType {
         return rows;
     }
 
-    /** As the theme has them, before scaling; with smaller type, or more rows, they are smaller. */
+    /**
+     * The insets as the theme has them, before scaling; with smaller type, or more rows, they are
+     * smaller.
+     */
     private static Insets insets(float share, boolean low) {
         Insets usual = UIManager.getInsets("TabbedPane.tabInsets");
         int beside = Math.round(usual.left * share);

@@ -109,7 +109,10 @@ public final class WindowStart {
         inTurn(steps);
     }
 
-    /** While the first tab is looked at; then all is known that could not be brought back. */
+    /**
+     * Makes the other labs while the first tab is looked at; then all is known that could not be
+     * brought back.
+     */
     private void makeRest(LabModels models) {
         try {
             models.makeAll();

@@ -105,7 +105,7 @@ final class BlendingChart extends SelfDrawn {
         return most;
     }
 
-    /** From u and weight to the component, with a margin around. */
+    /** Maps u and weight to the component, with a margin around. */
     private record Axes(double low, double high, int width, int height) {
         private static final double MARGIN = 8;
 

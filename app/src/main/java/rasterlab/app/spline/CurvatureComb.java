@@ -19,7 +19,7 @@ public record CurvatureComb(List<Tooth> teeth) {
     private static final int TEETH = 160;
 
     /**
-     * From a point of the curve outward.
+     * A tooth from a point of the curve outward.
      *
      * @param first whether a new curve or span begins, so that no line joins it to the one before
      */

@@ -113,7 +113,7 @@ public record CurveChoice(
         return withPoints(more);
     }
 
-    /** Without a point; of pieces without the one that it belongs to. */
+    /** The choice without a point; of pieces without the one that it belongs to. */
     CurveChoice removed(int index) {
         if (form == CurveForm.HERMITE || !form.allows(points.size(), false)) return this;
         var fewer = new ArrayList<>(points);

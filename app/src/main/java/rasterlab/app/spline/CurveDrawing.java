@@ -37,7 +37,7 @@ public record CurveDrawing(
     /** How the drawing came to its end. */
     public enum Ending {
         ENDED,
-        /** More than {@link #LIMIT} points. */
+        /** The curve has more than {@link #LIMIT} points. */
         CUT,
         REFUSED,
         CRASHED

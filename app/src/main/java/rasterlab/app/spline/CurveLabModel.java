@@ -29,7 +29,7 @@ import rasterlab.engine.study.Topic;
 public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoCloseable {
     private static final double FIRST_T = 0.4;
 
-    /** Pixels. */
+    /** The flatness at first, in pixels. */
     static final double FIRST_FLATNESS = 5;
 
     private final Topic<CurveTracer, CurveTask, Polyline> topic;
@@ -174,7 +174,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
         return history;
     }
 
-    /** Back to how the lab opens; can be undone. */
+    /** Returns to how the lab opens; can be undone. */
     public void reset() {
         change(first, true);
         goToT(FIRST_T);

@@ -79,7 +79,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
     }
 
-    /** Around the Bézier points of the span that t lies in. */
+    /** Paints the hull around the Bézier points of the span that t lies in. */
     private void paintHull(Graphics2D g, PlaneMap map, StageColours colours) {
         PointStep points = at.construction().get(0);
         var hull = new Path2D.Double();

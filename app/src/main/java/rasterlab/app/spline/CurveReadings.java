@@ -16,7 +16,7 @@ final class CurveReadings {
     /** Labels of more points than so many would cover each other. */
     private static final int MOST_LABELS = 16;
 
-    /** As the textbook counts them: P2 and P3 are what a Bézier curve would have. */
+    /** The labels as the textbook counts them: P2 and P3 are what a Bézier curve would have. */
     private static final List<String> HERMITE_LABELS = List.of("P1", "P4", "R1/3", "R4/3");
 
     private static final int MOST_JOINTS = 6;

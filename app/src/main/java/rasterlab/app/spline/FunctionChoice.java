@@ -81,7 +81,7 @@ public record FunctionChoice(List<Place> knots, SplineEnds ends, String method, 
         return end ? next.moved(index, knot) : next;
     }
 
-    /** Without a knot, unless only two are left. */
+    /** The choice without a knot, unless only two are left. */
     FunctionChoice removed(int knot) {
         if (knots.size() <= 2) return this;
         var fewer = new ArrayList<>(knots);

@@ -26,7 +26,7 @@ final class FunctionCommand {
                         OwnWords.known(choice.method(), choice.comparison(), "spline-function"));
     }
 
-    /** As the command line names it. */
+    /** The kind as the command line names it. */
     static String code(SplineEnds.Kind kind) {
         return kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -205,7 +205,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
         return history;
     }
 
-    /** Back to how the lab opens; can be undone. */
+    /** Returns to how the lab opens; can be undone. */
     public void reset() {
         change(first, true);
         readAt(FIRST_SHARE);

@@ -20,7 +20,7 @@ public record Place(double x, double y) {
         return Math.hypot(other.x - x, other.y - y);
     }
 
-    /** Without the digits that rounding leaves behind sums of short decimals. */
+    /** The number without the digits that rounding leaves behind sums of short decimals. */
     static double tidy(double value) {
         double millionths = Math.rint(value * 1e6) / 1e6;
         return Math.abs(millionths - value) < 1e-9 ? millionths + 0.0 : value;

@@ -19,7 +19,7 @@ record CostAxis(double left, double right) {
     /** Decades from which on only powers of ten have a number. */
     private static final double MANY_DECADES = 3.5;
 
-    /** Beyond these many decades, not even each power of ten has one. */
+    /** The number of decades beyond which not even each power of ten has a mark. */
     private static final double MOST_DECADES = 12;
 
     CostAxis {

@@ -17,7 +17,7 @@ import rasterlab.engine.study.Measurement;
  * @param lanes the methods with exact results, from the top lane down
  */
 record ErrorAxis(int low, int high, List<String> lanes) {
-    /** Between the least number and the band of zero, in shares of the scale. */
+    /** The gap between the least number and the band of zero, in shares of the scale. */
     private static final double GAP = 0.04;
 
     /** Numbers beside each other are at least this share of the axis apart. */

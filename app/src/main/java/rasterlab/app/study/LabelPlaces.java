@@ -18,7 +18,7 @@ import rasterlab.app.study.LabelSpots.Spot;
  * same labels have always the same places.
  */
 final class LabelPlaces {
-    /** Between two labels in a row, in pixels, so that they are not read as one. */
+    /** The gap between two labels in a row, in pixels, so that they are not read as one. */
     static final int GAP = 8;
 
     /** What speaks against two leaders that cross, as of {@link Spot}. */

@@ -20,16 +20,18 @@ final class LabelSpots {
     /** Half the side of a point's marker and a little more, in pixels. */
     static final int MARKER = 7;
 
-    /** Between a marker and a label beside it, and between a line and a label, in pixels. */
+    /**
+     * The gap between a marker and a label beside it, and between a line and a label, in pixels.
+     */
     private static final int GAP = 3;
 
-    /** Between a label and the frame, in pixels. */
+    /** The gap between a label and the frame, in pixels. */
     private static final int EDGE = 3;
 
-    /** Between a marker and a label close to it, in pixels. */
+    /** The gaps between a marker and a label close to it, in pixels. */
     private static final int[] CLOSE = {3, 8};
 
-    /** Between a marker and a label with a leader, in pixels. */
+    /** The gaps between a marker and a label with a leader, in pixels. */
     private static final int[] FAR = {14, 20, 28, 38, 50, 66, 86, 110, 140, 180, 230, 290};
 
     /** Directions around a point that are tried, at equal angles, clockwise from above it. */
@@ -38,7 +40,9 @@ final class LabelSpots {
     /** Points no further apart are read as one, in pixels. */
     private static final double ONE_PLACE = 3;
 
-    /** So much nearer is a close label to its own point than to any other, in pixels. */
+    /**
+     * The distance by which a close label is nearer to its own point than to any other, in pixels.
+     */
     private static final double NEARER = 1;
 
     /** A label with a leader keeps so far from other points' markers if it can, in pixels. */
@@ -177,14 +181,17 @@ final class LabelSpots {
         return grown;
     }
 
-    /** Above, below, right and left first, then those between them. */
+    /**
+     * The turn in which sides are tried: above, below, right and left first, then those between
+     * them.
+     */
     private static int inTurn(int number) {
         int[] quarters = {0, 16, 8, 24};
         int[] between = {0, 4, 2, -2, 1, -1, 3, -3};
         return Math.floorMod(quarters[number % 4] + between[number / 4], DIRECTIONS);
     }
 
-    /** Around a point, so far from its marker. */
+    /** The box around a point, so far from its marker. */
     private static Rectangle box(LabelPlaces.Label label, int distance, int turn) {
         Point point = label.point();
         Dimension size = label.size();
@@ -200,12 +207,12 @@ final class LabelSpots {
                 size.height);
     }
 
-    /** From a place on a circle to one on the square around it, part by part. */
+    /** The way from a place on a circle to one on the square around it, part by part. */
     private static double square(double part) {
         return Math.max(-1, Math.min(1, part * Math.sqrt(2)));
     }
 
-    /** From the edge of a point's marker to the nearest place of the box. */
+    /** The line from the edge of a point's marker to the nearest place of the box. */
     private static Line2D leader(Point point, Rectangle box) {
         Point end = nearest(point, grown(box, 1, 0));
         double away = MARKER / Math.max(MARKER, point.distance(end));

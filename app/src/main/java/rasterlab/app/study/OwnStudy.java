@@ -29,7 +29,10 @@ import rasterlab.engine.study.Workload;
 final class OwnStudy<C, I, O> {
     private static final String REFERENCE = "reference";
 
-    /** Longer than a program that hangs is waited for on a busy machine, before it is stopped. */
+    /**
+     * A time longer than a program that hangs is waited for on a busy machine, before it is
+     * stopped.
+     */
     private static final Duration LONGEST = Duration.ofMinutes(2);
 
     private final Topic<C, I, O> topic;
@@ -42,7 +45,7 @@ final class OwnStudy<C, I, O> {
         this.own = own;
     }
 
-    /** As {@link StudyRunner#measure}. */
+    /** Measures as {@link StudyRunner#measure} does. */
     Study measure(StudySettings settings, Consumer<Progress> progress, BooleanSupplier cancelled)
             throws InterruptedException {
         Optional<Object> reference = program.reference();

@@ -86,7 +86,7 @@ final class SizeLabels extends Annotation {
         return lines.stream().flatMap(List::stream).map(this::seen).toList();
     }
 
-    /** From each point of a line to its next, and the edges. */
+    /** The lines from each point of a curve to its next, and the edges. */
     private List<Line2D> drawnLines() {
         var drawn = new ArrayList<Line2D>();
         Rectangle all = inside();

@@ -26,8 +26,8 @@ import rasterlab.engine.study.Study;
 /** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
 public final class StudyChart {
     /**
-     * From this width on there is room for the methods' names beside the plot, and on the axis of
-     * costs for a word on the sizes beside the points.
+     * The width from which on there is room for the methods' names beside the plot, and on the axis
+     * of costs for a word on the sizes beside the points.
      */
     private static final int ROOMY = 900;
 

@@ -33,7 +33,10 @@ import rasterlab.engine.study.Topic;
  * executor it is given. What was measured of a topic stays until it is measured again.
  */
 public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoCloseable {
-    /** Longer, and what the user sees of a measurement would cost it time. */
+    /**
+     * The time between news of a measurement: more often, what the user sees of it would cost it
+     * time.
+     */
     private static final Duration BETWEEN_NEWS = Duration.ofMillis(50);
 
     private final List<Topic<?, ?, ?>> topics;

@@ -84,12 +84,12 @@ public final class StudyWords {
         return texts.text("chart.cost", item(study));
     }
 
-    /** Without the word on the sizes beside the points. */
+    /** The axis's words without the one on the sizes beside the points. */
     String briefCostAxis(Study study) {
         return texts.text("chart.cost.brief", item(study));
     }
 
-    /** For times that are multiples of the reference's. */
+    /** The axis's words for times that are multiples of the reference's. */
     String ratioAxis(Study study) {
         return texts.text("chart.ratio", item(study));
     }

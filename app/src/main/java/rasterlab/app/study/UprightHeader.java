@@ -72,7 +72,7 @@ final class UprightHeader extends JComponent implements TableCellRenderer {
         return longest;
     }
 
-    /** Folded after the hyphen or at the space that is nearest to the middle. */
+    /** The name's lines, folded after the hyphen or at the space that is nearest to the middle. */
     static List<String> lines(String name, boolean fold) {
         int at = 0;
         for (int i = 1; fold && i < name.length() - 1; i++)

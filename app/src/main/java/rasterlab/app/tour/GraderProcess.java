@@ -20,7 +20,9 @@ final class GraderProcess implements AutoCloseable {
     private static final Duration LONGEST_START = Duration.ofMinutes(2);
     private static final Duration LONGEST_STOP = Duration.ofSeconds(10);
 
-    /** Once the program was told to end, by Ctrl+C for instance. */
+    /**
+     * The longest that a stop may take once the program was told to end, by Ctrl+C for instance.
+     */
     private static final Duration LONGEST_LAST_STOP = Duration.ofSeconds(3);
 
     private static final String ADDRESS = "listening on ";

@@ -142,7 +142,7 @@ final class LabPictures implements TourPart {
         return models -> models.study().show(study);
     }
 
-    /** Checked, so that what is expected is seen beside what is drawn. */
+    /** A wrong solution that was checked, so that what is expected is seen beside what is drawn. */
     private static Consumer<LabModels> wrongSolution() {
         String source = GradingSection.source("wrong");
         return models -> {

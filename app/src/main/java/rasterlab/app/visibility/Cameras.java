@@ -18,7 +18,7 @@ final class Cameras {
                 camera.rho());
     }
 
-    /** Within the distances that suit the scene. */
+    /** The camera moved away or nearer, within the distances that suit the scene. */
     static SphericalView retreated(VisibilityChoice choice, double factor) {
         SphericalView camera = choice.camera();
         double first = choice.shown().scene().defaultCamera().rho();

@@ -75,7 +75,7 @@ final class ChartStudies implements AutoCloseable {
         return progress;
     }
 
-    /** Told when there is more to show, from now on; the answer ends that. */
+    /** Calls the listener when there is more to show, from now on; what is returned ends that. */
     Runnable listen(Runnable listener) {
         listeners.add(listener);
         return () -> listeners.remove(listener);

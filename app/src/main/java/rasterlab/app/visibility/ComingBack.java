@@ -24,7 +24,7 @@ record ComingBack(OpenedFiles.View view, UpAxis up, VisibilityChoice before) {
     }
 
     /**
-     * Without its picture, where that cannot be laid on it.
+     * Reads the scene, without its picture where that cannot be laid on it.
      *
      * @throws Complaint naming the file and the place in it, if the scene cannot be read
      */

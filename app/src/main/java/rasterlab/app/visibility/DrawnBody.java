@@ -100,7 +100,7 @@ record DrawnBody(
                 unlike);
     }
 
-    /** Empty where the method refuses, or none is asked. */
+    /** The faces seen; empty where the method refuses, or none is asked. */
     private static Optional<SeenFaces> visible(Body body, String method) {
         if (method.isEmpty()) return Optional.empty();
         var topic = new VisibleFacesTopic();
@@ -132,7 +132,10 @@ record DrawnBody(
         return pieces;
     }
 
-    /** Seen along the axis in which the face is flattest, so that it goes round as it does. */
+    /**
+     * The triangles of a face seen along the axis in which it is flattest, so that they go round as
+     * it does.
+     */
     private static Triangles triangles(double[] xyz, int[] face) {
         var n = new double[3];
         for (int i = 0; i < face.length; i++)

@@ -51,7 +51,10 @@ record FittedSurfaces(Mesh mesh, double scale, List<Unlike> unlike) {
         return new FittedSurfaces(mesh, reach / Math.max(wide, high), unlike);
     }
 
-    /** Seen level with the eye, height changes neither depths nor which face is before which. */
+    /**
+     * The mesh made higher: seen level with the eye, height changes neither depths nor which face
+     * is before which.
+     */
     private static Mesh higher(Mesh mesh, double factor) {
         double[] xyz =
                 IntStream.range(0, mesh.vertexCount())

@@ -19,7 +19,7 @@ import rasterlab.engine.visibility.VisibilityWalk;
 record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths, int steps) {
     static final int ALL = Integer.MAX_VALUE;
 
-    /** Behind depths: where no face is. */
+    /** The colour behind depths: where no face is. */
     static final int NO_DEPTH = 0xFF16233B;
 
     /**
@@ -51,7 +51,10 @@ record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths
         }
     }
 
-    /** Empty where the whole picture in its colours is wanted, or nothing else can be had. */
+    /**
+     * The faces to watch; empty where the whole picture in its colours is wanted, or nothing else
+     * can be had.
+     */
     private Optional<FaceDrawing> watched(RenderRequest request) {
         if (!depths && steps == ALL) return Optional.empty();
         return FaceDrawing.of(request).filter(drawing -> depths || drawing.hasSteps());

@@ -33,7 +33,9 @@ public final class GrowthChart {
     /** Height of the title above the charts. */
     static final int TITLE = 40;
 
-    /** Less, in units of which its type is 14 high, is too little for the charts and the table. */
+    /**
+     * The least width for the charts and the table, in units of which the chart's type is 14 high.
+     */
     private static final int LEAST_WIDTH = 780;
 
     private static final int LEAST_HEIGHT = 580;
@@ -73,7 +75,7 @@ public final class GrowthChart {
         return growths;
     }
 
-    /** Like {@link ChartSize#filling}, of this chart. */
+    /** A size as {@link ChartSize#filling} gives it, for this chart. */
     static ChartSize filling(int width, int height, double wanted) {
         return ChartSize.filling(width, height, wanted, LEAST_WIDTH, LEAST_HEIGHT);
     }
@@ -155,7 +157,7 @@ public final class GrowthChart {
                         panel.height);
     }
 
-    /** In the middle, in smaller type where it is too long. */
+    /** Writes the title in the middle, in smaller type where it is too long. */
     private static void title(Graphics2D graphics, String title, int width) {
         graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
         double wide = graphics.getFontMetrics().stringWidth(title);

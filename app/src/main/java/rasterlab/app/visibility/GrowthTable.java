@@ -23,13 +23,13 @@ final class GrowthTable {
     /** Length of a method's line in such units. */
     private static final int LINE = 32;
 
-    /** Such units between a method's line and its name. */
+    /** The gap between a method's line and its name, in such units. */
     private static final int GAP = 6;
 
-    /** Such units from row to row at most. */
+    /** The most from row to row, in such units. */
     private static final int MOST_ROW = 24;
 
-    /** Such units between two columns at most. */
+    /** The most between two columns, in such units. */
     private static final int MOST_GAP = 30;
 
     private final GrowthChart chart;

@@ -182,7 +182,7 @@ record LookChoice(
         return kind.isPresent() ? look.withStereo(new Stereo(kind.get(), eyes * rho)) : look;
     }
 
-    /** In world units. */
+    /** The depths in world units. */
     DrawnDepths depths(Projection projection, double rho) {
         DrawnDepths all = DrawnDepths.all(projection, rho);
         return new DrawnDepths(near > 0 ? near * rho : all.near(), far * rho);

@@ -9,8 +9,9 @@ final class SceneReach {
     private SceneReach() {}
 
     /**
-     * In pixels of a picture of 800×600 at a zoom of 1. A ball of radius r around the middle is
-     * seen from the distance ρ as a disc of radius r·ρ / √(ρ² − r²); infinite from within it.
+     * The reach in pixels of a picture of 800×600 at a zoom of 1. A ball of radius r around the
+     * middle is seen from the distance ρ as a disc of radius r·ρ / √(ρ² − r²); infinite from within
+     * it.
      */
     static double of(VisibilityChoice choice) {
         Scene scene = choice.shown().scene();

@@ -18,7 +18,7 @@ final class StageWork implements AutoCloseable {
     private final LatestOnly<PixelReport.Question, PixelReport> histories;
 
     /**
-     * Told what was found.
+     * Receives what was found.
      *
      * @param pictures the newest ones
      * @param differences of a frame

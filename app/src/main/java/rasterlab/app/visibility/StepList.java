@@ -79,7 +79,7 @@ final class StepList extends JList<VisibilityStep> {
                 window.width() + " × " + window.height());
     }
 
-    /** Without the language's separators: a number of a face or a pixel. */
+    /** The face's number without the language's separators: it is a number of a face or a pixel. */
     private static String face(int number) {
         return Integer.toString(number);
     }

@@ -47,7 +47,7 @@ public record TopicView(
         0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442, 0x0072B2, 0xD55E00, 0xCC79A7, 0x999999
     };
 
-    /** Such a view of a scene. */
+    /** A perspective view of a scene. */
     private static TopicView perspective(Scene scene, String drawnBy, List<Unlike> unlike) {
         return new TopicView(
                 scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY, drawnBy, unlike);
@@ -202,7 +202,9 @@ public record TopicView(
         return Arrays.stream(depths).map(z -> z / depths.length).reduce(Double::sum);
     }
 
-    /** From x to the right, y up and z away from the eye to the world that is seen from its x. */
+    /**
+     * Turns x to the right, y up and z away from the eye into the world that is seen from its x.
+     */
     private static double[] towardsX(double[] xyz, double rho) {
         var world = new double[xyz.length];
         for (int i = 0; i < xyz.length; i += 3) {

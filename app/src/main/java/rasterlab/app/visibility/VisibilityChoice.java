@@ -159,7 +159,7 @@ public record VisibilityChoice(
         return withScene(scene).withVisibility(method).withComparison(other);
     }
 
-    /** In the scene's own colours, unmarked. */
+    /** The choice in the scene's own colours, unmarked. */
     VisibilityChoice inOwnColours() {
         return withShading(OWN_COLOURS).withDifference(false);
     }

@@ -153,7 +153,7 @@ final class VisibilityInspector {
         return modes;
     }
 
-    /** It stands in the lab of scenes, where it always names that. */
+    /** Shows the mode again, which in the lab of scenes is always that one. */
     void refreshMode() {
         mode.show(VisibilityMode.SCENE);
     }

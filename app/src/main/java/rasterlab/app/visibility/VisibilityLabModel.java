@@ -235,7 +235,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return history;
     }
 
-    /** Back to the first scene, view and methods; can be undone. */
+    /** Returns to the first scene, view and methods; can be undone. */
     public void reset() {
         publish(state.choosing(Optional.empty()));
         choose(choice -> VisibilityChoice.first());

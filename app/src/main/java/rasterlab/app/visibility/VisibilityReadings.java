@@ -52,7 +52,7 @@ final class VisibilityReadings {
         return texts.text("frameTime.millis", number(state.medianNanos() / 1e6, 1));
     }
 
-    /** With the method's name where there is another. */
+    /** The number of wrong pixels, with the method's name where there is another. */
     String wrongPixels() {
         VisibilityChoice choice = state.choice();
         return choice.comparison().isEmpty()
@@ -142,7 +142,9 @@ final class VisibilityReadings {
         return texts.text(state.lent() ? "stepNow.lent" : "stepNow.none");
     }
 
-    /** So far and in all; in all only where they were made before the first step. */
+    /**
+     * The number of cuts so far and in all; in all only where they were made before the first step.
+     */
     private String cuts(Drawn drawn, int done) {
         String all = count(drawn.work().splits());
         return drawn.cutsOnTheWay() ? texts.text("cuts.of", count(drawn.cuts(done)), all) : all;

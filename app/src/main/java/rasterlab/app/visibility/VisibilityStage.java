@@ -195,7 +195,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         return () -> new String(chart.svg().get(), StandardCharsets.UTF_8);
     }
 
-    /** As large as it fits, in the middle. */
+    /** Paints the chart as large as it fits, in the middle. */
     private void paintChart(Graphics2D g) {
         Optional<ChartStudies.Chart> chart = model.charts().chart();
         if (chart.isEmpty()) return;

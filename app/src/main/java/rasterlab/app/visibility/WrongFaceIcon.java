@@ -9,7 +9,7 @@ import rasterlab.engine.raster.PixelMark;
 
 /** The sign of a pixel that shows a wrong face: in the colour and edge of marked areas. */
 final class WrongFaceIcon extends FlatAbstractIcon {
-    /** As large as the other kinds' marks. */
+    /** The size, as large as the other kinds' marks. */
     private static final int SIZE = 16;
 
     private static final Color EDGE = new Color(PictureDifference.EDGE);

@@ -113,7 +113,7 @@ class PictureChooserTest {
         isRefused(file, "cannot be written: no folder " + folder.resolve("none"));
     }
 
-    /** Its files are no folder's, whoever asks. */
+    /** The folder takes no files, whoever asks. */
     @Test
     void folderThatTakesNoFilesIsRefused() {
         Path folder = Path.of("/proc/self");

@@ -44,7 +44,7 @@ class CheckCommandTest {
         assertEquals(1, ran.exitCode());
     }
 
-    /** With x and y exchanged each case is wrong at first, and most are right in the end. */
+    /** Each case is wrong at first with x and y exchanged, and most are right in the end. */
     @Test
     void progressTellsNoVerdictThatTheReportTakesBack() throws Exception {
         Path file = folder.resolve("MyLine.java");

@@ -23,7 +23,7 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
 class LabTest {
-    /** Those that hand all words on have the help of what they call. */
+    /** The commands that hand all words on have the help of what they call. */
     static Stream<String> commands() {
         var console = Console.of(System.in, System.out, System.err, ReportLanguage.EN);
         return Lab.commandLine(console).getSubcommands().keySet().stream()

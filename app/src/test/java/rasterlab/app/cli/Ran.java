@@ -30,7 +30,9 @@ record Ran(int exitCode, String out, String err) {
                 err.toString(StandardCharsets.UTF_8));
     }
 
-    /** Nothing on standard output, exactly this one line on the error stream. */
+    /**
+     * Checks that nothing came on standard output, and exactly this one line on the error stream.
+     */
     void assertComplains(int expectedCode, String line) {
         assertEquals(line + System.lineSeparator(), err);
         assertEquals("", out);

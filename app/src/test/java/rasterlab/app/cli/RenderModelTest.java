@@ -119,7 +119,7 @@ class RenderModelTest {
         return rows;
     }
 
-    /** Up is y unless told: the cube laid on its side is the same again with z up. */
+    /** The way up is y unless told: the cube laid on its side is the same again with z up. */
     @Test
     void upMayBeZ() throws Exception {
         model(CUBE, MATERIALS, 2, 2);

@@ -185,7 +185,7 @@ class RunFillTest {
                                 + " have; give a smaller \"size\""));
     }
 
-    /** Around a hole, with the colour that is there already. */
+    /** The fill goes around a hole, with the colour that is there already. */
     @Test
     void endlessFillIsGivenUp() {
         Ran.labReading(

@@ -51,7 +51,7 @@ class RunPropertyTest {
     private static final List<String> PIECES =
             List.of("", "[", "]", "{", "}", ",", ":", "\"", "-", "e", "\u0000", "é", "1");
 
-    /** As printed, the text's program reads before the first corner of every polygon. */
+    /** The text's program as printed, which reads before the first corner of every polygon. */
     private static final String CRASHES = "shortest-diagonal-printed-textbook";
 
     /** A method, JSON for it, and the options. */
@@ -243,7 +243,7 @@ class RunPropertyTest {
         return tree.toString();
     }
 
-    /** Strictly: NaN and Infinity are no JSON. */
+    /** Reads JSON strictly: NaN and Infinity are none. */
     private static JsonNode read(String json) {
         try {
             return new ObjectMapper().readTree(json);

@@ -21,7 +21,7 @@ import rasterlab.engine.study.Topic;
 
 /** What {@code --steps} adds, for every method that has steps. */
 class RunStepsTest {
-    /** Their steps are formulas or matrices one after the other; nothing is decided. */
+    /** The topics whose steps are formulas or matrices one after the other; nothing is decided. */
     private static final List<String> UNDECIDED =
             List.of("transform", "rotate-axis", "rotate", "view", "shade", "shade-face");
 

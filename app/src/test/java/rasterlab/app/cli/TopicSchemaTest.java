@@ -120,7 +120,7 @@ class TopicSchemaTest {
         }
     }
 
-    /** By the place of a field in the schema of an input, and of an answer. */
+    /** The unit is found by the place of a field in the schema of an input, and of an answer. */
     @ParameterizedTest
     @CsvSource({
         "rotate, input, /degrees, in degrees",

@@ -103,7 +103,7 @@ class UnreadableFileTest {
         assertComplaint(lab(command), part);
     }
 
-    /** Skipped for a user who may read everything. */
+    /** The test is skipped for a user who may read everything. */
     @Test
     @DisplayName("a texture in a locked folder is called missing")
     void saysThatAFolderIsLocked() throws IOException {

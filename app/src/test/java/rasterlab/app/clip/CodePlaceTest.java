@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class CodePlaceTest {
     private static final Rectangle REGION = new Rectangle(100, 50, 200, 120);
 
-    /** From corner to corner, through the middle. */
+    /** A line from corner to corner, through the middle. */
     private static final Line2D ACROSS = new Line2D.Double(100, 50, 300, 170);
 
     private static Optional<Rectangle2D> place(Rectangle... labels) {

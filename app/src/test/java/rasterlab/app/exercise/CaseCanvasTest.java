@@ -163,7 +163,7 @@ class CaseCanvasTest {
                 .toList();
     }
 
-    /** Of a picture of 80 × 40 pixels. */
+    /** The bytes of a picture of 80 × 40 pixels. */
     private static byte[] png() {
         return png(641, 321);
     }

@@ -138,7 +138,10 @@ final class ShownResult {
         return new TriedCase(one.name(), verdict, 0, one.of(), Said.NOTHING, List.of(), "");
     }
 
-    /** Also where another part of the tab is in sight; null where there is none. */
+    /**
+     * The component of that name, also where another part of the tab is in sight; null where there
+     * is none.
+     */
     static Component named(Container within, String name) {
         for (Component each : within.getComponents()) {
             if (name.equals(each.getName())) return each;

@@ -28,7 +28,7 @@ class SourceDropTest {
     private final List<Path> taken = new ArrayList<>();
     private final StringBuilder typed = new StringBuilder();
 
-    /** On the event thread. */
+    /** The editor's text area, asked for on the event thread. */
     private RSyntaxTextArea area(JPanel around) {
         var editor = new SourceEditor(typed::append);
         around.add(editor);

@@ -45,7 +45,7 @@ class SubmittingTest {
     private static final String POSITION =
             "event: position\ndata: {\"position\":2,\"state\":\"queued\"}\n\n";
 
-    /** Longer than it takes to ask; each test that waits for it to pass takes so long. */
+    /** A time longer than it takes to ask; each test that waits for it to pass takes so long. */
     private static final Duration SHORT = Duration.ofSeconds(3);
 
     @TempDir Path folder;

@@ -15,7 +15,8 @@ final class Placeholders {
     private Placeholders() {}
 
     /**
-     * Those with numbers once each, in the order of their numbers; then the others as they come.
+     * The placeholders: those with numbers once each, in the order of their numbers; then the
+     * others as they come.
      */
     static List<String> of(String text) {
         var numbered = new TreeSet<String>();

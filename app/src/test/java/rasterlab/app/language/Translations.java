@@ -23,7 +23,7 @@ final class Translations {
 
     private final Properties texts = new Properties();
 
-    /** By the keys of the texts. */
+    /** The checksums by the keys of the texts. */
     private final Map<String, String> checksums = new TreeMap<>();
 
     private Translations(List<String> lines) throws IOException {

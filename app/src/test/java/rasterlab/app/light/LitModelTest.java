@@ -23,7 +23,7 @@ import rasterlab.engine.scene.obj.UpAxis;
 class LitModelTest {
     private static final String POLE = "v 0 0 0\nv 1 0 0\nv 0 8 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n";
 
-    /** Too thin for any pixel's middle. */
+    /** A triangle too thin for any pixel's middle. */
     private static final String NEEDLE = "v -1 0 0\nv 1 0 0\nv 0.3 1e-7 0\nf 1 2 3\n";
 
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class AwaitingTest {
     private static final Duration LEAST = Duration.ofMillis(100);
 
-    /** Such as a machine's nanoTime, which may be below 0. */
+    /** The reading of a clock such as a machine's nanoTime, which may be below 0. */
     private long millis = -500;
 
     private final Awaiting awaiting = new Awaiting(() -> millis * 1_000_000);

@@ -284,7 +284,7 @@ class OpenGlLabModelTest {
                 Complaints.said(Language.RUSSIAN, problem));
     }
 
-    /** In every order of the two choices. */
+    /** The test takes every order of the two choices. */
     @Test
     void decalWithoutColoursStaysAndIsNamed() {
         GlChoice quad = GlChoice.first().with(Setting.SCENE, "quad");

@@ -32,7 +32,7 @@ class StatesTest {
     /** The share of pixels that may be off by more than 2 levels. */
     private static final double BOUND = 1e-4;
 
-    /** For what is named and yet nearly the same: edges and levels of smooth pictures. */
+    /** The bound for what is named and yet nearly the same: edges and levels of smooth pictures. */
     private static final double NAMED_BOUND = 1e-3;
 
     private static OffscreenGl openGl;
@@ -130,7 +130,7 @@ class StatesTest {
         assertTrue(found.share() <= BOUND, found.plain().wrongPixels() + " pixels are off");
     }
 
-    /** Seen from the side the sphere's equator lies exactly between the two middle rows. */
+    /** The sphere's equator lies, seen from the side, exactly between the two middle rows. */
     @ParameterizedTest(name = "a line between two rows is in another one: {0}×{1}, turned by {2}°")
     @CsvSource({"298, 182, 58", "298, 182, 0", "640, 480, 58", "301, 200, 33", "640, 481, 58"})
     void bothHalvesAgreeWhereALineIsBetweenTwoRows(int width, int height, double turn) {

@@ -132,14 +132,14 @@ class FileToReadTest {
         assertEquals(link + ": cannot be read: ", refusal.substring(0, refusal.indexOf("Too")));
     }
 
-    /** Skipped for a user who may read everything. */
+    /** The test is skipped for a user who may read everything. */
     @Test
     void tellsAFileThatIsThereButLocked() throws Exception {
         Path locked = locked(Files.createFile(folder.resolve("locked")));
         assertEquals(locked + ": no right to read it", refusal(locked));
     }
 
-    /** Skipped for a user who may read everything. */
+    /** The test is skipped for a user who may read everything. */
     @Test
     @DisplayName("what lies in a locked folder is called missing")
     void tellsAFileInALockedFolder() throws Exception {

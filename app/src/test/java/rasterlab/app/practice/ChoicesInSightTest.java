@@ -91,7 +91,7 @@ class ChoicesInSightTest {
                 });
     }
 
-    /** As a window does: what is invalid, and again what its listeners made so. */
+    /** Lays out as a window does: what is invalid, and again what its listeners made so. */
     private void layOut() throws Exception {
         for (int i = 0; i < ROUNDS; i++) EventQueue.invokeAndWait(frame::validate);
     }

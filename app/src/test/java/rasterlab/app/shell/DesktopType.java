@@ -4,12 +4,12 @@ import javax.swing.UIManager;
 
 /** Themes in the type of a desktop, which is larger than that of a machine without a display. */
 final class DesktopType {
-    /** Of 10 points on a screen of 100 dots per inch. */
+    /** The pixels of 10 points on a screen of 100 dots per inch. */
     private static final double PIXELS = 14;
 
     private DesktopType() {}
 
-    /** On the event thread. */
+    /** Installs a theme, on the event thread. */
     static void install(LabTheme theme, int textPercent) {
         LabTheme.LIGHT.install();
         double usual = UIManager.getFont("defaultFont").getSize2D();

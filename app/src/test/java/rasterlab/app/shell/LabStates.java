@@ -101,7 +101,7 @@ final class LabStates {
         model.transformations().show(topic, hazard, method);
     }
 
-    /** As many rows in the inspector as there can be. */
+    /** Shows as many rows in the inspector as there can be. */
     private static void showComparison(ClipLabModel clip, ClipMode mode) {
         clip.chooseMode(mode);
         clip.compareWith(clip.state().choice().scene().method());

@@ -121,7 +121,7 @@ class LabTabTest {
                 events);
     }
 
-    /** In each event, until the lab is whole. */
+    /** Notes in each event what is there, until the lab is whole. */
     private void note() {
         events.add("-");
         if (!tab.isWhole()) EventQueue.invokeLater(this::note);
@@ -147,7 +147,7 @@ class LabTabTest {
         assertEquals(List.of("then"), events);
     }
 
-    /** More than the lab is made in. */
+    /** Lets more events pass than the lab is made in. */
     private static void letEventsPass() throws Exception {
         for (int k = 0; k < 9; k++) EventQueue.invokeAndWait(() -> {});
     }

@@ -84,7 +84,7 @@ class LeftoversTest {
         return listener.getSummary();
     }
 
-    /** Those below are run by the tests above alone. */
+    /** A test that is run by the tests above alone. */
     abstract static class Leaving {
         @Test
         void leaves() throws Exception {

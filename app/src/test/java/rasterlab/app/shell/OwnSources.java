@@ -2,7 +2,10 @@ package rasterlab.app.shell;
 
 /** Programs of students for exercises that keep no model solution. */
 final class OwnSources {
-    /** Right where no coordinate is huge: this exercise is measured against its topic's method. */
+    /**
+     * A source that is right where no coordinate is huge: this exercise is measured against its
+     * topic's method.
+     */
     static final String SEGMENTS =
             """
             public class Mine implements rasterlab.contract.SegmentClipper {

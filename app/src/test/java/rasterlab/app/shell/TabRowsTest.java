@@ -21,7 +21,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class TabRowsTest {
-    /** For a pane in no window, whichever window other tests have left active. */
+    /**
+     * Says that no window is active, for a pane in no window, whichever window other tests have
+     * left active.
+     */
     private static final class NoWindowActive extends DefaultKeyboardFocusManager {
         @Override
         public Window getActiveWindow() {

@@ -166,7 +166,7 @@ class TabbedLabsTest {
         return turns;
     }
 
-    /** In each event, until the plain tab is shown. */
+    /** Notes in each event what is there, until the plain tab is shown. */
     private void note() {
         if (pane.getSelectedIndex() == 1) {
             events.add("shown");

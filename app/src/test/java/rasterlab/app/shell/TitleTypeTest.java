@@ -51,7 +51,7 @@ class TitleTypeTest {
                                                                                         size))));
     }
 
-    /** With a sign before the titles, and a list of languages behind them. */
+    /** The labs laid out with a sign before the titles, and a list of languages behind them. */
     private static TabbedLabs laidOut(Language language, int width) {
         Texts texts = Texts.of("shell", language);
         List<LabTab> tabs =

@@ -68,7 +68,7 @@ class ToldHazardTest {
         return seen(lab).filter(each -> name.equals(each.getName())).findFirst().orElseThrow();
     }
 
-    /** Those in cards that are shown. */
+    /** The components that are in cards that are shown. */
     private static Stream<Component> seen(Container place) {
         var all = new ArrayList<Component>();
         for (Component each : place.getComponents()) {

@@ -40,7 +40,9 @@ final class UsefulSize {
         }
     }
 
-    /** In an inspector pictures are as small as their numbers. */
+    /**
+     * Whether a component is a large picture: in an inspector they are as small as their numbers.
+     */
     private static boolean isPicture(Component child) {
         for (Container each = child.getParent(); each != null; each = each.getParent())
             if (each instanceof JViewport) return false;

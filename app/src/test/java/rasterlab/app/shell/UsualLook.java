@@ -66,7 +66,7 @@ public final class UsualLook {
                 || value instanceof InputMap;
     }
 
-    /** As it is after it has been installed. */
+    /** The look as it is after it has been installed. */
     private static final class Usual {
         private static final Map<String, Object> LOOK = installed();
 

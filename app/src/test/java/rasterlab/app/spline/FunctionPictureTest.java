@@ -27,7 +27,7 @@ class FunctionPictureTest {
     private static final Pattern NUMBER =
             Pattern.compile("<text[^>]*? y=\"(\\d+)\"[^>]*>([+−])([\\d.]+)<");
 
-    /** From the curve to the far end of a pointer, in view units. */
+    /** The length from the curve to the far end of a pointer, in view units. */
     private static final int POINTER = 18;
 
     private static final int WIDTH = 600;

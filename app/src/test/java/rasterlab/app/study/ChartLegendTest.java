@@ -25,7 +25,7 @@ import rasterlab.engine.study.Verdict;
 class ChartLegendTest {
     private static final Dimension NARROW = new Dimension(560, 480);
 
-    /** From one end of the axis of costs to the other. */
+    /** A study whose points go from one end of the axis of costs to the other. */
     private static final Study STUDY =
             new Study(
                     "line",

@@ -67,7 +67,7 @@ class InputTextTest {
             }
     }
 
-    /** But for names of matrices, which are formulas. */
+    /** The constants are in words but for names of matrices, which are formulas. */
     @Test
     void constantsAreWrittenInWords() {
         var constant = Pattern.compile("\\b[A-Z][A-Z_]{2,}\\b");

@@ -41,7 +41,7 @@ class LabelPlacesTest {
         return places(labelled, labelled, List.of());
     }
 
-    /** So many points, most of them near the middle. */
+    /** A crowd of so many points, most of them near the middle. */
     private static List<Point> crowd(int seed, int points) {
         var random = new Random(seed);
         return IntStream.range(0, points)

@@ -27,7 +27,7 @@ import rasterlab.exercises.catalogue.Catalogue;
 class OwnStudyTest {
     private static final Exercise LINE = Catalogue.builtIn().named("line-bresenham");
 
-    /** Right on every segment of 32-bit numbers. */
+    /** A source that is right on every segment of 32-bit numbers. */
     private static final String RIGHT =
             """
             long dx = Math.abs((long) x1 - x0), dy = Math.abs((long) y1 - y0);
@@ -110,7 +110,7 @@ class OwnStudyTest {
         assertTrue(cells.stream().anyMatch(one -> one.verdict().kind() != Verdict.Kind.EXACT));
     }
 
-    /** However long that takes: it is no part of the time that the first hazard is given. */
+    /** The first hazard is given its whole time however long compiling takes. */
     @Test
     void itIsCompiledBeforeTheFirstHazardIsTried() {
         bring(RIGHT);

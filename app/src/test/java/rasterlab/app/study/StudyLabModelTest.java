@@ -27,7 +27,7 @@ import rasterlab.engine.transform.matrix.MatrixTopic;
 @Tag("slow")
 @Timeout(300)
 class StudyLabModelTest {
-    /** Measured in a second, where lines take ten. */
+    /** A topic measured in a second, where lines take ten. */
     private static final MatrixTopic SMALL = new MatrixTopic();
 
     private final BlockingQueue<Runnable> events = new LinkedBlockingQueue<>();

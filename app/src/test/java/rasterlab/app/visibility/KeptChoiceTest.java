@@ -106,7 +106,7 @@ class KeptChoiceTest {
                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     }
 
-    /** As at the next start. */
+    /** The choice as at the next start. */
     private VisibilityChoice restarted(VisibilityLabModel next) {
         next.bringBack(model.kept());
         next.keptFiles().bringBack(model.keptFiles().kept());

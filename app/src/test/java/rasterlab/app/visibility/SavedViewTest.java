@@ -33,7 +33,7 @@ import rasterlab.engine.visibility.ClipPlane;
 class SavedViewTest {
     @TempDir Path folder;
 
-    /** Nothing as it usually is. */
+    /** A choice with nothing as it usually is. */
     private static VisibilityChoice all() {
         LookChoice look =
                 LookChoice.USUAL

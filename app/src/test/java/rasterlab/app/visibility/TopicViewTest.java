@@ -85,7 +85,9 @@ class TopicViewTest {
         return hazards.stream().filter(one -> one.name().equals(name)).findFirst().orElseThrow();
     }
 
-    /** Without those that every method refuses: what is out of range may be out of sight. */
+    /**
+     * The sights but for those that every method refuses: what is out of range may be out of sight.
+     */
     static Stream<Hazard<Sight>> sightsInRange() {
         return sights().filter(
                         hazard ->

@@ -8,7 +8,10 @@ import java.util.stream.Stream;
 public final class Box {
     private Box() {}
 
-    /** Around all but what is drawn wrong, which may be anywhere; the unit square for nothing. */
+    /**
+     * The box around all but what is drawn wrong, which may be anywhere; the unit square for
+     * nothing.
+     */
     public static Rectangle2D around(List<Mark> marks) {
         Rectangle2D.Double box = null;
         for (Mark mark : marks) {

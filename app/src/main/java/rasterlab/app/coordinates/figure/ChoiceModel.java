@@ -41,7 +41,10 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         return listeners.add(listener);
     }
 
-    /** Between {@link #beginDrag} and {@link #endDrag} all changes are one for undo. */
+    /**
+     * Changes the choice; all changes between {@link #beginDrag} and {@link #endDrag} are one for
+     * undo.
+     */
     public final void change(C next) {
         if (next.equals(choice)) return;
         history.remember();
@@ -84,7 +87,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         return history;
     }
 
-    /** Back to how the lab opens; can be undone. */
+    /** Returns to how the lab opens; can be undone. */
     public final void reset() {
         rearrange(first);
     }

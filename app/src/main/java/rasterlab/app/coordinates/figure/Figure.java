@@ -22,7 +22,7 @@ public record Figure(List<Mark> marks, boolean ruled, List<Rectangle> taken)
         taken = List.copyOf(taken);
     }
 
-    /** With labels wherever they hide no lines. */
+    /** A figure with labels wherever they hide no lines. */
     public Figure(List<Mark> marks, boolean ruled) {
         this(marks, ruled, List.of());
     }

@@ -13,7 +13,9 @@ final class LabelPlaces {
     /** View units from a place to its label, the nearest first. */
     private static final int[] AWAY = {7, 14, 22};
 
-    /** Right, left or in the middle; above, below or beside. */
+    /**
+     * The sides on which a label may stand: right, left or in the middle; above, below or beside.
+     */
     private static final int[][] SIDES = {
         {1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}
     };

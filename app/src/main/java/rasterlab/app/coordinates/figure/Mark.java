@@ -35,7 +35,7 @@ public sealed interface Mark {
     /** A cross for a place that is computed, such as a vanishing point. */
     record Cross(Spot at, Ink ink, String label) implements Mark {}
 
-    /** Around a place where a point is missing, or over one where there should be none. */
+    /** A mark around a place where a point is missing, or over one where there should be none. */
     record Wrong(Spot at, PixelMark kind) implements Mark {
         @Override
         public Ink ink() {

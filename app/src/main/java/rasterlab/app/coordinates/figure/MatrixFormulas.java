@@ -36,7 +36,9 @@ public final class MatrixFormulas {
         return new Formula.Matrix(rows);
     }
 
-    /** With three significant digits at least, so that 1/r with r = 700 is not 0.0014. */
+    /**
+     * The number with three significant digits at least, so that 1/r with r = 700 is not 0.0014.
+     */
     static String cell(double value, Locale locale) {
         double size = Math.abs(value);
         boolean small = size >= LEAST_DECIMAL && size < 0.01;

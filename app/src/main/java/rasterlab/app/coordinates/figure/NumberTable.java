@@ -15,7 +15,7 @@ public final class NumberTable extends JEditorPane {
 
     private static final float SMALLEST = 0.6f;
 
-    /** In points, by which the type gets smaller or larger. */
+    /** The step by which the type gets smaller or larger, in points. */
     private static final float STEP = 0.5f;
 
     private String shown = "";

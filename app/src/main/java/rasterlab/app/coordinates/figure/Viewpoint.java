@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**
- * From where space is looked at on the stage: a trimetric picture.
+ * The direction from which space is looked at on the stage: a trimetric picture.
  *
  * @param alphaDegrees α about y, any finite angle
  * @param betaDegrees β about x, in [−90, 90]
@@ -13,7 +13,7 @@ import rasterlab.engine.transform.matrix.MatrixCall;
 public record Viewpoint(double alphaDegrees, double betaDegrees) {
     public static final Viewpoint FIRST = new Viewpoint(-32, 20);
 
-    /** Turned further; β stops at its ends. */
+    /** The viewpoint turned further; β stops at its ends. */
     public Viewpoint turned(double alpha, double beta) {
         return new Viewpoint(
                 Math.IEEEremainder(alphaDegrees + alpha, 360),

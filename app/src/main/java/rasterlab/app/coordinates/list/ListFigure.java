@@ -70,7 +70,7 @@ final class ListFigure {
             marks.add(new Mark.Dot(spots.get(i), h.length == 0 || h[i] > 0 ? ink : Ink.WRONG, ""));
     }
 
-    /** As far as the subject reaches. */
+    /** The largest coordinate of the subject, as far as it reaches. */
     private double reach() {
         return scene.choice().points().stream().mapToDouble(Math::abs).max().orElse(1);
     }

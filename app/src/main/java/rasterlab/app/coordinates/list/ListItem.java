@@ -31,7 +31,7 @@ public record ListItem(String name, List<Double> numbers) {
         return new ListItem(call.name(), call.numbers());
     }
 
-    /** With the numbers that show best what the matrix does. */
+    /** An item with the numbers that show best what the matrix does. */
     static ListItem first(String name, int dimension) {
         return of(name, FirstNumbers.of(name, dimension));
     }

@@ -17,7 +17,7 @@ final class ListStage extends PlaneStage {
 
     private static final double DEGREES_PER_DOT = 0.5;
 
-    /** So many points of a subject are its corners. */
+    /** The number of a subject's points that are its corners. */
     private static final int CORNERS = 4;
 
     private final transient ListLabModel model;

@@ -6,9 +6,9 @@ import rasterlab.engine.naming.Named;
 
 /** How a list of transformations is read. */
 public enum Reading {
-    /** Backwards: the object moves in axes that stay. */
+    /** The list read backwards: the object moves in axes that stay. */
     OBJECTS,
-    /** Forwards: the axes move, and the object is drawn in them as it is given. */
+    /** The list read forwards: the axes move, and the object is drawn in them as it is given. */
     FRAME;
 
     /** Lower-case name. */

@@ -138,7 +138,7 @@ final class TrialReadings {
         return rows;
     }
 
-    /** Those that are off first, as many as can be written. */
+    /** The points to list: those that are off first, as many as can be written. */
     private static List<Integer> points(TrialScene scene) {
         return IntStream.range(0, scene.size())
                 .boxed()

@@ -27,7 +27,9 @@ record TrialScene(
         List<Fate> fates,
         Verdict verdict,
         double reach) {
-    /** So many times as far away as the exact points, a point is left out of the picture. */
+    /**
+     * The factor beyond the reach of the exact points at which a point is left out of the picture.
+     */
     static final double FAR = 100;
 
     /** Points that are nearer to each other, over the picture's reach, are seen as one. */
@@ -82,11 +84,11 @@ record TrialScene(
     /** What became of a point. */
     enum Fate {
         RIGHT,
-        /** It has an image of other numbers, be it only its H. */
+        /** The point has an image of other numbers, be it only its H. */
         WRONG,
-        /** It has an image, but not by the method. */
+        /** The point has an image, but not by the method. */
         MISSING,
-        /** It has none, but one by the method. */
+        /** The point has no image, but one by the method. */
         EXTRA;
 
         /**
@@ -140,7 +142,7 @@ record TrialScene(
         return isMade(point) && fates.get(point) == Fate.WRONG && distance(point) < SEEN * reach;
     }
 
-    /** Between where the point is and where it belongs. */
+    /** The distance between where the point is and where it belongs. */
     private double distance(int point) {
         double sum = 0;
         for (int i = 3 * point; i < 3 * point + 3; i++)

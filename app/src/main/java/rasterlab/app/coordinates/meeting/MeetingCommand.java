@@ -12,7 +12,7 @@ import rasterlab.engine.geometry.meeting.PlaneAndLines;
 final class MeetingCommand {
     private MeetingCommand() {}
 
-    /** Empty where the plane's nearest point to the origin is beyond doubles. */
+    /** The command; empty where the plane's nearest point to the origin is beyond doubles. */
     static Optional<String> of(MeetingChoice choice) {
         Plane plane = choice.plane();
         Vector point;

@@ -12,10 +12,10 @@ import rasterlab.engine.geometry.Line;
 final class MeetingFigure {
     private static final double NORMAL = 0.4;
 
-    /** From the plane down to the middle of its name. */
+    /** The distance from the plane down to the middle of its name. */
     private static final double NAME = 0.07;
 
-    /** So much of the line is drawn behind p₁ and beyond p₂, in units. */
+    /** The length of the line drawn behind p₁ and beyond p₂, in units. */
     private static final double BEYOND = 0.4;
 
     private final MeetingScene scene;

@@ -50,7 +50,7 @@ record MeetingScene(MeetingChoice choice, double exact, List<Answer> answers) {
         }
     }
 
-    /** That of the chosen method. */
+    /** The answer of the chosen method. */
     Answer chosen() {
         return answers.stream()
                 .filter(each -> each.method().equals(choice.method()))

@@ -21,10 +21,13 @@ import rasterlab.engine.geometry.Vector;
  */
 record SideView(
         Vector origin, Vector right, Vector up, double unit, double height, boolean reached) {
-    /** Beyond so many units from p₁ nothing is drawn. */
+    /** The distance from p₁, in units, beyond which nothing is drawn. */
     static final double FARTHEST = 12;
 
-    /** Below it a direction counts as that of the normal, and any way along the plane will do. */
+    /**
+     * The length below which a direction counts as that of the normal, and any way along the plane
+     * will do.
+     */
     private static final double UPRIGHT = 1e-9;
 
     static SideView of(Plane plane, Line line) {

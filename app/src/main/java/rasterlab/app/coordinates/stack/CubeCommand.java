@@ -14,7 +14,7 @@ import rasterlab.app.coordinates.figure.Wire;
 final class CubeCommand {
     private CubeCommand() {}
 
-    /** Empty before a cube is drawn. */
+    /** The command; empty before a cube is drawn. */
     static Optional<String> of(StackScene scene) {
         List<Matrix4d> cubes = scene.cubes();
         if (cubes.isEmpty()) return Optional.empty();

@@ -11,7 +11,7 @@ import java.util.Locale;
 public enum StackProgram {
     /** An arm of three links: each hangs on the one before, its thickness on none. */
     ARM(arm(true)),
-    /** Without Push and Pop the first link's thickness is that of all. */
+    /** An arm without Push and Pop: the first link's thickness is that of all. */
     FORGOTTEN_PUSH(arm(false)),
     /** Four spokes, each from the same hub. */
     SPOKES(spokes()),

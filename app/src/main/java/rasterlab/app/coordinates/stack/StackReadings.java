@@ -14,7 +14,7 @@ import rasterlab.engine.transform.MatrixMode;
 
 /** Commands, stacks and errors in words and formulas of one language. */
 final class StackReadings {
-    /** So many matrices of a stack are written out. */
+    /** The number of a stack's matrices that are written out. */
     private static final int WRITTEN = 4;
 
     private final StackLabModel model;

@@ -77,7 +77,7 @@ final class DriftChart extends SelfDrawn {
         return new Dimension(360, 360);
     }
 
-    /** In which the names do not lie over the curves, nor over each other. */
+    /** The size in which the names do not lie over the curves, nor over each other. */
     @Override
     public Dimension getMinimumSize() {
         FontMetrics metrics = getFontMetrics(usual());
@@ -262,7 +262,7 @@ final class DriftChart extends SelfDrawn {
         return error > 0 ? Math.max(LOWEST, Math.min(HIGHEST, Math.log10(error))) : LOWEST;
     }
 
-    /** Beside the curves' ends, from below, none over another. */
+    /** Paints the names beside the curves' ends, from below, none over another. */
     private void paintNames(Graphics2D g, Plot plot, StageColours colours) {
         var sorted = new ArrayList<>(drifts);
         sorted.sort(Comparator.comparingDouble(plot::end).reversed());

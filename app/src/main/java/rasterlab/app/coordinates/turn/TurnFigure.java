@@ -11,10 +11,10 @@ import rasterlab.app.language.Language;
 
 /** The way round. */
 final class TurnFigure {
-    /** So much error over the radius is seen. */
+    /** The error over the radius from which on it is seen. */
     private static final double SEEN = 0.005;
 
-    /** Up to so many earlier places are drawn as dots. */
+    /** The number of earlier places up to which they are drawn as dots. */
     private static final int DOTS = 80;
 
     private TurnFigure() {}

@@ -110,7 +110,10 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
         change(choice().withDegrees(degrees));
     }
 
-    /** From 1 to {@link PlaneRotation#MOST_TIMES}; a number outside goes to the nearer end. */
+    /**
+     * Turns so many times, from 1 to {@link PlaneRotation#MOST_TIMES}; a number outside goes to the
+     * nearer end.
+     */
     public void turnTimes(double times) {
         change(
                 choice().withTimes(

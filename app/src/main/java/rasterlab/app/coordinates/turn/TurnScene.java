@@ -152,7 +152,7 @@ record TurnScene(
         return steps;
     }
 
-    /** Turned without drift. */
+    /** The images turned without drift. */
     private static List<Spot> circle(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
         PlaneRotation method = topic.method("total-angle").implementation();
         var circle = new ArrayList<Spot>();

@@ -74,7 +74,10 @@ final class TurnStage extends JPanel implements AutoCloseable {
         refresh();
     }
 
-    /** Beside each other, one above the other in a high stage, or in turn in a small one. */
+    /**
+     * Places the parts beside each other, one above the other in a high stage, or in turn in a
+     * small one.
+     */
     @Override
     public void doLayout() {
         int width = getWidth();

@@ -90,7 +90,7 @@ final class ViewFigure {
         wire(image, seen(image.numbers()), Ink.OBJECT, "");
     }
 
-    /** From the origin, half as long again as the object reaches. */
+    /** Draws the axes from the origin, half as long again as the object reaches. */
     private void axes(ViewScene.Image image) {
         for (int axis = 0; axis < 3; axis++) {
             double reach = 0;
@@ -183,7 +183,7 @@ final class ViewFigure {
         return 0.6 * (most - least);
     }
 
-    /** Around all marks, but for vanishing points so far that the house would be a dot. */
+    /** The box around all marks, but for vanishing points so far that the house would be a dot. */
     static Rectangle2D frame(List<Mark> marks) {
         Rectangle2D house =
                 Box.around(marks.stream().filter(mark -> mark.ink() == Ink.OBJECT).toList());

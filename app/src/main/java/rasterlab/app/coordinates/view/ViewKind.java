@@ -44,7 +44,7 @@ public enum ViewKind {
         return Named.find("view", code, List.of(values()), ViewKind::code);
     }
 
-    /** Its own numbers, without the size of the window. */
+    /** The kind's own numbers, without the size of the window. */
     List<ViewNumber> numbers() {
         return own;
     }

@@ -139,7 +139,10 @@ record ViewScene(
         }
     }
 
-    /** Empty where the view is not one by spherical coordinates, or a point is not before it. */
+    /**
+     * The depths; empty where the view is not one by spherical coordinates, or a point is not
+     * before it.
+     */
     Optional<Depth> depth() {
         if (!choice.kind().spherical() || images.size() < 3) return Optional.empty();
         Image eye = images.get(2);

@@ -53,7 +53,7 @@ final class ViewStages {
         return new ViewStages(choice).toPlane();
     }
 
-    /** From there to the picture plane. */
+    /** The matrices from there to the picture plane. */
     static List<MatrixCall> projection(ViewChoice choice) {
         return new ViewStages(choice).projection();
     }

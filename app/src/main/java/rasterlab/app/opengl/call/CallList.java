@@ -111,7 +111,7 @@ final class CallList {
         return "{" + numbers(values) + "}";
     }
 
-    /** At most six digits, without a point where none is needed. */
+    /** The number with at most six digits, without a point where none is needed. */
     private static String number(double value) {
         if (value == Math.rint(value) && Math.abs(value) < 1e9)
             return Long.toString(Math.round(value));

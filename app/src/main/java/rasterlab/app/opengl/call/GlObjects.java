@@ -9,7 +9,9 @@ import rasterlab.engine.texture.Texture;
 
 /** What a context keeps between frames: textures and display lists. Dies with its context. */
 public final class GlObjects {
-    /** More than a user compares; the oldest are no use to anybody. */
+    /**
+     * The most objects that are kept, more than a user compares; the oldest are no use to anybody.
+     */
     private static final int MOST = 24;
 
     private final Map<Texture, Integer> textures = new HashMap<>();

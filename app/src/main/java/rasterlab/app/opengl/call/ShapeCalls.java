@@ -23,7 +23,7 @@ final class ShapeCalls {
         calls.free();
     }
 
-    /** Once into a display list, which each frame calls. */
+    /** Calls a shape once into a display list, which each frame calls. */
     void listed(Shape shape, String key) {
         calls.of(Setting.DISPLAY_LIST)
                 .add(

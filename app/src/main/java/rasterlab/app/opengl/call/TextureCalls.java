@@ -19,7 +19,7 @@ final class TextureCalls {
         "GL_LUMINANCE", "GL_LUMINANCE_ALPHA", "GL_RGB", "GL_RGBA"
     };
 
-    /** Sized, so that no texel is stored with fewer bits. */
+    /** The sized formats, by which no texel is stored with fewer bits. */
     private static final int[] STORED = {
         GL11.GL_LUMINANCE8, GL11.GL_LUMINANCE8_ALPHA8, GL11.GL_RGB8, GL11.GL_RGBA8
     };

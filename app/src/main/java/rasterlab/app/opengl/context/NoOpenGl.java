@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 public final class NoOpenGl extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
-    /** In LWJGL's words, which Java repeats among others when it is asked again. */
+    /** The failure in LWJGL's words, which Java repeats among others when it is asked again. */
     private static final Pattern LIBRARY =
             Pattern.compile("Failed to locate library: ([^\\s\\[]+)");
 
@@ -15,7 +15,7 @@ public final class NoOpenGl extends RuntimeException {
         super(missing);
     }
 
-    /** For what a library says or throws when it cannot make a context. */
+    /** An error for what a library says or throws when it cannot make a context. */
     public NoOpenGl(Throwable cause) {
         super(said(cause), cause);
     }

@@ -16,7 +16,7 @@ import org.lwjgl.system.MemoryStack;
 
 /** An OpenGL context without a window or display, current on the thread that opened it. */
 public final class OffscreenContext implements AutoCloseable {
-    /** EGL_PLATFORM_SURFACELESS_MESA. */
+    /** The number of EGL_PLATFORM_SURFACELESS_MESA. */
     private static final int SURFACELESS = 0x31DD;
 
     private final long display;

@@ -30,7 +30,7 @@ public enum Deviations {
     /** Depths are whole numbers in OpenGL, floating ones in the engine. */
     DEPTH_BITS;
 
-    /** Those that a choice brings about. */
+    /** The deviations that a choice brings about. */
     public static List<Deviations> of(GlChoice choice) {
         var found = new ArrayList<Deviations>();
         if (choice.is(Setting.DEPTH_FUNC, "GL_GREATER") && choice.is(Setting.DEPTH_TEST, "on"))

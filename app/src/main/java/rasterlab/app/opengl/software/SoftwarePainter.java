@@ -88,7 +88,7 @@ public final class SoftwarePainter implements AutoCloseable {
                 under);
     }
 
-    /** Empty where OpenGL leaves open what is to come out. */
+    /** The environment; empty where OpenGL leaves open what is to come out. */
     private static Optional<TextureEnvironment> environment(GlChoice choice, int components) {
         var mode = TextureEnvironment.Mode.valueOf(withoutPrefix(choice, Setting.ENV_MODE));
         return mode == TextureEnvironment.Mode.DECAL && components < 3

@@ -70,7 +70,7 @@ final class Strokes {
         return Math.abs(y - Math.rint(y)) < TIE;
     }
 
-    /** With colours from 0 to 1, which they may leave where an end moved outwards. */
+    /** The corner with colours from 0 to 1, which they may leave where an end moved outwards. */
     private static double[] inRange(double[] corner) {
         double[] limited = corner.clone();
         for (int k = Corners.RED; k <= Corners.ALPHA; k++)
@@ -99,7 +99,10 @@ final class Strokes {
                 : at((pixelY(end) + back) / (halfHeight * projection.m11()), 1, a, b);
     }
 
-    /** As the raster decides it: the left and the upper edge belong to what they bound. */
+    /**
+     * Whether a place is past an edge as the raster decides it: the left and the upper edge belong
+     * to what they bound.
+     */
     private static boolean past(double along, boolean across, boolean grows) {
         long steps = Math.round(along / (2 * TIE));
         boolean beyond = across ? steps > 0 : steps >= 0;
@@ -141,7 +144,7 @@ final class Strokes {
         return halfHeight * projection.m11() * corner[1] / w(corner);
     }
 
-    /** Moved by pixels to the right and up, at the same depth. */
+    /** The corner moved by pixels to the right and up, at the same depth. */
     private double[] moved(double[] corner, double right, double up) {
         double[] moved = corner.clone();
         moved[0] += right * perPixelX * w(corner);

@@ -31,7 +31,7 @@ public record GlChoice(
      * @param file where it came from, an absolute path
      */
     public record ImageTexture(Path file, Texture texture) {
-        /** Without its folder. */
+        /** The name of the image: its file without the folder. */
         public String name() {
             return String.valueOf(file.getFileName());
         }
@@ -130,7 +130,7 @@ public record GlChoice(
         return new GlChoice(next, turn, tilt, distance, Optional.empty());
     }
 
-    /** Turned by degrees; the tilt stops at straight up and down. */
+    /** The choice turned by degrees; the tilt stops at straight up and down. */
     public GlChoice turned(double right, double down) {
         double around = turn + right - 360 * Math.floor((turn + right) / 360);
         double over = Math.max(-90, Math.min(90, tilt + down));

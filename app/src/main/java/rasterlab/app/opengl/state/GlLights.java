@@ -8,7 +8,7 @@ import java.util.List;
 final class GlLights {
     private static final double[] FRONT = {1.25, 0.85, 1.9};
 
-    /** Above the tube's middle, so that the lamp is not in every point's way. */
+    /** A place above the tube's middle, so that the lamp is not in every point's way. */
     private static final double[] INSIDE = {0, 0.25, 0};
 
     private static final double[][] COLOURS = {

@@ -54,7 +54,7 @@ public final class Images {
         return texture(width, height, components, argb);
     }
 
-    /** With one or two components the grey that the eye takes a colour for. */
+    /** The texture, with one or two components of the grey that the eye takes a colour for. */
     private static Texture texture(int width, int height, int components, int[] argb) {
         if (components < 3)
             for (int i = 0; i < argb.length; i++) {

@@ -135,7 +135,7 @@ final class Shapes {
         };
     }
 
-    /** From poles along z to poles along y. */
+    /** The positions turned from poles along z to poles along y. */
     private static float[] upright(double[] xyz) {
         float[] turned = new float[xyz.length];
         for (int i = 0; i < xyz.length; i += 3) {

@@ -69,7 +69,7 @@ class StackLabModelTest {
         assertTrue(length(model.scene().cubes().get(2)) > 20);
     }
 
-    /** Of the image of the x axis, which is the matrix's first row. */
+    /** The length of the image of the x axis, which is the matrix's first row. */
     private static double length(Matrix4d matrix) {
         return Math.sqrt(
                 matrix.m00() * matrix.m00()
