@@ -24,7 +24,10 @@ internal class CommandWords private constructor(
     fun wear(command: CommandLine): CommandLine =
         if (language == Locale.ENGLISH) command else command.setResourceBundle(wording.bundle)
 
-    /** In English as picocli has it, but for a command, which is told with those there are. */
+    /**
+     * The failure in English as picocli has it, but for a command, which is told with those there
+     * are.
+     */
     fun of(failure: ParameterException): String =
         when {
             failure is UnmatchedArgumentException && !failure.isUnknownOption && failure.hasCommands() -> {

@@ -105,7 +105,7 @@ private fun giveUp(
 
 private fun utf8(stream: PrintStream) = PrintWriter(OutputStreamWriter(stream, StandardCharsets.UTF_8), true)
 
-/** Also where the name of a file goes over several. */
+/** The message on one line, also where the name of a file goes over several. */
 internal fun oneLine(message: String) = message.replace(Regex("\\p{Cntrl}+"), " ").trim()
 
 private fun refuse(

@@ -122,7 +122,7 @@ internal class ServeCommand(
         return 0
     }
 
-    /** Before anything is made: a refused start leaves no folder behind. */
+    /** Refuses before anything is made: a refused start leaves no folder behind. */
     private fun refuseExamsWithoutIsolation() {
         val isolation = Judge.start(JudgeSettings.defaults()).use { it.isolation() }
         if (!isolation.exam()) throw CannotStart(Reason.EXAM, isolation.missingForExams())
@@ -216,7 +216,7 @@ internal class ServeCommand(
         }
     }
 
-    /** In every language the same: programs wait for these lines. */
+    /** Announces the server in every language the same: programs wait for these lines. */
     private fun announce(
         server: Server,
         port: Int,

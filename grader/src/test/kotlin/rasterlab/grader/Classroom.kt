@@ -74,7 +74,7 @@ class Classroom(
         }
     }
 
-    /** Behind a real socket, for what is only seen on the wire; nothing is graded. */
+    /** Listens behind a real socket, for what is only seen on the wire; nothing is graded. */
     fun listen(
         limits: DoorLimits = DoorLimits(),
         test: Wire.() -> Unit,

@@ -46,7 +46,10 @@ class Wire(
         vararg headers: String,
     ) = send("POST", "/api/v1/courses", "Authorization: Bearer $instructor", *headers, body = body)
 
-    /** Joined behind the server's back, whose limits on requests are the tests' own matter. */
+    /**
+     * A student joined behind the server's back, whose limits on requests are the tests' own
+     * matter.
+     */
     fun newStudent(): String {
         val courses = Courses(database, InstantSource.system())
         val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)

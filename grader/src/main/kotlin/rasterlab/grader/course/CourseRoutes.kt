@@ -31,7 +31,7 @@ private data class StudentAnswer(
     val joinedAt: String,
 )
 
-/** For instructors, inside `authenticate`. */
+/** Serves courses to instructors, inside `authenticate`. */
 fun Route.courses(
     courses: Courses,
     accounts: Accounts,
@@ -57,7 +57,10 @@ fun Route.courses(
     }
 }
 
-/** For anyone, inside a rate limit. A repeatable request needs a key that nobody guesses, because it gets the token again. */
+/**
+ * Lets anyone join, inside a rate limit. A repeatable request needs a key that nobody guesses,
+ * because it gets the token again.
+ */
 fun Route.joining(courses: Courses) {
     post("/join") {
         val (code, name) = call.receiveJson("course", "name") { it.anyText("course") to it.anyText("name") }

@@ -14,8 +14,8 @@ import java.time.format.DateTimeParseException
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * Until when a course's students are to hand in. What comes later is graded all the same, and marked as late; and
- * what hidden cases found is shown with everything from then on.
+ * Says until when a course's students are to hand in. What comes later is graded all the same, and
+ * marked as late; and what hidden cases found is shown with everything from then on.
  */
 class Deadlines(
     private val database: Database,
@@ -35,7 +35,7 @@ class Deadlines(
                 .toMap()
         }
 
-    /** That of an exercise in the course of a student, or null where there is none. */
+    /** The deadline of an exercise in the course of a student, or null where there is none. */
     fun of(
         student: String,
         exercise: String,
@@ -94,7 +94,7 @@ private data class DeadlineAnswer(
 )
 
 /**
- * For instructors, inside `authenticate`.
+ * Serves deadlines to instructors, inside `authenticate`.
  *
  * @param known throws the rejection of an exercise that there is not
  */

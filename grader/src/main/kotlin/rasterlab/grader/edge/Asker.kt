@@ -13,7 +13,10 @@ internal class Asker(
     companion object {
         val UNKNOWN = Asker(person = false, LANGUAGES.first())
 
-        /** Told by what has come of a request's head, which may be cut off or malformed. */
+        /**
+         * The asker as told by what has come of a request's head, which may be cut off or
+         * malformed.
+         */
         fun of(head: String): Asker {
             val lines = head.split("\r\n", "\n")
             val target = lines.first().split(' ').getOrElse(1) { "" }

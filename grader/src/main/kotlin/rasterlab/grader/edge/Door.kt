@@ -146,7 +146,10 @@ class Door(
         }
     }
 
-    /** Without a file left, the client that waits first is turned away by means of the one that is kept for this. */
+    /**
+     * Turns away the client that waits first when no file is left, by means of the one that is kept
+     * for this.
+     */
     private fun shed() {
         try {
             spare?.close()

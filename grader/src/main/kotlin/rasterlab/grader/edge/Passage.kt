@@ -246,13 +246,16 @@ internal class Passage(
         const val DROPPED_MOST = 32L shl 20
         const val SECOND = 1_000_000_000L
 
-        /** For the first whole head. The engine itself ends connections that are idle later. */
+        /**
+         * The time for the first whole head. The engine itself ends connections that are idle
+         * later.
+         */
         const val IDLE_NANOS = 45 * SECOND
 
-        /** For the head of a request that is refused whatever it asks. */
+        /** The time for the head of a request that is refused whatever it asks. */
         const val LISTEN_NANOS = SECOND / 2
 
-        /** For a client to take some of its answer. */
+        /** The time for a client to take some of its answer. */
         const val WRITE_NANOS = 60 * SECOND
         const val LINGER_NANOS = 20 * SECOND
     }

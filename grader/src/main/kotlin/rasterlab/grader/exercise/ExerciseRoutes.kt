@@ -43,7 +43,8 @@ private data class PlanView(
 )
 
 /**
- * Inside `authenticate`. A deadline is null where none is set, attempts left as long as nobody limits them.
+ * Serves exercises, inside `authenticate`. A deadline is null where none is set, attempts left as
+ * long as nobody limits them.
  *
  * @param starter what somebody begins an exercise with
  * @param deadlines until when somebody is to hand in, by exercise

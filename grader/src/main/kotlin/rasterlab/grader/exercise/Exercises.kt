@@ -17,10 +17,13 @@ class Exercises(
 
     fun named(id: String): Exercise = byId[id] ?: throw Rejection.UnknownExercise(id)
 
-    /** For work that was accepted when the catalogue may have been another. */
+    /** Finds an exercise for work that was accepted when the catalogue may have been another. */
     fun find(id: String): Exercise? = byId[id]
 
-    /** As it was at that revision; where that is not known, as it is now, or null if it is not here any more. */
+    /**
+     * The exercise as it was at that revision; where that is not known, as it is now, or null if it
+     * is not here any more.
+     */
     fun at(
         id: String,
         revision: String,

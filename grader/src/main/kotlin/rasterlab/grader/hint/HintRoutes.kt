@@ -47,7 +47,9 @@ private data class UseView(
     val takenAt: String,
 )
 
-/** Inside `authenticate`: hints for a student, who was shown which for the instructor. */
+/**
+ * Serves hints to a student and, to the instructor, who was shown which; inside `authenticate`.
+ */
 fun Route.hints(
     exercises: Exercises,
     hints: Hints,

@@ -46,7 +46,7 @@ sealed class Rejection(
         id: String,
     ) : Rejection("no exercise called '$id'", "unknown-exercise")
 
-    /** Also for a submission of somebody else, so that its id tells nothing. */
+    /** The submission is unknown, or that of somebody else, so that its id tells nothing. */
     class UnknownSubmission(
         id: String,
     ) : Rejection("no submission '$id' of yours", "unknown-submission")
@@ -56,7 +56,7 @@ sealed class Rejection(
         picture: String,
     ) : Rejection("no picture '$picture' of '$of'", "unknown-picture")
 
-    /** Also for a case that is hidden. */
+    /** The case has no scene, or is hidden. */
     class UnknownScene(
         case: String,
     ) : Rejection("no scene of a case '$case'", "unknown-scene")

@@ -11,7 +11,10 @@ import java.util.concurrent.ConcurrentHashMap
 class Reasons {
     private val known = ConcurrentHashMap<Pair<String, String>, CaseReasons>()
 
-    /** In that language, or null where the exercise has no case of that name, or asks for no method. */
+    /**
+     * The reason in that language, or null where the exercise has no case of that name, or asks for
+     * no method.
+     */
     fun of(
         exercise: Exercise,
         case: String,

@@ -128,7 +128,7 @@ class Results(
     }
 }
 
-/** Inside `authenticate`: for the owner and for instructors. */
+/** Serves results to the owner and to instructors, inside `authenticate`. */
 fun Route.results(
     results: Results,
     live: Live,

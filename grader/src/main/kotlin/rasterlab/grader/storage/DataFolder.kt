@@ -90,7 +90,10 @@ class DataFolder private constructor(
 
         private fun lockOf(file: Path) = file.resolveSibling("${file.fileName}.lock")
 
-        /** Under its one name, whatever links and spellings lead there, so that all who use it meet at one lock. */
+        /**
+         * The file under its one name, whatever links and spellings lead there, so that all who use
+         * it meet at one lock.
+         */
         private fun fileIn(
             data: Path,
             url: String?,
@@ -118,7 +121,7 @@ class DataFolder private constructor(
             }
         }
 
-        /** Under its second name, the journal of a file would be another file. */
+        /** Refuses a file with a second name, under which its journal would be another file. */
         private fun refuseOtherNames(file: Path) {
             if ("unix" !in file.fileSystem.supportedFileAttributeViews()) return
             val names = Files.getAttribute(file, "unix:nlink") as Int
@@ -154,7 +157,10 @@ class DataFolder private constructor(
             }
         }
 
-        /** In brackets what the system says beside the place; nothing where it only names that. */
+        /**
+         * The reason: in brackets what the system says beside the place; nothing where it only
+         * names that.
+         */
         private fun why(failure: IOException): String {
             val said = if (failure is FileSystemException) failure.reason else failure.message
             return if (failure is AccessDeniedException || said == null) "" else " ($said)"

@@ -27,7 +27,7 @@ class Database private constructor(
     private val writes = silentAboutValues(writer)
     private val reads = silentAboutValues(reader)
 
-    /** For the scheduler, which commits each of its statements by itself. */
+    /** The connections for the scheduler, which commits each of its statements by itself. */
     val scheduling: DataSource get() = writer
 
     fun <T> read(work: (Handle) -> T): T = reads.withHandle<T, Exception> { work(it) }

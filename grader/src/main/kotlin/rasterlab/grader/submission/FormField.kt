@@ -113,7 +113,7 @@ private class FormReader(
 
     private fun endsLine(after: Int) = startsWith(DASHES, after) || lineEnd(after) != null
 
-    /** Behind the line end, if only spaces and tabs stand before it. */
+    /** The place behind the line end, if only spaces and tabs stand before it. */
     private fun lineEnd(from: Int): Int? {
         var end = from
         while (end < body.size && (body[end] == SPACE || body[end] == TAB) && end - from < LONGEST_LINE) end++

@@ -90,7 +90,10 @@ class GradingQueue(
         }
     }
 
-    /** Those not answered yet. One whose answering was cut short by a locked database looks answered for a while. */
+    /**
+     * The number of rings that are not answered yet. One whose answering was cut short by a locked database
+     * looks answered for a while.
+     */
     private fun rings(): Int =
         database.read {
             it
@@ -156,7 +159,7 @@ class GradingQueue(
     private companion object {
         val SWEEP: Duration = Duration.ofSeconds(2)
 
-        /** More than a clock is moved that is kept right by and by. */
+        /** The smallest jump of the clock that counts, above what it is moved when kept right by and by. */
         val STEP: Duration = Duration.ofSeconds(2)
 
         /** The scheduler waits this long twice: for the attempts to end, then for them to notice the interrupt. */

@@ -136,10 +136,10 @@ class Leases(
     private fun after(wait: Duration) = (steady.instant() + wait).text()
 
     companion object {
-        /** Longer than a few missed renewals. */
+        /** The length of a lease, longer than a few missed renewals. */
         val LENGTH: Duration = Duration.ofSeconds(60)
 
-        /** Before our fault is tried again: what was short may be there again. */
+        /** The pause before our fault is tried again: what was short may be there again. */
         val PAUSE: Duration = Duration.ofSeconds(1)
 
         /** The result is there, only the lease to measure its speed again is not any more. */

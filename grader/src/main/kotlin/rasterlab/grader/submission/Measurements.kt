@@ -102,7 +102,10 @@ class Measurements(
     private fun after(wait: Duration) = (steady.instant() + wait).text()
 
     companion object {
-        /** So often one speed is measured again; then what it cost is nothing, and stays so. */
+        /**
+         * The number of times that one speed is measured again; then what it cost is nothing, and
+         * stays so.
+         */
         const val TRIES = 3
 
         /** A machine that is busy now may be so for a while. */

@@ -37,7 +37,7 @@ internal class PictureRows(
         }
     }
 
-    /** Those of each case, by its place in the report. */
+    /** The pictures of each case, by its place in the report. */
     fun all(): Map<Int, List<CasePicture>> =
         handle
             .createQuery(

@@ -218,6 +218,9 @@ class Reports(
             .map { row, _ -> Diagnostic(row.getInt("line"), row.getInt("column_number"), said(row)) }
             .list()
 
-    /** In no language yet; only the English text is left where the row is older than its data. */
+    /**
+     * The message in no language yet; only the English text is left where the row is older than its
+     * data.
+     */
     private fun said(row: ResultSet): Message = Message.ofData(row.getString("message_data"), row.getString("message"))
 }

@@ -47,7 +47,7 @@ internal class SpeedRows(
     }
 
     /**
-     * Those of a report, or null where it has none.
+     * The figures of a report, or null where it has none.
      *
      * @param result its row in `results`
      */

@@ -5,8 +5,9 @@ import java.time.Instant
 import java.time.InstantSource
 
 /**
- * Moved by nothing but the passing of time: it begins with what the wall clock shows then, and does not follow when that
- * one is set. Whatever is due after a while is told by it; what people read is told by the wall clock.
+ * A clock moved by nothing but the passing of time: it begins with what the wall clock shows then,
+ * and does not follow when that one is set. Whatever is due after a while is told by it; what
+ * people read is told by the wall clock.
  *
  * @param nanos a reading that only grows
  */

@@ -19,7 +19,7 @@ private data class SubmissionAnswer(
     val position: Int,
 )
 
-/** Inside `authenticate`. */
+/** Serves submissions, inside `authenticate`. */
 fun Route.submissions(
     exercises: Exercises,
     intake: Intake,

@@ -66,7 +66,10 @@ class Submissions(
     /** The bests of a student; null for an instructor, who hands nothing in. */
     fun bestsOf(who: Identity): Map<String, Int?>? = if (who is Identity.Student) bests(who.id) else null
 
-    /** By exercise, the most points of what the student has handed in; null as long as nothing is graded. */
+    /**
+     * The most points of what the student has handed in, by exercise; null as long as nothing is
+     * graded.
+     */
     fun bests(student: String): Map<String, Int?> =
         database.read { handle ->
             handle

@@ -28,7 +28,7 @@ class PlacedPoint(
     val textY: Double,
     val before: Boolean,
 ) {
-    /** From the left to the right of the name, as wide as it can be. */
+    /** The range from the left to the right of the name, as wide as it can be. */
     val text: ClosedFloatingPointRange<Double> =
         if (before) textX - width(point.name)..textX else textX..textX + width(point.name)
 
@@ -48,10 +48,10 @@ class PlacedPoint(
     ) = markX in text.start - MARK..text.endInclusive + MARK && abs(textY - BASELINE - markY) < LINE / 2 + MARK - 1
 
     companion object {
-        /** From the middle of letters to the line that they stand on. */
+        /** The distance from the middle of letters to the line that they stand on. */
         const val BASELINE = 4.0
 
-        /** From the line of one name to that of the next. */
+        /** The distance from the line of one name to that of the next. */
         const val LINE = 14.0
 
         /** Half the width of a mark. */
@@ -81,7 +81,7 @@ class ChartLayout(
     private val low = floor(log10(erring.lastOrNull()?.error ?: 1.0) - CLEAR)
     private val high = ceil(log10(erring.firstOrNull()?.error ?: 1.0) + CLEAR).coerceAtLeast(low + 1)
 
-    /** Below the lanes of points without an end, where there are some. */
+    /** The top of the scale, below the lanes of points without an end, where there are some. */
     val scaleTop = TOP + lost.size * LANE
     val scaleBottom = scaleTop + if (erring.isEmpty()) 0.0 else SCALE
 
@@ -89,7 +89,7 @@ class ChartLayout(
     val bottom = scaleBottom + exact.size * LANE
     val height = bottom + BELOW
 
-    /** In the middle of the lanes at the top, and of those at the bottom; null where there is none. */
+    /** The middle of the lanes at the top, and of those at the bottom; null where there is none. */
     val lostAt = (TOP + lost.size * LANE / 2).takeIf { lost.isNotEmpty() }
     val exactAt = ((scaleBottom + bottom) / 2).takeIf { exact.isNotEmpty() }
 
@@ -175,7 +175,7 @@ class ChartLayout(
         private const val BELOW = 38.0
         private const val HALF = 0.5
 
-        /** From a mark to its name. */
+        /** The distance from a mark to its name. */
         private const val AWAY = 10.0
 
         /** Decades between the outermost errors and the ends of their axis, at least. */
@@ -190,7 +190,7 @@ class ChartLayout(
     }
 }
 
-/** More than any letter of a name takes. */
+/** A width above that of any letter of a name. */
 private const val LETTER = 6.8
 
 private fun width(text: String) = text.length * LETTER

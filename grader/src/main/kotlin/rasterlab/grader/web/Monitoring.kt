@@ -16,7 +16,7 @@ import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
 
-/** For the machines that watch the server; nothing here names a person. */
+/** Serves the machines that watch the server; nothing here names a person. */
 fun Route.monitoring(
     database: Database,
     isolation: Isolation,

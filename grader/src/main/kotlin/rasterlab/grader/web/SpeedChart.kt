@@ -79,7 +79,7 @@ private class SpeedDrawing(
     val errorAxis = texts.say("chart.error", texts.unit(speed.errorUnit))
     private val layout = ChartLayout(points)
 
-    /** With three digits that count. */
+    /** The number with three digits that count. */
     fun number(value: Double): String {
         if (value == 0.0) return "0"
         val power = floor(log10(value)).toInt()
@@ -191,7 +191,7 @@ private const val STAR_OUT = 8.0
 private const val STAR_IN = 3.4
 private const val STAR_CORNERS = 10
 
-/** With five rays, the first of them upwards. */
+/** A star with five rays, the first of them upwards. */
 private fun star(
     x: Double,
     y: Double,

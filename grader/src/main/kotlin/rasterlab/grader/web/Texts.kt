@@ -52,7 +52,10 @@ class Texts private constructor(
     }
 }
 
-/** In the language that `?lang=`, the cookie or the browser asks for, the first that is spoken here. */
+/**
+ * The texts in the language that `?lang=`, the cookie or the browser asks for, the first that is
+ * spoken here.
+ */
 fun ApplicationCall.texts(): Texts {
     val asked = listOfNotNull(request.rawQueryParameters["lang"], request.cookies[LANGUAGE_COOKIE, CookieEncoding.RAW])
     return Texts.of((asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty())

@@ -14,7 +14,7 @@ class Wording(
     name: String,
     val language: Locale,
 ) {
-    /** For a library that looks up its own keys. */
+    /** The bundle for a library that looks up its own keys. */
     val bundle: ResourceBundle =
         ResourceBundle.getBundle(
             name,

@@ -64,7 +64,7 @@ class RequestFramingTest {
         return checkNotNull(refusal).answer(Asker.UNKNOWN).decodeToString()
     }
 
-    /** In pieces of any length. */
+    /** Feeds a text in pieces of any length. */
     private fun feed(
         text: String,
         random: Random,

@@ -48,7 +48,7 @@ class HintsTest {
             key?.let { header("Idempotency-Key", it) }
         }
 
-    /** As the button of the page does. */
+    /** Sends a form as the button of the page does. */
     private suspend fun Visit.press(
         cookie: String,
         step: String,

@@ -225,7 +225,7 @@ class OpenedCasesTest {
         fun name(visibility: Disclosure) =
             if (visibility == Disclosure.OPEN) "open-case" else "hidden-${visibility.code()}"
 
-        /** Of which only a single point is hidden, as no open case has one. */
+        /** An exercise of which only a single point is hidden, as no open case has one. */
         fun exercise(): Exercise {
             val plain = Classroom.EXERCISE
             val segment = """{"given":{"from":[0,0],"to":[7,3]}}"""

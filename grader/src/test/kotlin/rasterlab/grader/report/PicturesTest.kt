@@ -103,7 +103,7 @@ class PicturesTest {
         path: String,
     ) = client.get(path) { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
 
-    /** With a student's token and submission. */
+    /** Runs a test with a student's token and submission. */
     private fun graded(test: suspend Visit.(String, String) -> Unit) =
         Classroom(folder).open {
             val token = newStudent()

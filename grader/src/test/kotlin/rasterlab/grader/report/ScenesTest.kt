@@ -94,7 +94,7 @@ class ScenesTest {
             .orEmpty()
             .substringBefore(';')
 
-    /** With a student's token and submission. */
+    /** Runs a test with a student's token and submission. */
     private fun graded(test: suspend Visit.(String, String) -> Unit) =
         Classroom(folder).open {
             val token = newStudent()

@@ -70,7 +70,7 @@ class RevisionTest {
         }
     }
 
-    /** With the exercise of before kept. */
+    /** A classroom with the exercise of before kept. */
     private fun changed() =
         Classroom(
             folder,

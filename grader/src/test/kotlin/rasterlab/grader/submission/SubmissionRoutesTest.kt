@@ -217,7 +217,7 @@ class SubmissionRoutesTest {
                 "scene",
             )
 
-        /** Through a connection of its own, as another process would read it. */
+        /** Asks the database through a connection of its own, as another process would read it. */
         fun query(
             file: Path,
             sql: String,
