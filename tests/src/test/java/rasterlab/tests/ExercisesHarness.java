@@ -15,7 +15,10 @@ abstract class ExercisesHarness extends WindowHarness {
         robot.waitForIdle();
     }
 
-    /** Or will have it when the window has: not every display gives it back after a dialog. */
+    /**
+     * Whether the button has the keyboard, or will have it when the window has: not every display
+     * gives it back after a dialog.
+     */
     boolean hasKeyboard(String button) {
         var target = window.button(button).target();
         return GuiActionRunner.execute(() -> frame.getMostRecentFocusOwner() == target);

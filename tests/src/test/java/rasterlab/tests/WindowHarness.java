@@ -48,13 +48,15 @@ import rasterlab.engine.line.Segment;
 @Timeout(300)
 @ExtendWith(OwnDisplay.class)
 abstract class WindowHarness {
-    /** So long may a slow machine that does something else besides need for what is awaited. */
+    /**
+     * The time that a slow machine that does something else besides may need for what is awaited.
+     */
     private static final long LIMIT_MILLIS = 100_000;
 
     /** The longest that the robot can be told to wait for what it looks for itself. */
     private static final int ROBOT_MILLIS = 60_000;
 
-    /** Of the smallest window, of one on a laptop, and of one on a large screen. */
+    /** The sizes of the smallest window, of one on a laptop, and of one on a large screen. */
     static final List<Dimension> SIZES =
             List.of(new Dimension(900, 600), new Dimension(1280, 720), new Dimension(2560, 1440));
 

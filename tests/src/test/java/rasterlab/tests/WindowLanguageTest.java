@@ -33,7 +33,7 @@ class WindowLanguageTest extends WindowHarness {
         assertTrue(Collections.frequency(seen, Language.ENGLISH) > PARTS, seen::toString);
     }
 
-    /** In each event, until the window speaks Russian. */
+    /** Notes the language in each event, until the window speaks Russian. */
     private void note(List<Language> seen) {
         seen.add(frame.language());
         if (frame.language() == Language.ENGLISH) EventQueue.invokeLater(() -> note(seen));
@@ -88,7 +88,7 @@ class WindowLanguageTest extends WindowHarness {
                 .setSelectedIndex(language.ordinal());
     }
 
-    /** More than a tab is made in. */
+    /** Lets more events pass than a tab is made in. */
     private static void letAllEventsPass() {
         for (int k = 0; k < 99; k++) GuiActionRunner.execute(() -> {});
     }

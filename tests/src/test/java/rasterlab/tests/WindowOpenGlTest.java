@@ -45,7 +45,7 @@ class WindowOpenGlTest extends WindowHarness {
         awaitOpenGlsWindow();
     }
 
-    /** It comes in an event of its own, maybe after both pictures. */
+    /** Waits for OpenGL's window, which comes in an event of its own, maybe after both pictures. */
     private void awaitOpenGlsWindow() {
         await("OpenGL's window", () -> isSeen("opengl.canvas"));
     }
@@ -144,7 +144,10 @@ class WindowOpenGlTest extends WindowHarness {
         return GuiActionRunner.execute(() -> box.target().getSelectedIndex());
     }
 
-    /** Again where the click missed: a list that opens over OpenGL's window may come up late. */
+    /**
+     * Selects an item, again where the click missed: a list that opens over OpenGL's window may
+     * come up late.
+     */
     private void select(String list, int item) {
         JComboBoxFixture box = window.comboBox(list);
         for (int turn = 0; turn < 3 && selected(box) != item; turn++) {

@@ -26,7 +26,7 @@ import rasterlab.app.shell.LabTabs;
 
 /** Pictures of every lab as files, saved in the window under a real display. */
 class WindowPicturesTest extends WindowHarness {
-    /** By the keyboard, for dialogs are not where a mouse would look for them. */
+    /** Saves by the keyboard, for dialogs are not where a mouse would look for them. */
     private JFileChooserFixture save(Path file) {
         var button = (AbstractButton) robot.finder().findByName(frame, "savePicture");
         GuiActionRunner.execute(() -> EventQueue.invokeLater(button::doClick));

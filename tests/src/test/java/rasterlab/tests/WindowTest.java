@@ -123,7 +123,7 @@ class WindowTest extends WindowHarness {
         }
     }
 
-    /** Not while a new look is put on, when there are no titles. */
+    /** Whether the title is whole; not while a new look is put on, when there are no titles. */
     private boolean titleIsWhole() {
         return GuiActionRunner.execute(
                 () ->

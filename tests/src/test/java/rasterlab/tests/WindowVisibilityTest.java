@@ -168,7 +168,7 @@ class WindowVisibilityTest extends WindowHarness {
         await("where it is", () -> status().endsWith(file.toString()));
     }
 
-    /** By the keyboard, for dialogs are not where a mouse would look for them. */
+    /** Saves by the keyboard, for dialogs are not where a mouse would look for them. */
     private void saveTo(Path file) {
         GuiActionRunner.execute(
                 () -> EventQueue.invokeLater(() -> ((AbstractButton) named("save")).doClick()));

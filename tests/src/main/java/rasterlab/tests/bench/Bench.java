@@ -48,10 +48,13 @@ public final class Bench implements Callable<Integer> {
     /** Times that every benchmark gets a process of its own, all benchmarks once in each round. */
     private static final int ROUNDS = 3;
 
-    /** Measured by a runner of its own, each line beside OpenGL in one process. */
+    /**
+     * The name of the part that is measured by a runner of its own, each line beside OpenGL in one
+     * process.
+     */
     private static final String PIPELINE = "pipeline";
 
-    /** Measured in the real window. */
+    /** The name of the part that is measured in the real window. */
     private static final String WINDOW = "window";
 
     @Spec private CommandSpec spec;

@@ -31,7 +31,7 @@ public class ClipBenchmark {
                     goal("Cohen–Sutherland", "cohenSutherland", 0.9),
                     goal("Liang–Barsky", "liangBarsky", 2.5));
 
-    /** More than a processor can learn the branches of by heart. */
+    /** A number of segments above what a processor can learn the branches of by heart. */
     private static final int SEGMENTS = 1 << 16;
 
     private static final double SIZE = 100;

@@ -17,9 +17,9 @@ import org.openjdk.jmh.annotations.State;
 import rasterlab.engine.geometry.Orientation;
 
 /**
- * On which side of a line a point lies: exactly here, in 106 bits in JTS (which is what its {@code
- * Orientation.index} asks). {@code near} points are within two steps of their doubles from the
- * line.
+ * Times on which side of a line a point lies: exactly here, in 106 bits in JTS (which is what its
+ * {@code Orientation.index} asks). {@code near} points are within two steps of their doubles from
+ * the line.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)

@@ -108,7 +108,7 @@ class BenchTest {
         return Bench.commandLine(console(ReportLanguage.asked(arguments))).execute(arguments);
     }
 
-    /** Over streams that know only ASCII, as where the system's locale is C. */
+    /** A console over streams that know only ASCII, as where the system's locale is C. */
     private Console console(ReportLanguage language) {
         var ascii = new PrintStream(err, true, StandardCharsets.US_ASCII);
         return Console.of(InputStream.nullInputStream(), ascii, ascii, language);

@@ -36,7 +36,10 @@ class FrontDoorTest {
     private static final String TRIED_TOUR =
             Boolean.getBoolean("rasterlab.full") ? TOUR : TOUR + " --untimed";
 
-    /** They open a window, are this very test run, or serve until stopped; and the tour. */
+    /**
+     * The commands that open a window, are this very test run, or serve until stopped; and the
+     * tour.
+     */
     private static final Set<String> TRIED_ELSEWHERE =
             Set.of("./lab", "./mvnw verify", "./lab grader serve --data course", TOUR);
 

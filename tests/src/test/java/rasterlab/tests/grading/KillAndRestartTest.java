@@ -18,7 +18,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.tests.grading.CourseDatabase.Standing;
 
-/** Whatever a server that is killed was doing, the next one grades what is left, and each once. */
+/**
+ * A server that is killed leaves work to the next one, which grades what is left, and each once.
+ */
 @Tag("slow")
 class KillAndRestartTest {
     private static final String EXERCISE = "line-bresenham";
@@ -28,7 +30,10 @@ class KillAndRestartTest {
             Pattern.compile(
                     "\"submission \\{} graded [^\"]*\",\"arguments\":\\s*\\[\"([^\"]+)\",\"([^\"]+)\"");
 
-    /** Right on the first case, then silent until its time is up: seconds in which to kill. */
+    /**
+     * A source that is right on the first case, then silent until its time is up: seconds in which
+     * to kill.
+     */
     private static final String SLOW =
             source(Solutions.RIGHT).replace("long dx", "while (x1 == 2 && y1 == 9); long dx");
 
@@ -95,7 +100,8 @@ class KillAndRestartTest {
     }
 
     /**
-     * From here on nothing changes in the database, but for what the server has written already.
+     * Waits for a moment from which on nothing changes in the database, but for what the server has
+     * written already.
      */
     private void await(Moment moment, CourseDatabase database) throws Exception {
         var killed = ids.get(ids.size() - 2);

@@ -30,7 +30,7 @@ import rasterlab.tests.ChildProcess;
 class RefusedStartTest {
     @TempDir private Path folder;
 
-    /** Without programs on the PATH there is no bubblewrap, as on Windows and macOS. */
+    /** There is no bubblewrap without programs on the PATH, as on Windows and macOS. */
     @Test
     void noExamIsGradedWithoutIsolationByTheSystem() throws IOException {
         var nothing = Files.createDirectory(folder.resolve("no programs"));

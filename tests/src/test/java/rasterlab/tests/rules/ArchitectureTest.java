@@ -70,7 +70,9 @@ class ArchitectureTest {
                 .check(classes);
     }
 
-    /** By that name they are compiled on their own, see {@code engine/vector-options}. */
+    /**
+     * Loops of vectors are compiled on their own by their name, see {@code engine/vector-options}.
+     */
     @Test
     void loopsOfVectorsAreNamedSo() {
         methods()

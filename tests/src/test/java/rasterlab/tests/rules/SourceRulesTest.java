@@ -125,7 +125,7 @@ class SourceRulesTest {
         assertEquals(List.of(), silent);
     }
 
-    /** In Kotlin the word stands before the package's name, in the file to read first. */
+    /** The word stands in Kotlin before the package's name, in the file to read first. */
     @Test
     void everyKotlinPackageIntroducesItself() {
         var files =

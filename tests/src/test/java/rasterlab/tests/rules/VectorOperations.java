@@ -26,7 +26,7 @@ final class VectorOperations extends ClassVisitor {
     /** How many lanes a species has is a constant. */
     private static final String CONSTANT = "length";
 
-    /** By name and descriptor, what is called by it, and how often. */
+    /** What is called by a name and descriptor, and how often. */
     private final Map<String, Map<String, Integer>> calls = new HashMap<>();
 
     private final Map<String, Integer> own = new HashMap<>();
@@ -36,7 +36,7 @@ final class VectorOperations extends ClassVisitor {
         super(Opcodes.ASM9);
     }
 
-    /** By a method's name, how many operations it holds; of methods that hold any. */
+    /** The number of operations that a method holds, by its name; of methods that hold any. */
     static Map<String, Integer> of(URI classFile) throws IOException {
         var counted = new VectorOperations();
         try (var in = classFile.toURL().openStream()) {

@@ -11,7 +11,10 @@ import org.junit.jupiter.api.Test;
 
 @Tag("slow")
 class VectorOperationsTest {
-    /** With a few more the compiler may give up, not each time: see {@code VectorLoops}. */
+    /**
+     * The most operations: with a few more the compiler may give up, not each time, see {@code
+     * VectorLoops}.
+     */
     private static final int MOST = 50;
 
     @Test

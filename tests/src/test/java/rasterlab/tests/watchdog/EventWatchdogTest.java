@@ -102,7 +102,7 @@ class EventWatchdogTest {
         assertTrue(fault.contains(Blame.READS.said()), fault);
     }
 
-    /** On one thread: with more, each waits for the others too. */
+    /** The listener runs on one thread: with more, each waits for the others too. */
     @Test
     void listenerThatMakesAPictureIsBlamed() throws Exception {
         var mesh = Torus.ofTriangles(1, 0.45, 10_000).mesh();
@@ -168,7 +168,7 @@ class EventWatchdogTest {
         }
     }
 
-    /** Longer than an event may last, at work that is none of what is blamed. */
+    /** Counts for longer than an event may last, at work that is none of what is blamed. */
     private static void count(Stay[] sink) {
         var stay = new Stay(new ActionEvent("", 0, ""), Optional.empty());
         while (stay.age() < 4 * Watch.LONG_NANOS) sink[0] = stay;

@@ -10,7 +10,7 @@ final class LongStays {
 
     private LongStays() {}
 
-    /** Empty where there is none. */
+    /** The text on long stays; empty where there is none. */
     static String text(String test, List<LongStay> stays) {
         if (stays.isEmpty()) return "";
         List<List<LongStay>> alike =

@@ -18,8 +18,8 @@ import java.util.stream.Collectors;
  */
 final class Stay {
     /**
-     * So often, at intervals of 10 ms, the same must be seen in one event: once may be bad luck of
-     * a busy machine.
+     * The number of times, at intervals of 10 ms, that the same must be seen in one event: once may
+     * be bad luck of a busy machine.
      */
     private static final int SEEN = 5;
 
@@ -35,7 +35,7 @@ final class Stay {
     private long nanos;
 
     /**
-     * On the event thread, when it begins.
+     * A stay in an event, made on the event thread when it begins.
      *
      * @param watch told of it
      */
@@ -99,7 +99,7 @@ final class Stay {
                         .collect(Collectors.joining());
     }
 
-    /** Without the names of loader and module. */
+    /** The frame's text without the names of loader and module. */
     private static String said(StackTraceElement frame) {
         return "%s.%s(%s:%d)"
                 .formatted(

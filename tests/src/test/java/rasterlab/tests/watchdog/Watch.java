@@ -50,7 +50,7 @@ final class Watch implements AutoCloseable {
         }
     }
 
-    /** On the event thread. */
+    /** Ends a stay, on the event thread. */
     void ended(Stay stay) {
         if (stay.nanos() <= LONG_NANOS) return;
         var longStay = new LongStay(stay.name(), stay.nanos(), stay.place());

@@ -35,7 +35,7 @@ final class WatchedQueue extends EventQueue {
         return installed.get();
     }
 
-    /** From now on this one is told of events that begin, until it leaves or a newer one comes. */
+    /** Tells a watch of events that begin from now on, until it leaves or a newer one comes. */
     void join(Watch watch) {
         watches.push(watch);
     }
@@ -44,7 +44,10 @@ final class WatchedQueue extends EventQueue {
         watches.remove(watch);
     }
 
-    /** Empty while the thread is free, and for every watch but the one that the stay is told. */
+    /**
+     * The stay of now; empty while the thread is free, and for every watch but the one that the
+     * stay is told.
+     */
     Optional<Stay> now(Watch watch) {
         return now.filter(stay -> stay.watch().filter(watch::equals).isPresent());
     }

@@ -55,7 +55,7 @@ final class OwnBench {
                 words -> "");
     }
 
-    /** From the finished picture onto the one that a window shows. */
+    /** Times the way from the finished picture onto the one that a window shows. */
     Row present() {
         var picture = new Raster(1920, 1080);
         var shown = new BufferedImage(1920, 1080, BufferedImage.TYPE_INT_RGB);

@@ -28,7 +28,7 @@ final class Turns {
             return quick ? new Length(3, 2 * times) : new Length(10, 6 * times);
         }
 
-        /** As many times the turns after the same warm-up. */
+        /** A length of as many times the turns after the same warm-up. */
         Length times(int factor) {
             return new Length(factor * turns, warmUpSeconds);
         }

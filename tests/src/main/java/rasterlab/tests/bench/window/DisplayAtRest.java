@@ -6,7 +6,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Robot;
 
 /**
- * For processes that end right after they closed a window that showed OpenGL.
+ * Ends processes well that end right after they closed a window that showed OpenGL.
  *
  * <p>At the end of the process GLX gives up its part of the connection to the X server, under that
  * connection's lock. AWT's own thread may hold it, stopped by the virtual machine in the middle of

@@ -29,7 +29,7 @@ final class StartUp {
         Main.main(new String[0]);
     }
 
-    /** Once what is waiting to be painted has been painted and has reached the display. */
+    /** Tells when what is waiting to be painted has been painted and has reached the display. */
     private static void tell() {
         EventQueue.invokeLater(
                 () -> {

@@ -44,7 +44,9 @@ public final class WindowBench {
     private static final double GROWTH_GOAL_MEBIBYTES = 10;
     private static final double WARM_UP_SECONDS = 4;
 
-    /** So long that its pixels are shown small, and an end meets another with every move. */
+    /**
+     * A segment so long that its pixels are shown small, and an end meets another with every move.
+     */
     private static final Segment LONG = new Segment(0, 0, 400, 200);
 
     /** What is dragged: the tab, the part of it that is taken, and the picture that it changes. */
