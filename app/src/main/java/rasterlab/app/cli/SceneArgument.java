@@ -28,7 +28,7 @@ final class SceneArgument {
                 "or a Wavefront model, FILE.obj, fitted into the picture, with the materials and"
                         + " textures that lie in its folder;",
                 "or a scene file, FILE.scene.json, which may say how it is drawn: the options given"
-                        + " here count before it (its format: README, Scene files)"
+                        + " here override it (its format: README, Scene files)"
             },
             completionCandidates = EngineNames.OfScenes.class)
     private String scene;

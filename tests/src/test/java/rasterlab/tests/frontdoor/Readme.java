@@ -2,17 +2,28 @@ package rasterlab.tests.frontdoor;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import rasterlab.tests.Repository;
 
-/** What the README and CONTRIBUTING.md say. */
+/** What the README, in English and in Russian, and CONTRIBUTING.md say. */
 final class Readme {
+    static final List<String> NAMES = List.of("README.md", "README.ru.md");
+
     private static final Pattern BLOCK = Pattern.compile("(?m)^```sh\\R(.*?)^```", Pattern.DOTALL);
+    private static final Pattern ANY_BLOCK =
+            Pattern.compile("(?m)^```.*?^```$", Pattern.DOTALL | Pattern.MULTILINE);
+    private static final Pattern CODE = Pattern.compile("`([^`]+)`");
 
     private Readme() {}
 
     static String text() {
-        return Repository.text(Repository.root().resolve("README.md"));
+        return text("README.md");
+    }
+
+    static String text(String name) {
+        return Repository.text(Repository.root().resolve(name));
     }
 
     /** The lines of its blocks for a shell, without what they say after a #. */
@@ -28,5 +39,18 @@ final class Readme {
             for (var line : blocks.group(1).split("\\R"))
                 if (!line.isBlank()) commands.add(line.replaceFirst("\\s+#.*", "").strip());
         return commands;
+    }
+
+    /** What stands between backquotes in a text outside its blocks, spaces and lines alike. */
+    static Set<String> codes(String text) {
+        var codes = new TreeSet<String>();
+        var found = CODE.matcher(ANY_BLOCK.matcher(text).replaceAll(""));
+        while (found.find()) codes.add(found.group(1).replaceAll("\\s+", " "));
+        return codes;
+    }
+
+    /** How many lines of a text match a pattern. */
+    static long count(String text, String line) {
+        return text.lines().filter(each -> each.matches(line)).count();
     }
 }

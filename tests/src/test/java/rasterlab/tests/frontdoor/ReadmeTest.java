@@ -6,8 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.Setting;
@@ -16,26 +20,69 @@ import rasterlab.tests.Repository;
 class ReadmeTest {
     private static final Pattern SCENE_FILE =
             Pattern.compile("(?m)^```json\\R(.*?)^```", Pattern.DOTALL);
-    private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)[^)]*\\)");
+    private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]*)(#[^)]*)?\\)");
 
-    @Test
-    void everyLinkLeadsSomewhere() {
+    static List<String> names() {
+        return Readme.NAMES;
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void everyLinkLeadsSomewhere(String name) {
         var broken = new ArrayList<String>();
-        var links = LINK.matcher(Readme.text());
+        var links = LINK.matcher(Readme.text(name));
         while (links.find()) {
-            var target = links.group(1);
-            if (!target.startsWith("http") && !Files.exists(Repository.root().resolve(target)))
-                broken.add(target);
+            var target = links.group(1).isEmpty() ? name : links.group(1);
+            var anchor = links.group(2);
+            if (target.startsWith("http")) continue;
+            var file = Repository.root().resolve(target);
+            if (!Files.exists(file)) broken.add(target);
+            else if (anchor != null && !anchors(Repository.text(file)).contains(anchor))
+                broken.add(target + anchor);
         }
         assertEquals(List.of(), broken);
     }
 
-    @Test
-    void theSceneFileIsReadAndSaysEverything() {
-        var block = SCENE_FILE.matcher(Readme.text());
-        assertTrue(block.find(), "README shows no scene file");
+    /** The headings of a text as links name them. */
+    private static List<String> anchors(String text) {
+        return text.lines()
+                .filter(line -> line.startsWith("#"))
+                .map(line -> line.replaceFirst("#+ ", "").toLowerCase())
+                .map(line -> "#" + line.replaceAll("[^\\p{L}\\d -]", "").replace(' ', '-'))
+                .toList();
+    }
+
+    @ParameterizedTest
+    @MethodSource("names")
+    void theSceneFileIsReadAndSaysEverything(String name) {
+        var block = SCENE_FILE.matcher(Readme.text(name));
+        assertTrue(block.find(), name + " shows no scene file");
         var view = (SceneView) SceneFile.read(block.group(1));
         for (var setting : Setting.all())
             assertTrue(view.settings().get(setting).isPresent(), setting + " is not shown");
+    }
+
+    @Test
+    void bothLanguagesHaveTheSameCommands() {
+        assertEquals(Readme.commands(), Readme.commands(Readme.text("README.ru.md")));
+    }
+
+    @Test
+    void bothLanguagesNameTheSameFieldsFilesAndOptions() {
+        var english = Readme.codes(Readme.text());
+        var russian = Readme.codes(Readme.text("README.ru.md"));
+        var missing = new TreeSet<>(english);
+        missing.removeAll(russian);
+        assertEquals(new TreeSet<>(), missing, "README.ru.md does not name");
+        var extra = new TreeSet<>(russian);
+        extra.removeAll(english);
+        assertEquals(new TreeSet<>(), extra, "README.md does not name");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"## .*", "!\\[.*", "```.*", "curl .*"})
+    void bothLanguagesHaveAsMany(String line) {
+        var russian = Readme.count(Readme.text("README.ru.md"), line);
+        assertEquals(Readme.count(Readme.text(), line), russian, "lines like " + line);
     }
 }
