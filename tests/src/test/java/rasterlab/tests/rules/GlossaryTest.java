@@ -1,0 +1,105 @@
+package rasterlab.tests.rules;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.tests.Repository;
+
+/** Holds what people read to one name for one thing, the one of the glossary. */
+class GlossaryTest {
+    static Stream<Glossary.Banned> banned() {
+        return Glossary.read().banned().stream();
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("banned")
+    void noTextHasIt(Glossary.Banned banned) throws IOException {
+        assertTrue(banned.phrase().in(banned.phrase().caught()), "finds not even its own example");
+        var found = new ArrayList<String>();
+        for (Path file : texts()) {
+            if (!speaks(file, banned.language())) continue;
+            List<String> lines = Files.readAllLines(file);
+            for (int i = 0; i < lines.size(); i++)
+                if (banned.phrase().in(value(lines.get(i))))
+                    found.add(Repository.root().relativize(file) + ":" + (i + 1));
+        }
+        assertEquals(List.of(), found, "write " + banned.right());
+    }
+
+    @Test
+    void eachThingHasOneNameInEachLanguage() {
+        var names = new HashSet<String>();
+        var twice = new ArrayList<String>();
+        for (Glossary.Term term : Glossary.read().terms())
+            for (String name : List.of("en " + term.en(), "ru " + term.ru()))
+                if (!names.add(name)) twice.add(name);
+        assertEquals(List.of(), twice, "glossary.json has two terms of one name");
+    }
+
+    @Test
+    void everyTermStandsInTextsOfItsLanguage() throws IOException {
+        var unused = new ArrayList<String>();
+        String english = all("en");
+        String russian = all("ru");
+        for (Glossary.Term term : Glossary.read().terms()) {
+            if (!term.english().matcher(english).find()) unused.add(term.en());
+            if (!term.russian().matcher(russian).find()) unused.add(term.ru());
+        }
+        assertEquals(List.of(), unused, "glossary.json has terms that no text uses");
+    }
+
+    @Test
+    void bundlesOfBothLanguagesAndStatementsAreRead() throws IOException {
+        List<String> names = texts().stream().map(file -> file.getFileName().toString()).toList();
+        for (String name : List.of("messages.properties", "messages_ru.properties", "cases.json"))
+            assertTrue(names.contains(name), name);
+        for (String name : List.of("statement.en.md", "statement.ru.md", "command_ru.properties"))
+            assertTrue(names.contains(name), name);
+    }
+
+    /** What stands on a line of a bundle from its "=" on; another line as it is. */
+    private static String value(String line) {
+        int equals = line.indexOf('=');
+        return line.startsWith("#") ? "" : equals < 0 ? line : line.substring(equals);
+    }
+
+    private static String all(String language) throws IOException {
+        var all = new StringBuilder();
+        for (Path file : texts())
+            if (speaks(file, language))
+                for (String line : Files.readAllLines(file)) all.append(value(line)).append('\n');
+        return all.toString();
+    }
+
+    /** Whether texts of that language stand in a file; JSON has both. */
+    private static boolean speaks(Path file, String language) {
+        String name = file.getFileName().toString();
+        boolean russian = name.contains("_ru.") || name.contains(".ru.");
+        return language.isEmpty() || name.endsWith(".json") || russian == language.equals("ru");
+    }
+
+    private static List<Path> texts() throws IOException {
+        var texts = new ArrayList<Path>();
+        for (String name : List.of("README.md", "README.ru.md"))
+            texts.add(Repository.root().resolve(name));
+        for (String module : Repository.MODULES) {
+            Path resources = Repository.root().resolve(module).resolve("src/main/resources");
+            if (!Files.exists(resources)) continue;
+            try (var files = Files.walk(resources)) {
+                files.filter(file -> file.toString().matches(".*\\.(properties|md|json)"))
+                        .forEach(texts::add);
+            }
+        }
+        return texts;
+    }
+}
