@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import javax.swing.JEditorPane;
 import javax.swing.text.DefaultCaret;
@@ -13,6 +14,9 @@ import rasterlab.app.mine.OwnMethods;
 /** A method in a teacher's words: formula, invariant, cost, failures, source. */
 public final class AboutText extends JEditorPane {
     private static final long serialVersionUID = 1L;
+
+    /** The parts that are about the present input. */
+    private static final Set<String> ANSWERS = Set.of("refusal", "outcome");
 
     private final transient Texts labels;
     private String shown = "";
@@ -38,7 +42,8 @@ public final class AboutText extends JEditorPane {
      *
      * @param texts {@code KEY.formula} and so on, for each part
      * @param decision what the decision variable is; "" for a method without one
-     * @param refusal what the method said to the present input; "" when it drew
+     * @param refusal what the method said to the present input, or why the user's program gave no
+     *     answer; "" when it drew
      */
     public void show(Texts texts, String key, String decision, String refusal) {
         tell(List.of(parts("", texts, key, decision, refusal)));
@@ -83,8 +88,10 @@ public final class AboutText extends JEditorPane {
             String name, Texts texts, String key, String decision, String refusal) {
         var parts = new LinkedHashMap<String, String>();
         parts.put("method", name);
-        parts.put("refusal", refusal);
-        if (key.equals(OwnMethods.NAME) || key.endsWith("." + OwnMethods.NAME)) {
+        boolean own = key.equals(OwnMethods.NAME) || key.endsWith("." + OwnMethods.NAME);
+        parts.put(own ? "outcome" : "refusal", refusal);
+        if (own) {
+            parts.put("decision", decision);
             parts.put("source", labels.text("about.mine"));
             return parts;
         }
@@ -108,7 +115,7 @@ public final class AboutText extends JEditorPane {
         var html = new StringBuilder();
         parts.forEach(
                 (part, text) -> {
-                    boolean old = awaited && part.equals("refusal");
+                    boolean old = awaited && ANSWERS.contains(part);
                     if (!text.isEmpty() && !old)
                         html.append("<p style='margin: 0 0 5 0'><b>")
                                 .append(escaped(labels.text("about." + part)))

@@ -16,8 +16,8 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PixelMarkIcon;
-import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -235,7 +235,7 @@ final class ClipInspector {
         Clipping clipping = state.results().clipping();
         if (clipping.ending() != Clipping.Ending.REFUSED) return "";
         if (clipping.method().equals(OwnMethods.NAME))
-            return VerdictDetail.said(texts.language(), clipping.message());
+            return OwnWords.reason(OwnMethods.NAME, clipping.message(), texts.language());
         return texts.language() == Language.ENGLISH
                 ? clipping.message()
                 : ClipNotes.reason(state.results().scene(), texts);

@@ -6,8 +6,8 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PixelMarkIcon;
-import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.LineRasterizer;
@@ -149,7 +149,7 @@ final class LineInspector {
     private String refusal(LineLabState state) {
         LineTrace trace = state.drawing().trace();
         return trace.ending() == LineTrace.Ending.REFUSED
-                ? VerdictDetail.said(texts.language(), trace.message())
+                ? OwnWords.reason(state.drawing().method(), trace.message(), texts.language())
                 : "";
     }
 }

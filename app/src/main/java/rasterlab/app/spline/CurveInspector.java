@@ -14,7 +14,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
-import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
@@ -248,7 +248,9 @@ final class CurveInspector {
                 said.texts(),
                 chosen.name(),
                 decisionFormula(chosen),
-                refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
+                refused
+                        ? OwnWords.reason(drawing.method(), drawing.message(), texts.language())
+                        : "");
     }
 
     private String decisionFormula(Method<CurveTracer> chosen) {

@@ -161,6 +161,16 @@ public final class ComplaintTexts {
         return NumberForm.powers(english, NumberForm::typed);
     }
 
+    /**
+     * Whether a sentence tells why a student's program gave no answer; else it may be the program's
+     * own refusal.
+     */
+    public static boolean isAboutProgram(String english) {
+        return SENTENCES.stream()
+                .filter(one -> one.topic.isEmpty() && one.key.startsWith("own."))
+                .anyMatch(one -> one.pattern.matcher(english).matches());
+    }
+
     private static UnaryOperator<String> rounded(Locale language) {
         return number -> NumberForm.rounded(number, language);
     }

@@ -11,12 +11,13 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
@@ -98,13 +99,22 @@ final class TrialRows {
         about.show(said.texts(), method.name(), "", refusal());
     }
 
-    /** What the method says to the hazard, where it says that it cannot. */
+    /** What the method says to the hazard, where it says that it cannot, or why it was stopped. */
     private String refusal() {
         return new TrialReadings(model, texts)
                 .known()
-                .map(TrialScene::verdict)
-                .filter(said -> said.kind() == Verdict.Kind.REFUSED)
-                .map(said -> VerdictDetail.said(texts.language(), said.detail()))
+                .filter(scene -> isWithoutAnswer(scene))
+                .map(
+                        scene ->
+                                OwnWords.reason(
+                                        scene.trial().method(),
+                                        scene.verdict().detail(),
+                                        texts.language()))
                 .orElse("");
+    }
+
+    private static boolean isWithoutAnswer(TrialScene scene) {
+        boolean own = scene.trial().method().equals(OwnMethods.NAME);
+        return own ? scene.made().isEmpty() : scene.verdict().kind() == Verdict.Kind.REFUSED;
     }
 }

@@ -186,7 +186,8 @@ final class TurnInspector {
     }
 
     private String error(TurnScene.Drift drift) {
-        if (drift.refused()) return texts.text("drift.refused");
+        if (drift.refused())
+            return OwnWords.without(drift.method(), texts.text("drift.refused"), texts.language());
         return drift.right()
                 ? texts.text("drift.right")
                 : Shown.number(drift.error(), 3, texts.locale());
