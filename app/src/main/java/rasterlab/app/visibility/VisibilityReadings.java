@@ -59,7 +59,7 @@ final class VisibilityReadings {
                 ? read(
                         first(),
                         found -> texts.text("wrongPixels.count", found.wrongPixels()),
-                        texts.text("wrongPixels.refused"))
+                        refused(choice.visibility()))
                 : wrongPixels(choice.visibility(), first());
     }
 
@@ -98,12 +98,13 @@ final class VisibilityReadings {
     }
 
     private String wrongPixels(String method, Optional<Differences.Outcome> outcome) {
-        String counted =
-                read(
-                        outcome,
-                        found -> count(found.wrongPixels()),
-                        texts.text("wrongPixels.refused"));
+        String counted = read(outcome, found -> count(found.wrongPixels()), refused(method));
         return texts.text("wrongPixels.of", OwnWords.called(method, texts.language()), counted);
+    }
+
+    /** What stands in the place of a count where the method drew nothing. */
+    private String refused(String method) {
+        return OwnWords.without(method, texts.text("wrongPixels.refused"), texts.language());
     }
 
     /** Why the method's pixels are not counted; empty where they are. */
@@ -157,16 +158,19 @@ final class VisibilityReadings {
         return count(Math.min(state.step(), last)) + " / " + count(last);
     }
 
+    /** What the steps' values are; "" where there are no steps. */
     String decision() {
-        return state.drawn()
-                .map(Drawn::decision)
-                .map(said -> texts.textOr("decision." + decided(), said))
-                .orElse("");
+        return state.drawn().map(Drawn::decision).map(this::decision).orElse("");
     }
 
-    private String decided() {
+    /**
+     * @param english in the engine's words
+     */
+    private String decision(String english) {
         String method = state.choice().visibility();
-        return method.equals(OwnMethods.NAME) ? method + "." + model.ownTopic() : method;
+        if (method.equals(OwnMethods.NAME)) return texts.text("decision." + model.ownTopic());
+        return Texts.ofTopic("hidden-surfaces", texts.language())
+                .textOr(method + ".decision", english);
     }
 
     /** Why a method drew nothing: in its own words where those are the window's language. */

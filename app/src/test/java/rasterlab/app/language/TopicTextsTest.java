@@ -30,6 +30,8 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
+import rasterlab.engine.visibility.SteppedVisibility;
+import rasterlab.engine.visibility.Visibility;
 
 /**
  * The texts on methods and hazards in both languages, and the Russian of what the engine itself
@@ -145,6 +147,10 @@ class TopicTextsTest {
             String decision = decision(method.implementation());
             if (!decision.isEmpty()) said.put(method.name() + ".decision", decision);
         }
+        if (name.equals("hidden-surfaces"))
+            for (Method<Visibility> method : Renderer.visibilityMethods())
+                if (method.implementation() instanceof SteppedVisibility stepped)
+                    said.put(method.name() + ".decision", stepped.decision());
         if (name.equals("matrix"))
             for (NamedMatrix matrix : NamedMatrices.all())
                 said.put("matrix." + matrix.name(), matrix.meaning());
