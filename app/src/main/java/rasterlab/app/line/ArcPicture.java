@@ -57,6 +57,7 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
         marks(g, map, drawing.difference().extra(), PixelMark.EXTRA, size);
         if (step == drawing.steps())
             marks(g, map, drawing.difference().missing(), PixelMark.MISSING, size);
+        again(g, map, size);
         alone(g, map, colours, size);
         if (step > 0 && step < drawing.steps()) {
             g.setColor(colours.ink());
@@ -92,7 +93,21 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
         }
     }
 
-    /** A pixel that was sent twice is extra by its count, and has no mark of its own. */
+    /** The pixels that were lit twice or more up to this step, be they right or wrong. */
+    private void again(Graphics2D g, PlaneMap map, double size) {
+        for (int i = 0; i < drawing.extra().againAmong(step); i++) {
+            int at = drawing.extra().again(i);
+            Rectangle2D pixel = pixel(map, drawing.pixels().x(at), drawing.pixels().y(at), size);
+            if (!g.getClipBounds().intersects(pixel)) continue;
+            if (size >= ROOMY) {
+                PixelMark.AGAIN.paint(g, pixel.getX(), pixel.getY(), size);
+                continue;
+            }
+            g.setColor(MethodColours.VERMILLION);
+            g.fill(pixel);
+        }
+    }
+
     private void marks(Graphics2D g, PlaneMap map, PixelSet wrong, PixelMark mark, double size) {
         for (int i = 0; i < wrong.size(); i++) {
             if (mark == PixelMark.EXTRA && !isLit(wrong.x(i), wrong.y(i))) continue;

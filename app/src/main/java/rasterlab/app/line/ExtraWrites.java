@@ -10,26 +10,35 @@ import rasterlab.engine.raster.PixelSet;
 
 /** The pixels that a method sent although they are not exact or were sent before. */
 final class ExtraWrites {
-    static final ExtraWrites NONE = new ExtraWrites(new int[0]);
+    static final ExtraWrites NONE = new ExtraWrites(new int[0], new int[0]);
 
     /** The places of the writes among all that were sent, from 0, ascending. */
     private final int[] places;
 
-    private ExtraWrites(int[] places) {
+    /** The places of those that were sent before. */
+    private final int[] again;
+
+    private ExtraWrites(int[] places, int[] again) {
         this.places = places;
+        this.again = again;
     }
 
     static ExtraWrites of(PixelDifference difference, PixelRecording sent) {
         PixelSet wrong = difference.extra();
         if (wrong.isEmpty() && difference.right().size() == sent.size()) return NONE;
         Set<Long> before = new HashSet<>();
+        int[] again =
+                IntStream.range(0, sent.size())
+                        .filter(i -> !before.add(place(sent.x(i), sent.y(i))))
+                        .toArray();
         return new ExtraWrites(
                 IntStream.range(0, sent.size())
                         .filter(
                                 i ->
-                                        !before.add(place(sent.x(i), sent.y(i)))
+                                        Arrays.binarySearch(again, i) >= 0
                                                 || wrong.contains(sent.x(i), sent.y(i)))
-                        .toArray());
+                        .toArray(),
+                again);
     }
 
     private static long place(int x, int y) {
@@ -38,7 +47,21 @@ final class ExtraWrites {
 
     /** How many of the first pixels that were sent. */
     int among(int first) {
-        int at = Arrays.binarySearch(places, first);
+        return below(first, places);
+    }
+
+    /** How many of the first pixels that were sent had been sent before. */
+    int againAmong(int first) {
+        return below(first, again);
+    }
+
+    /** The place of one of those that had been sent before, among all that were sent. */
+    int again(int number) {
+        return again[number];
+    }
+
+    private static int below(int limit, int[] ascending) {
+        int at = Arrays.binarySearch(ascending, limit);
         return at < 0 ? -at - 1 : at;
     }
 }

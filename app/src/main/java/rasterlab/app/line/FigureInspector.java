@@ -12,9 +12,9 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -38,6 +38,7 @@ final class FigureInspector {
     private final JLabel decision;
     private final JLabel missing;
     private final JLabel extra;
+    private final JLabel again;
     private final JLabel worst;
     private final JLabel length;
     private final JLabel lit;
@@ -92,6 +93,9 @@ final class FigureInspector {
         missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
         extra = column.value("extra");
         extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
+        again = column.value("again");
+        again.setIcon(new PixelMarkIcon(PixelMark.AGAIN));
+        again.setToolTipText(texts.text("again.hint"));
         worst = column.value("worst");
         length = column.value("length");
         lit = column.value("lit");
@@ -182,12 +186,14 @@ final class FigureInspector {
         for (JLabel each : List.of(angle, light, full, spread)) column.showRow(each, slope);
         column.showRow(other, state.other().isPresent());
         var readings = new FigureReadings(state, texts);
+        column.showRow(again, arc && readings.repeats());
         if (arc) {
             pixel.setText(readings.pixel());
             offset.setText(readings.offset());
             decision.setText(readings.decision());
             missing.setText(readings.missing());
             extra.setText(readings.extra());
+            again.setText(readings.again());
             worst.setText(readings.worst());
         }
         boolean pen = state.drawn().figure() instanceof PenFigure;
@@ -225,7 +231,7 @@ final class FigureInspector {
     private String refusal(FigureState state) {
         if (state.drawing().ending() != LineTrace.Ending.REFUSED) return "";
         if (state.scene().method().equals(OwnMethods.NAME))
-            return VerdictDetail.said(texts.language(), state.drawing().message());
+            return OwnWords.reason(OwnMethods.NAME, state.drawing().message(), texts.language());
         return texts.language() == Language.ENGLISH
                 ? state.drawing().message()
                 : texts.text("figure.refusal");

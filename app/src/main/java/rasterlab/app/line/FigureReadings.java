@@ -75,6 +75,16 @@ final class FigureReadings {
         return texts.text("pixels", drawing.extra().among(state.step()));
     }
 
+    /** Counts those of the extra ones that had been lit before. */
+    String again() {
+        return texts.text("pixels", drawing.extra().againAmong(state.step()));
+    }
+
+    /** Whether the method lights some pixel again, in all its steps. */
+    boolean repeats() {
+        return compared() && drawing.extra().againAmong(drawing.steps()) > 0;
+    }
+
     String worst() {
         if (!compared()) return NONE;
         if (!state.finished()) return texts.text("missing.later");

@@ -1,14 +1,25 @@
 package rasterlab.app.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.engine.raster.PixelMark;
+import rasterlab.engine.raster.PixelSet;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 
@@ -32,5 +43,51 @@ class OwnFigureTest {
             assertEquals(drawing.pixels().size(), model.last());
             assertEquals(List.of(), failures);
         }
+    }
+
+    @Test
+    void aRightPixelThatIsLitTwiceIsCountedAndMarked() throws InterruptedException {
+        Exercise exercise = Catalogue.builtIn().named("circle");
+        List<Throwable> failures = new CopyOnWriteArrayList<>();
+        try (var own = new OwnMethods();
+                var model = new FigureLabModel(own, Runnable::run, failures::add)) {
+            own.bring(
+                    exercise,
+                    """
+                    public class Mine implements rasterlab.contract.CircleRasterizer {
+                        public void draw(int x, int y, int r, rasterlab.contract.Pixels out) {
+                            for (int i = 0; i < 2; i++) out.plot(x + r, y);
+                            out.plot(x - r, y);
+                        }
+                    }
+                    """);
+            model.chooseMode(LineMode.CIRCLE);
+            model.chooseMethod(OwnMethods.NAME);
+            model.settle();
+            var readings = new FigureReadings(model.state(), Texts.of("line", Language.ENGLISH));
+            assertTrue(readings.repeats());
+            assertEquals("1 pixel", readings.again());
+            assertEquals(0, model.state().drawing().difference().extra().size());
+            var arc = (ArcFigure) model.state().scene().figure();
+            assertTrue(isMarked(model, arc.centreX() + arc.radiusX(), arc.centreY(), 3));
+            assertFalse(isMarked(model, arc.centreX() - arc.radiusX(), arc.centreY(), 3));
+            assertFalse(isMarked(model, arc.centreX() + arc.radiusX(), arc.centreY(), 1));
+            assertEquals(List.of(), failures);
+        }
+    }
+
+    /** Whether something of a mark's colour is seen in a pixel after so many steps. */
+    private static boolean isMarked(FigureLabModel model, int x, int y, int step) {
+        var arc = (ArcFigure) model.state().scene().figure();
+        var map = new PlaneMap(200 - 20 * x, 200 - 20 * y, 20, 20);
+        var image = new BufferedImage(400, 400, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setClip(0, 0, 400, 400);
+        new ArcPicture(arc, model.state().drawing(), step, PixelSet.EMPTY)
+                .paint(g, map, StageColours.LIGHT, () -> false);
+        g.dispose();
+        return IntStream.range(190 * 400, 210 * 400)
+                .filter(at -> at % 400 >= 190 && at % 400 < 210)
+                .anyMatch(at -> image.getRGB(at % 400, at / 400) == PixelMark.ARGB);
     }
 }

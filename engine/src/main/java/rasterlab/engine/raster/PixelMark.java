@@ -5,6 +5,7 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 
 /**
  * How a wrong pixel is marked in labs, reports and pictures: by its shape first, so that nobody
@@ -17,7 +18,9 @@ public enum PixelMark {
     /**
      * A cross: the method lights this pixel, the exact picture does not, or not again or not yet.
      */
-    EXTRA;
+    EXTRA,
+    /** A square: the method lights this pixel though it has lit it before. */
+    AGAIN;
 
     /** Vermillion (Okabe and Ito, 2008); nothing but a wrong pixel has it. Opaque, 0xAARRGGBB. */
     public static final int ARGB = 0xFFD55E00;
@@ -35,11 +38,13 @@ public enum PixelMark {
     private void outline(Graphics2D g, double x, double y, double size, float width, Color colour) {
         g.setColor(colour);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        if (this == MISSING) {
-            g.draw(new Ellipse2D.Double(x, y, size, size));
-        } else {
-            g.draw(new Line2D.Double(x, y, x + size, y + size));
-            g.draw(new Line2D.Double(x, y + size, x + size, y));
+        switch (this) {
+            case MISSING -> g.draw(new Ellipse2D.Double(x, y, size, size));
+            case AGAIN -> g.draw(new Rectangle2D.Double(x, y, size, size));
+            case EXTRA -> {
+                g.draw(new Line2D.Double(x, y, x + size, y + size));
+                g.draw(new Line2D.Double(x, y + size, x + size, y));
+            }
         }
     }
 }
