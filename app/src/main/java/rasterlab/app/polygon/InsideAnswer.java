@@ -8,8 +8,11 @@ import java.util.List;
  * @param inside by the method, point after point; none where it refused
  * @param exact as many as there are points
  * @param sides what the method asked about the first point
+ * @param pointwise whether the steps are its answers, point after point: those of a method that
+ *     tells no sides, such as the user's program
  */
-record InsideAnswer(List<Boolean> inside, List<Boolean> exact, List<AskedSide> sides)
+record InsideAnswer(
+        List<Boolean> inside, List<Boolean> exact, List<AskedSide> sides, boolean pointwise)
         implements Answer {
     /**
      * A side that a method looked at.
@@ -33,6 +36,6 @@ record InsideAnswer(List<Boolean> inside, List<Boolean> exact, List<AskedSide> s
 
     @Override
     public int steps() {
-        return sides.size();
+        return pointwise ? inside.size() : sides.size();
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.app.polygon;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
@@ -44,6 +45,9 @@ record InsidePicture(
 
     private static final double MARK = 18;
 
+    /** View units across the ring round a step's point. */
+    private static final double RING = 30;
+
     @Override
     public PlanePicture leaving(List<Rectangle> labels) {
         return new InsidePicture(topics, mode, figure, method, answer, other, step, texts, labels);
@@ -67,7 +71,7 @@ record InsidePicture(
                 exact ? MethodColours.VERMILLION : first,
                 exact ? MethodColours.VERMILLION : PolygonColours.OWN.of(other));
         paintPoints(g, map, colours);
-        if (step > 0 && step <= answer.steps()) paintStep(strokes, colours);
+        if (step > 0 && step <= answer.steps()) paintStep(g, map, strokes, colours);
         count(g, judged, colours);
     }
 
@@ -120,13 +124,36 @@ record InsidePicture(
             if (!g.getClipBounds().contains(x, y)) continue;
             g.setColor(colours.ink());
             if (i > 0) g.fill(new Ellipse2D.Double(x - 2.5, y - 2.5, 5, 5));
-            if (!answer.isWrong(i)) continue;
+            if (!answer.isWrong(i) || !isTold(i)) continue;
             PixelMark mark = answer.inside().get(i) ? PixelMark.EXTRA : PixelMark.MISSING;
             mark.paint(g, x - MARK / 2, y - MARK / 2, MARK);
         }
     }
 
-    private void paintStep(Strokes strokes, StageColours colours) {
+    /** Whether the method's answer to a point was among the steps so far, if they are answers. */
+    private boolean isTold(int point) {
+        return !answer.pointwise() || point < step;
+    }
+
+    private void paintStep(Graphics2D g, PlaneMap map, Strokes strokes, StageColours colours) {
+        if (answer.pointwise()) paintAnswer(g, map, strokes, colours);
+        else paintSide(strokes, colours);
+    }
+
+    /** A ring round the point that the step is about, with what is said of it. */
+    private void paintAnswer(Graphics2D g, PlaneMap map, Strokes strokes, StageColours colours) {
+        Place point = figure.points().get(step - 1);
+        double x = map.viewX(point.x());
+        double y = map.viewY(point.y());
+        if (!g.getClipBounds().contains(x, y)) return;
+        g.setColor(colours.focus());
+        g.setStroke(new BasicStroke(3));
+        g.draw(new Ellipse2D.Double(x - RING / 2, y - RING / 2, RING, RING));
+        String said = texts.text(answer.inside().get(step - 1) ? "inside" : "outside");
+        strokes.words(said, point, 0, (int) RING);
+    }
+
+    private void paintSide(Strokes strokes, StageColours colours) {
         InsideAnswer.AskedSide side = answer.sides().get(step - 1);
         Place point = figure.points().get(0);
         Place from = figure.corners().get(side.from());

@@ -49,7 +49,12 @@ final class Judging {
                 attempt.ending(),
                 attempt.message(),
                 deviation,
-                new InsideAnswer(inside, listed(exact), sides));
+                new InsideAnswer(inside, listed(exact), sides, !isStepped(topics, mode, method)));
+    }
+
+    private static boolean isStepped(PolygonTopics topics, PolygonMode mode, String method) {
+        Object test = topics.method(mode, method).implementation();
+        return test instanceof SteppedTriangleTest || test instanceof SteppedPolygonTest;
     }
 
     private static List<Boolean> listed(Membership membership) {

@@ -16,8 +16,8 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PixelMarkIcon;
-import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -194,6 +194,7 @@ final class PolygonInspector {
         PolygonMode shown = state.results().scene().mode();
         tested.setText(readings.tested());
         decision.setText(readings.decision());
+        column.nameRow(decision, readings.decides());
         column.showRow(verdict, shown.judges());
         verdict.setText(readings.verdict());
         column.showRow(work, !shown.judges());
@@ -233,7 +234,7 @@ final class PolygonInspector {
         Outcome outcome = state.results().outcome();
         if (outcome.ending() != Outcome.Ending.REFUSED) return "";
         if (outcome.method().equals(OwnMethods.NAME))
-            return VerdictDetail.said(texts.language(), outcome.message());
+            return OwnWords.reason(OwnMethods.NAME, outcome.message(), texts.language());
         return texts.language() == Language.ENGLISH
                 ? outcome.message()
                 : PolygonNotes.reason(state.results().scene().figure(), outcome, texts);

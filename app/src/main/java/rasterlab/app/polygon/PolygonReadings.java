@@ -7,6 +7,7 @@ import java.util.Optional;
 import rasterlab.app.canvas.Formula;
 import rasterlab.app.canvas.Formula.Matrix;
 import rasterlab.app.canvas.Formula.Words;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.app.polygon.CutAnswer.Cut;
@@ -54,10 +55,27 @@ final class PolygonReadings {
     }
 
     private Optional<AskedSide> side() {
-        return state.onAStep() && outcome.answer() instanceof InsideAnswer answer
+        return state.onAStep()
+                        && outcome.answer() instanceof InsideAnswer answer
+                        && !answer.pointwise()
                 ? Optional.of(answer.sides().get(state.step() - 1))
                 : Optional.empty();
     }
+
+    /** What a method that tells no sides said of the step's point. */
+    private Optional<JudgedPoint> judged() {
+        if (!state.onAStep()
+                || !(outcome.answer() instanceof InsideAnswer answer)
+                || !answer.pointwise()) return Optional.empty();
+        return Optional.of(new JudgedPoint(answer, state.step() - 1));
+    }
+
+    /** The label's key of {@link #decision}. */
+    String decides() {
+        return judged().isPresent() ? "answer" : "decision";
+    }
+
+    private record JudgedPoint(InsideAnswer answer, int number) {}
 
     private Optional<Cut> cut() {
         return state.onAStep() && outcome.answer() instanceof CutAnswer answer
@@ -72,11 +90,22 @@ final class PolygonReadings {
                     ? texts.text("step.result", outcome.steps())
                     : texts.text("step.none");
         if (side().isPresent()) return tested(side().get());
+        if (judged().isPresent()) return tested(judged().get());
         if (cut().isPresent())
             return texts.text("step.cut", cut().get().a(), cut().get().b(), cut().get().c());
         Runs runs = ((PixelAnswer) outcome.answer()).runs();
         int run = state.step() - 1;
         return texts.text("step.run", runs.y(run), runs.from(run), runs.to(run) - 1);
+    }
+
+    private String tested(JudgedPoint point) {
+        Place at = ((InsideFigure) scene.figure()).points().get(point.number());
+        return texts.text(
+                "step.point",
+                point.number() + 1,
+                point.answer().inside().size(),
+                Shown.number(at.x(), texts.locale()),
+                Shown.number(at.y(), texts.locale()));
     }
 
     private String tested(AskedSide side) {
@@ -85,9 +114,10 @@ final class PolygonReadings {
         return texts.text("step.side", from, corner(scene.mode(), side.to()));
     }
 
-    /** What decides the step. */
+    /** What decides the step, or what is said of its point. */
     String decision() {
         if (side().isPresent()) return value(side().get().value(), texts.locale());
+        if (judged().isPresent()) return verdict(judged().get().answer(), judged().get().number());
         if (cut().isPresent()) {
             Place a = ((CutFigure) scene.figure()).corners().get(cut().get().a());
             Place c = ((CutFigure) scene.figure()).corners().get(cut().get().c());
@@ -111,9 +141,13 @@ final class PolygonReadings {
     /** What is said of the first point, by the method and exactly. */
     String verdict() {
         if (!(outcome.answer() instanceof InsideAnswer answer)) return NONE;
-        String exact = texts.text(answer.exact().get(0) ? "inside" : "outside");
+        return verdict(answer, 0);
+    }
+
+    private String verdict(InsideAnswer answer, int point) {
+        String exact = texts.text(answer.exact().get(point) ? "inside" : "outside");
         if (answer.inside().isEmpty()) return texts.text("verdict.refused", exact);
-        String said = texts.text(answer.inside().get(0) ? "inside" : "outside");
+        String said = texts.text(answer.inside().get(point) ? "inside" : "outside");
         return said.equals(exact)
                 ? texts.text("verdict.right", said)
                 : texts.text("verdict.wrong", said, exact);
@@ -185,7 +219,10 @@ final class PolygonReadings {
 
     private String other(Outcome second) {
         if (second.ending() != Outcome.Ending.ENDED)
-            return texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT));
+            return OwnWords.without(
+                    second.method(),
+                    texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT)),
+                    texts.language());
         if (!state.finished()) return texts.text("known.later");
         if (second.answer() instanceof InsideAnswer answer)
             return judged(
