@@ -2,10 +2,12 @@ package rasterlab.app.spline;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 import rasterlab.engine.spline.Overshoot;
 import rasterlab.engine.spline.PiecewiseCubic;
+import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineProblem;
 import rasterlab.engine.spline.SplineValues;
 import rasterlab.engine.spline.SplineWalk;
@@ -46,9 +48,59 @@ public record FunctionDrawing(
      *
      * @param index row of the equations or number of the piece, from 0
      * @param knot the knot that the row stands for; −1 where the step is about a piece
-     * @param decision see {@link SteppedSpline#decisionFormula}
+     * @param decision see {@link SteppedSpline#decisionFormula}; of an answer how far it is off
+     * @param answer what a method without steps of its own answers at one place
      */
-    public record Step(String phase, int index, int knot, double decision) {}
+    public record Step(
+            String phase, int index, int knot, double decision, Optional<Answer> answer) {}
+
+    /**
+     * What a method's function is at one place, beside the right one.
+     *
+     * @param wrong whether the topic does not call it exact
+     */
+    public record Answer(double x, double value, double right, boolean wrong) {
+        /** The answers at all places of a problem; none where it has no function. */
+        private static List<Answer> all(
+                Topic<SplineFunction, SplineProblem, SplineValues> topic,
+                SplineProblem problem,
+                SplineValues exact,
+                SplineValues actual) {
+            if (exact.y().length == 0 || actual.coefficients() != exact.coefficients())
+                return List.of();
+            double[] right = SplineFunctionTopic.right(problem, exact, actual.promise());
+            var answers = new ArrayList<Answer>();
+            for (int i = 0; i < right.length; i++)
+                answers.add(
+                        new Answer(
+                                problem.at()[i],
+                                actual.y()[i],
+                                right[i],
+                                !isRight(topic, problem, exact, actual, i)));
+            return List.copyOf(answers);
+        }
+
+        private static boolean isRight(
+                Topic<SplineFunction, SplineProblem, SplineValues> topic,
+                SplineProblem problem,
+                SplineValues exact,
+                SplineValues actual,
+                int place) {
+            var alone =
+                    new SplineProblem(
+                            problem.x(),
+                            problem.y(),
+                            problem.ends(),
+                            new double[] {problem.at()[place]},
+                            problem.shape());
+            return topic.correct(topic.compare(alone, at(exact, place), at(actual, place)));
+        }
+
+        private static SplineValues at(SplineValues values, int place) {
+            return new SplineValues(
+                    values.promise(), values.coefficients(), new double[] {values.y()[place]});
+        }
+    }
 
     /**
      * @throws IllegalArgumentException if the topic has no method of that name
@@ -101,26 +153,23 @@ public record FunctionDrawing(
         double[] values = new PiecewiseCubic(x, all, choice.ends()).at(places);
         var graph = new ArrayList<Place>();
         for (int i = 0; i < places.length; i++) graph.add(new Place(places[i], values[i]));
-        Deviation deviation = deviation(topic, function, choice.problem(coarse(places)));
+        SplineProblem problem = choice.problem(coarse(places));
+        int limit = problem.at().length;
+        SplineValues exact = topic.exact(problem, limit);
+        SplineValues actual = topic.record(function, problem, limit);
+        Deviation deviation = topic.compare(problem, exact, actual);
         return new FunctionDrawing(
                 method,
                 pieces(all),
                 List.copyOf(graph),
                 Overshoot.all(x, choice.y(), all),
-                steps(function, choice),
+                function instanceof SteppedSpline stepped
+                        ? steps(stepped, choice)
+                        : answers(problem, Answer.all(topic, problem, exact, actual)),
                 deviation.worst(),
                 topic.correct(deviation),
                 Ending.ENDED,
                 "");
-    }
-
-    private static Deviation deviation(
-            Topic<SplineFunction, SplineProblem, SplineValues> topic,
-            SplineFunction function,
-            SplineProblem problem) {
-        int limit = problem.at().length;
-        return topic.compare(
-                problem, topic.exact(problem, limit), topic.record(function, problem, limit));
     }
 
     private static double[] places(double[] x) {
@@ -146,15 +195,28 @@ public record FunctionDrawing(
         return List.copyOf(pieces);
     }
 
-    private static List<Step> steps(SplineFunction function, FunctionChoice choice) {
-        if (!(function instanceof SteppedSpline stepped)) return List.of();
+    private static List<Step> answers(SplineProblem problem, List<Answer> all) {
+        return all.stream()
+                .map(
+                        one ->
+                                new Step(
+                                        "value",
+                                        problem.piece(one.x()),
+                                        -1,
+                                        one.value() - one.right(),
+                                        Optional.of(one)))
+                .toList();
+    }
+
+    private static List<Step> steps(SteppedSpline function, FunctionChoice choice) {
         boolean rows = function.promise() == SplineFunction.Promise.SMOOTH;
         int first = choice.ends().kind() == SplineEnds.Kind.NOT_A_KNOT ? 1 : 0;
         var steps = new ArrayList<Step>();
-        SplineWalk walk = stepped.walk(choice.x(), choice.y(), choice.ends());
+        SplineWalk walk = function.walk(choice.x(), choice.y(), choice.ends());
         while (walk.advance()) {
             int knot = rows ? walk.index() + first : -1;
-            steps.add(new Step(walk.phase(), walk.index(), knot, walk.decision()));
+            steps.add(
+                    new Step(walk.phase(), walk.index(), knot, walk.decision(), Optional.empty()));
         }
         return List.copyOf(steps);
     }

@@ -11,7 +11,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
-import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
@@ -121,6 +121,7 @@ final class FunctionInspector {
         unknowns.setText(readings.unknowns());
         phase.setText(readings.phase());
         decision.setText(readings.decision());
+        column.nameRow(decision, readings.decides());
         overshoot.setText(readings.overshoot());
         column.showRow(other, state.drawings().other().isPresent());
         other.setText(readings.other());
@@ -143,7 +144,9 @@ final class FunctionInspector {
                 said.texts(),
                 chosen.name(),
                 decisionFormula(chosen),
-                refused ? VerdictDetail.said(texts.language(), drawing.message()) : "");
+                refused
+                        ? OwnWords.reason(drawing.method(), drawing.message(), texts.language())
+                        : "");
     }
 
     private String decisionFormula(Method<SplineFunction> chosen) {

@@ -1,5 +1,6 @@
 package rasterlab.app.spline;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -22,6 +23,14 @@ public record FunctionLabState(
     public Optional<FunctionAt> at() {
         if (drawing().coefficients().isEmpty()) return Optional.empty();
         return Optional.of(FunctionAt.of(drawings.choice(), drawing(), share));
+    }
+
+    /** What was answered so far by a method without steps of its own. */
+    public List<FunctionDrawing.Answer> answers() {
+        return drawing().steps().stream()
+                .limit(step)
+                .flatMap(one -> one.answer().stream())
+                .toList();
     }
 
     /** The step taken last; empty before the first. */

@@ -111,6 +111,7 @@ final class FunctionPanel extends LabPanel {
                 new FunctionPicture(
                         state.drawings(),
                         state.taken(),
+                        state.answers(),
                         state.at(),
                         slopes(state),
                         texts.locale(),

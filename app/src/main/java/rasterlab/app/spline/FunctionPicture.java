@@ -23,12 +23,14 @@ import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.spline.Overshoot;
 
 /**
  * Functions through knots, where they overshoot, and what the last step dealt with.
  *
  * @param taken the step taken last
+ * @param answers those told so far by a method without steps of its own
  * @param at where the function is read, if there is one
  * @param slopes from each end knot to its slope's handle, where the ends have slopes
  * @param labels places of handles and labels, where no numbers stand
@@ -36,14 +38,24 @@ import rasterlab.engine.spline.Overshoot;
 record FunctionPicture(
         FunctionDrawings drawings,
         Optional<FunctionDrawing.Step> taken,
+        List<FunctionDrawing.Answer> answers,
         Optional<FunctionAt> at,
         List<Place> slopes,
         Locale locale,
         List<Rectangle> labels)
         implements PlanePicture {
+    /** View units across an answer's mark. */
+    private static final double MARK = 16;
+
+    /** View units across the newest answer. */
+    private static final double DOT = 12;
+
+    /** View units from which on nothing is in sight. */
+    private static final double BEYOND = 1e5;
+
     @Override
     public PlanePicture leaving(List<Rectangle> others) {
-        return new FunctionPicture(drawings, taken, at, slopes, locale, others);
+        return new FunctionPicture(drawings, taken, answers, at, slopes, locale, others);
     }
 
     @Override
@@ -55,6 +67,7 @@ record FunctionPicture(
         drawings.other().ifPresent(other -> paintGraph(g, map, colours, other, 2.5f));
         paintGraph(g, map, colours, drawings.drawing(), 3.5f);
         paintSlopes(g, map, colours);
+        paintAnswers(g, map, colours);
         at.ifPresent(place -> paintReading(g, map, colours, place));
         nameOvershoots(g, map, colours, drawings.drawing());
     }
@@ -210,6 +223,27 @@ record FunctionPicture(
                             map.viewY(slopes.get(i).y()),
                             map.viewX(slopes.get(i + 1).x()),
                             map.viewY(slopes.get(i + 1).y())));
+    }
+
+    /** A cross at each wrong answer; at the newest answer a dot, and a ring where it belongs. */
+    private void paintAnswers(Graphics2D g, PlaneMap map, StageColours colours) {
+        for (FunctionDrawing.Answer each : answers)
+            if (each.wrong()) mark(g, map, PixelMark.EXTRA, each.x(), each.value());
+        if (answers.isEmpty()) return;
+        FunctionDrawing.Answer newest = answers.get(answers.size() - 1);
+        if (newest.wrong()) {
+            mark(g, map, PixelMark.MISSING, newest.x(), newest.right());
+            return;
+        }
+        double x = map.viewX(newest.x());
+        double y = map.viewY(newest.value());
+        g.setColor(colours.focus());
+        g.fill(new Ellipse2D.Double(x - DOT / 2, y - DOT / 2, DOT, DOT));
+    }
+
+    private static void mark(Graphics2D g, PlaneMap map, PixelMark mark, double x, double y) {
+        if (!Double.isFinite(y) || Math.abs(map.viewY(y)) > BEYOND) return;
+        mark.paint(g, map.viewX(x) - MARK / 2, map.viewY(y) - MARK / 2, MARK);
     }
 
     /** The point at which the function is read, and its tangent. */

@@ -35,13 +35,36 @@ final class FunctionReadings {
     }
 
     String phase() {
-        return state.taken()
-                .map(step -> texts.text("phase." + step.phase(), step.index()))
-                .orElse("–");
+        return state.taken().map(this::phase).orElse("–");
+    }
+
+    private String phase(FunctionDrawing.Step step) {
+        return step.answer()
+                .map(one -> texts.text("phase.value", number(one.x())))
+                .orElseGet(() -> texts.text("phase." + step.phase(), step.index()));
     }
 
     String decision() {
-        return state.taken().map(step -> number(step.decision())).orElse("–");
+        return state.taken()
+                .map(
+                        step ->
+                                step.answer()
+                                        .map(this::answer)
+                                        .orElseGet(() -> number(step.decision())))
+                .orElse("–");
+    }
+
+    /** The label's key of {@link #decision}. */
+    String decides() {
+        return state.taken().flatMap(FunctionDrawing.Step::answer).isPresent()
+                ? "answer"
+                : "decision";
+    }
+
+    private String answer(FunctionDrawing.Answer one) {
+        return one.wrong()
+                ? texts.text("answer.wrong", number(one.value()), number(one.right()))
+                : texts.text("answer.right", number(one.value()));
     }
 
     String overshoot() {

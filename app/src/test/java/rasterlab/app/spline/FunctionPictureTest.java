@@ -107,6 +107,7 @@ class FunctionPictureTest {
         return new FunctionPicture(
                         state.drawings(),
                         state.taken(),
+                        state.answers(),
                         state.at(),
                         List.of(),
                         Locale.ROOT,

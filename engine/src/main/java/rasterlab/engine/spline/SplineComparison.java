@@ -27,10 +27,7 @@ final class SplineComparison {
                     of,
                     "%d coefficients where %d are right"
                             .formatted(actual.coefficients(), exact.coefficients()));
-        double[] right =
-                actual.promise() == Promise.SMOOTH
-                        ? exact.y()
-                        : new ExactMonotone(problem).values();
+        double[] right = right(problem, exact, actual.promise());
         double scale = scale(problem, right);
         double worst = 0;
         int where = -1;
@@ -42,6 +39,11 @@ final class SplineComparison {
             }
         }
         return new Deviation(worst, 0, 0, of, where < 0 ? "" : text(problem, where, right, actual));
+    }
+
+    /** The right values of a method with that promise, where the problem has a spline. */
+    static double[] right(SplineProblem problem, SplineValues exact, Promise promise) {
+        return promise == Promise.SMOOTH ? exact.y() : new ExactMonotone(problem).values();
     }
 
     private static double scale(SplineProblem problem, double[] right) {

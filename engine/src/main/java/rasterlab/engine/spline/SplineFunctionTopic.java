@@ -128,6 +128,15 @@ public final class SplineFunctionTopic
         return SplineComparison.compare(problem, exact, actual);
     }
 
+    /**
+     * The right values of a method with that promise.
+     *
+     * @param exact of a problem that has a spline
+     */
+    public static double[] right(SplineProblem problem, SplineValues exact, Promise promise) {
+        return SplineComparison.right(problem, exact, promise);
+    }
+
     @Override
     public boolean correct(Deviation deviation) {
         return deviation.worst() <= ROUNDING && deviation.missing() + deviation.extra() == 0;
