@@ -53,7 +53,7 @@ public final class PracticeCards extends LabPanel implements StepQuestions {
     /** Enters the mode with the model, and leaves it so. */
     private void follow(PracticeState state) {
         boolean entered = state.topic().isPresent();
-        if (entered == isEntered()) {
+        if (entered == isAsking()) {
             if (entered) mode.orElseThrow().refresh();
         } else if (entered) {
             showMode();
@@ -61,10 +61,12 @@ public final class PracticeCards extends LabPanel implements StepQuestions {
         } else {
             cards.show(this, LAB);
             lab.focusPicture();
+            firePropertyChange(ASKING, true, false);
         }
     }
 
-    private boolean isEntered() {
+    @Override
+    public boolean isAsking() {
         return mode.filter(PracticePanel::isVisible).isPresent();
     }
 
@@ -76,11 +78,12 @@ public final class PracticeCards extends LabPanel implements StepQuestions {
         }
         mode.get().refresh();
         cards.show(this, MODE);
+        firePropertyChange(ASKING, false, true);
     }
 
     @Override
     public void focusPicture() {
-        if (isEntered()) mode.get().focusPicture();
+        if (isAsking()) mode.get().focusPicture();
         else lab.focusPicture();
     }
 

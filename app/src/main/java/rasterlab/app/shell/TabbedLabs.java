@@ -16,6 +16,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.StepQuestions;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.naming.Named;
 
@@ -114,7 +116,12 @@ final class TabbedLabs extends JTabbedPane {
 
     private void fill(int index) {
         JPanel place = place(index);
-        if (!isMade(index)) place.add(tabs.get(index).panel(), BorderLayout.CENTER);
+        if (!isMade(index)) {
+            LabPanel lab = tabs.get(index).panel();
+            lab.addPropertyChangeListener(StepQuestions.ASKING, e -> fitWords(index));
+            place.add(lab, BorderLayout.CENTER);
+            fitWords(index);
+        }
         place.revalidate();
     }
 
@@ -132,7 +139,17 @@ final class TabbedLabs extends JTabbedPane {
         tellNothing(tab);
         JPanel place = place(indexOf(tab));
         place.add(words, BorderLayout.NORTH);
+        fitWords(indexOf(tab));
         place.revalidate();
+    }
+
+    /** Words over a lab are about the lab, not about questions that are asked in its place. */
+    private void fitWords(int index) {
+        boolean asking =
+                part(index, BorderLayout.CENTER)
+                        .filter(lab -> lab instanceof StepQuestions place && place.isAsking())
+                        .isPresent();
+        part(index, BorderLayout.NORTH).ifPresent(words -> words.setVisible(!asking));
     }
 
     /** Takes the words away that are over the lab of a tab. */

@@ -290,6 +290,22 @@ class WhichIsNextTest {
     }
 
     @Test
+    void theStripToHandInAnInputIsNotSeenOverTheQuestions() throws InterruptedException {
+        var content = new AtomicReference<LabContent>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    var look = LabLook.first(Language.RUSSIAN);
+                    content.set(new LabContent(tabs, "line", look, chosen -> {}, chosen -> {}));
+                    tabs.opening().showToHandIn("break-line", "line", "");
+                });
+        assertTrue(search(content.get(), "handIn.strip").isPresent(), "the strip is there");
+        enterLine();
+        assertTrue(search(content.get(), "handIn.strip").isEmpty(), "over the questions");
+        inLine(lab -> act(find(lab, "practice.stage", JComponent.class), "ESCAPE"));
+        assertTrue(search(content.get(), "handIn.strip").isPresent(), "the lab is back");
+    }
+
+    @Test
     void f1TellsOfTheQuestionsWhileTheyAreAsked() throws InterruptedException {
         assertEquals("line.segment", StageGuide.stageSeenIn(line()));
         enterLine();
