@@ -23,7 +23,9 @@ import javax.swing.KeyStroke;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -39,6 +41,9 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1L;
 
     private static final int COLUMNS = 5;
+
+    /** Whether what is told of an exercise stands below its title, for want of width. */
+    private final boolean below = LargeType.now();
 
     private final transient Texts texts;
     private final transient Consumer<String> openExercise;
@@ -75,13 +80,7 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         head.add(source, "wmin 0");
         add(head, BorderLayout.NORTH);
         var list = new WideList();
-        list.add(heading("exercise"));
-        list.add(heading("form"));
-        list.add(heading("minutes"));
-        list.add(heading("state"));
-        deadlines.setName("map.heading.deadline");
-        deadlines.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
-        list.add(deadlines);
+        if (!below) addHeadings(list);
         for (Chapter chapter : Chapter.of(exercises)) addChapter(list, chapter);
         var scroll = new JScrollPane(list);
         scroll.setName("map.scroll");
@@ -91,6 +90,16 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), leave);
         show(standings.told());
         noStandings = standings.listen(this::show);
+    }
+
+    private void addHeadings(JPanel list) {
+        list.add(heading("exercise"));
+        list.add(heading("form"));
+        list.add(heading("minutes"));
+        list.add(heading("state"));
+        deadlines.setName("map.heading.deadline");
+        deadlines.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
+        list.add(deadlines);
     }
 
     private JLabel heading(String key) {
@@ -111,8 +120,13 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
                         texts.text("lab", chapter.labTitle(language)),
                         () -> openLab.accept(chapter.topic()));
         lab.setToolTipText(texts.text("lab.hint", chapter.labTitle(language), title.getText()));
-        list.add(title, "newline, gaptop 14, wmin 0");
-        list.add(lab, "span " + (COLUMNS - 1) + ", gaptop 14, wmin 0");
+        if (below) {
+            list.add(title, "newline, span, gaptop 14, wmin 0");
+            list.add(lab, "newline, span, growx 0, wmin 0");
+        } else {
+            list.add(title, "newline, gaptop 14, wmin 0");
+            list.add(lab, "span " + (COLUMNS - 1) + ", gaptop 14, wmin 0");
+        }
         chapter.exercises().forEach(one -> addExercise(list, one));
     }
 
@@ -127,11 +141,22 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         var row = new Row(title, new JLabel(), new JLabel());
         row.state.setName("map.state." + exercise.id());
         row.deadline.setName("map.deadline." + exercise.id());
-        list.add(title, "newline, gapleft 10, wmin 0");
-        list.add(new JLabel(texts.text("form." + exercise.form().code())), "wmin 0");
-        list.add(new JLabel(minutes(exercise)), "wmin 0");
-        list.add(row.state, "wmin 0");
-        list.add(row.deadline, "wmin 0");
+        List<JLabel> told =
+                List.of(
+                        new JLabel(texts.text("form." + exercise.form().code())),
+                        new JLabel(minutes(exercise)),
+                        row.state,
+                        row.deadline);
+        if (below) {
+            list.add(title, "newline, span, gapleft 10, wmin 0");
+            var line = new JPanel(FlowRows.inTheMiddle(16));
+            told.forEach(line::add);
+            FlowRows.keepWrapped(line);
+            list.add(line, "newline, span, gapleft 16, wmin 0");
+        } else {
+            list.add(title, "newline, gapleft 10, wmin 0");
+            told.forEach(label -> list.add(label, "wmin 0"));
+        }
         rows.put(exercise.id(), row);
     }
 
@@ -156,7 +181,7 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
             Standing standing = told.of(each.getKey());
             Row row = each.getValue();
             row.state.setText(state(standing));
-            row.deadline.setText(standing.deadline().map(this::date).orElse(""));
+            row.deadline.setText(standing.deadline().map(this::deadline).orElse(""));
             row.title.getAccessibleContext().setAccessibleDescription(row.state.getText());
             timed |= standing.deadline().isPresent();
         }
@@ -173,6 +198,11 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
                             .map(best -> texts.text("state.best", best.points(), best.of()))
                             .orElse(plain.apply("waiting"));
         };
+    }
+
+    /** In a column of deadlines the date alone. */
+    private String deadline(Instant time) {
+        return below ? texts.text("until", date(time)) : date(time);
     }
 
     private String date(Instant deadline) {
@@ -209,7 +239,8 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         WideList() {
             super(
                     new MigLayout(
-                            "insets 4 10 12 16, gap 16 1, wrap " + COLUMNS, "[fill][][][][grow]"));
+                            "insets 4 10 12 16, gap 16 1, wrap " + COLUMNS,
+                            LargeType.now() ? "[grow,fill][][][][]" : "[fill][][][][grow]"));
         }
 
         @Override

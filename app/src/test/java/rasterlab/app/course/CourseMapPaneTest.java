@@ -69,7 +69,8 @@ class CourseMapPaneTest {
         "RUSSIAN, 100, 1280, 738",
         "ENGLISH, 100, 1280, 738",
         "RUSSIAN, 100, 900, 538",
-        "RUSSIAN, 150, 1280, 738"
+        "RUSSIAN, 150, 1280, 738",
+        "RUSSIAN, 200, 900, 538"
     })
     void everythingIsReadWhole(Language language, int percent, int width, int height)
             throws Exception {
