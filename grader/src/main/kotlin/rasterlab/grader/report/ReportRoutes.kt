@@ -113,7 +113,10 @@ class Results(
     }
 
     /** Names of files that lead from the submission to the lab. */
-    fun files(submission: Submission) = LabFiles(submission.exercise, submission.attempt, form(submission))
+    fun files(submission: Submission): LabFiles {
+        val inLab = InLab.of(exercises.find(submission.exercise))
+        return LabFiles(submission.exercise, submission.attempt, form(submission), inLab)
+    }
 
     private fun form(submission: Submission) = exercises.find(submission.exercise)?.form() ?: Exercise.Form.WRITE
 

@@ -32,6 +32,7 @@ import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Report
+import rasterlab.grader.report.InLab
 import rasterlab.grader.report.LabFiles
 import rasterlab.grader.report.SubmissionView
 import kotlin.jvm.optionals.getOrNull
@@ -164,6 +165,11 @@ private fun FlowContent.inLab(
 ) = details {
     summary { +texts.say("result.lab") }
     p { +texts.say(if (files.asksForPrograms) "result.lab.both" else "result.lab.one") }
+    when (val inLab = files.inLab) {
+        InLab.Known -> Unit
+        is InLab.Like -> p { +texts.say("result.lab.like", inLab.id) }
+        InLab.Given -> p { +texts.say("result.lab.folder") }
+    }
     ul {
         li {
             +"${texts.say("result.lab.case")} "

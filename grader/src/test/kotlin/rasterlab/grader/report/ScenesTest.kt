@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
@@ -71,11 +73,49 @@ class ScenesTest {
                 assertEquals(1, Regex("<summary>$title</summary>").findAll(page).count(), page)
                 assertTrue("""href="/api/v1/submissions/$id/cases/open-case/scene.json"""" in page, page)
                 assertTrue("""href="/api/v1/submissions/$id/source"""" in page, page)
-                val command = "./lab open draw-dot-1-open-case.scene.json --exercise draw-dot --with draw-dot-1.java"
-                assertTrue("<code>$command</code>" in page, page)
+                // The lab on a student's machine has no exercise of the course's own.
+                val files = "draw-dot-1-open-case.scene.json --exercise line-bresenham --with draw-dot-1.java"
+                assertTrue("<code>./lab open $files</code>" in page, page)
+                assertTrue(Regex("<p>[^<]*line-bresenham").containsMatchIn(page), page)
                 assertFalse("hidden-case.scene.json" in page, page)
             }
         }
+
+    @Test
+    fun `the lab is given the name of an exercise that it has`() {
+        val line = Catalogue.builtIn().named("line-bresenham")
+        assertEquals(InLab.Known, InLab.of(line))
+        assertEquals(InLab.Like("line-bresenham"), InLab.of(renamed(line, line.topic())))
+        assertEquals(InLab.Given, InLab.of(renamed(line, "line-plane")))
+        val files = LabFiles("own", 2, Exercise.Form.WRITE, InLab.Given)
+        val opened = "./lab open own-2-a.scene.json --exercises FOLDER --exercise own --with own-2.java"
+        assertEquals(opened, files.command("a"))
+    }
+
+    private fun renamed(
+        one: Exercise,
+        topic: String,
+    ) = Exercise(
+        "own",
+        topic,
+        one.contract(),
+        one.title(),
+        one.statement(),
+        one.pictures(),
+        one.starter(),
+        one.revision(),
+        one.tolerance(),
+        one.points(),
+        one.caps(),
+        one.timed(),
+        one.groups(),
+        one.cases(),
+        one.breaking(),
+        one.predicting(),
+        one.evidence(),
+        one.minutes(),
+        one.hints(),
+    )
 
     private fun savedAs(file: HttpResponse) =
         file.headers[HttpHeaders.ContentDisposition]
