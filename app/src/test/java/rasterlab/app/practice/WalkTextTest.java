@@ -33,6 +33,12 @@ class WalkTextTest {
         assertEquals("Side (at): left, start = (−0.5, 1), t = 0.25", told(fields, ENGLISH));
     }
 
+    @Test
+    void smallAndLargeNumbersHaveAPowerOfTen() {
+        String fields = "{\"t\": 6.123233995736766E-17, \"start\": [-1.5e12, 1e-10]}";
+        assertEquals("t = 6,12·10⁻¹⁷; start = (−1,5·10¹²; 1·10⁻¹⁰)", told(fields, RUSSIAN));
+    }
+
     @ParameterizedTest(name = "the data of {0} have names that are no Russian words")
     @MethodSource("topics")
     void dataHaveRussianNames(String topic) throws Exception {

@@ -12,6 +12,9 @@ public final class Values {
     /** Significant digits of a number that is told. */
     private static final MathContext TOLD = new MathContext(7);
 
+    private static final MathContext SMALL = new MathContext(3);
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
     /**
      * The number of digits from which on, and below whose inverse, numbers are told with an
      * exponent.
@@ -81,6 +84,17 @@ public final class Values {
         BigDecimal rounded = value.decimalValue().round(TOLD).stripTrailingZeros();
         if (rounded.signum() == 0) return "0";
         int exponent = rounded.precision() - rounded.scale() - 1;
-        return Math.abs(exponent) < PLAIN_DIGITS ? rounded.toPlainString() : rounded.toString();
+        if (Math.abs(exponent) < PLAIN_DIGITS) return rounded.toPlainString();
+        // What is so small is mostly a rounding, whose later digits say nothing.
+        BigDecimal few = exponent < 0 ? rounded.round(SMALL).stripTrailingZeros() : rounded;
+        int power = few.precision() - few.scale() - 1;
+        return few.movePointLeft(power).toPlainString() + "·10" + raised(power);
+    }
+
+    private static String raised(int exponent) {
+        return String.valueOf(exponent)
+                .chars()
+                .mapToObj(c -> c == '-' ? "⁻" : RAISED.substring(c - '0', c - '0' + 1))
+                .collect(joining());
     }
 }

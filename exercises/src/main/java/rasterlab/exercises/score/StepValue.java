@@ -8,9 +8,14 @@ import java.util.regex.Pattern;
  */
 final class StepValue {
     private static final String NAME = "[\\p{L}_][\\w\\p{L}-]*";
-    private static final String NUMBER = "-?\\d+(?:\\.\\d+)?(?:E[+-]?\\d+)?";
+    private static final String NUMBER = "-?\\d+(?:\\.\\d+)?(?:E[+-]?\\d+|·10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?";
     private static final Pattern TOLD = told();
     private static final Pattern POINT = Pattern.compile("(?<=\\d)\\.(?=\\d)");
+
+    /** A power of ten as reports of earlier versions have it. */
+    private static final Pattern POWER = Pattern.compile("(?<=\\d)E\\+?(-?\\d+)");
+
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
     private static final Pattern MINUS = Pattern.compile("(?<![\\w\\p{L}])-(?=\\d)");
 
     private StepValue() {}
@@ -30,8 +35,16 @@ final class StepValue {
     /** The value in other signs; a text that is no value as it is. */
     static String in(String value, String minus, char point, String apart) {
         if (!TOLD.matcher(value).matches()) return value;
-        String listed = value.replace(", ", apart);
+        String powers = POWER.matcher(value).replaceAll(found -> "·10" + raised(found.group(1)));
+        String listed = powers.replace(", ", apart);
         String pointed = POINT.matcher(listed).replaceAll(String.valueOf(point));
         return MINUS.matcher(pointed).replaceAll(minus);
+    }
+
+    private static String raised(String exponent) {
+        var raised = new StringBuilder();
+        for (char each : exponent.toCharArray())
+            raised.append(each == '-' ? '⁻' : RAISED.charAt(each - '0'));
+        return raised.toString();
     }
 }

@@ -92,13 +92,22 @@ class MessageTest {
             value = {
                 "x = 3, y = -0.5 | x = 3; y = −0,5",
                 "corner = (0.5, 2) | corner = (0,5; 2)",
-                "points = ((1, 2.5), (-3, 4)), t = 1.5E+12 | points = ((1; 2,5); (−3; 4)); t = 1,5E+12",
+                "points = ((1, 2.5), (-3, 4)), t = 1.5·10¹² | points = ((1; 2,5); (−3; 4)); t = 1,5·10¹²",
+                "6.12·10⁻¹⁷ | 6,12·10⁻¹⁷",
+                "(0.5, -6.12·10⁻¹⁷) | (0,5; −6,12·10⁻¹⁷)",
                 "verdict = left-half | verdict = left-half",
                 "the sum of both, at 1.5 | the sum of both, at 1.5"
             })
     void writesValuesOfStepsInTheLanguageAskedFor(String english, String russian) {
         assertEquals("ваш ответ " + russian + ", он верен", right(english, "ru"));
         assertEquals("you answered " + english + ", which is right", right(english, "en"));
+    }
+
+    @Test
+    void writesPowersOfTenOfEarlierReportsAsItsOwn() {
+        assertEquals(
+                "ваш ответ (−6,12·10⁻¹⁷; 1,5·10¹²), он верен", right("(-6.12E-17, 1.5E+12)", "ru"));
+        assertEquals("you answered 6.12·10⁻¹⁷, which is right", right("6.12E-17", "en"));
     }
 
     private static String right(String value, String language) {
