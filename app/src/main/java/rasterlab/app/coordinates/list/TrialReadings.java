@@ -72,11 +72,14 @@ final class TrialReadings {
 
     /** What the error is measured in. */
     String unit() {
-        return model.choice()
-                .trial()
-                .map(trial -> model.trials().kind(trial.topic()).topic().errorUnit())
-                .map(unit -> verdicts.textOr("unit." + unit.replaceAll("[^a-z]+", "-"), unit))
-                .orElse("");
+        return model.choice().trial().map(trial -> unit(trial.topic())).orElse("");
+    }
+
+    /** A topic whose unit no other has says it among its own words. */
+    private String unit(String topic) {
+        String english = model.trials().kind(topic).topic().errorUnit();
+        String shared = verdicts.textOr("unit." + english.replaceAll("[^a-z]+", "-"), english);
+        return Texts.ofTopic(topic, texts.language()).textOr("unit", shared);
     }
 
     String off() {

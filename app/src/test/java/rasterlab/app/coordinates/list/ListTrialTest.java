@@ -64,6 +64,15 @@ class ListTrialTest {
         assertEquals(List.of(), failures);
     }
 
+    @Test
+    void errorsOfAllTopicsHaveARussianUnit() {
+        for (String topic : new Trials().topics()) {
+            model.show(model.trials().first(topic));
+            var readings = new TrialReadings(model, Texts.of("coordinates.list", Language.RUSSIAN));
+            assertTrue(readings.unit().matches("[^a-zA-Z]+"), topic + ": " + readings.unit());
+        }
+    }
+
     static List<Trial> trials() {
         var all = new ArrayList<Trial>();
         var trials = new Trials();
