@@ -6,7 +6,7 @@ import java.util.function.IntUnaryOperator;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.SeenPoint;
 import rasterlab.engine.visibility.ViewedMesh;
-import rasterlab.engine.visibility.Visibilities;
+import rasterlab.engine.visibility.hidden.Visibilities;
 
 /**
  * Points of a picture, one for each square of pixels that shows something of a body.

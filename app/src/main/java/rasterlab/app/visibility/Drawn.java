@@ -9,12 +9,12 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.FaceDrawing;
 import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.visibility.PiecesWalk;
 import rasterlab.engine.visibility.SteppedVisibility;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.VisibilityStep;
 import rasterlab.engine.visibility.VisibilityWalk;
 import rasterlab.engine.visibility.VisibilityWork;
+import rasterlab.engine.visibility.painter.PiecesWalk;
 
 /**
  * All that a method did for a picture, step by step.

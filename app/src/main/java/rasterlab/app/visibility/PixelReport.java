@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.FaceDrawing;
 import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.visibility.PixelTouch;
+import rasterlab.engine.visibility.buffer.PixelTouch;
 
 /**
  * What happened at one pixel.

@@ -6,8 +6,8 @@ import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.PictureFit;
-import rasterlab.engine.visibility.DepthBuffer;
 import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.buffer.DepthBuffer;
 
 /**
  * What is drawn for a choice on a stage of some size.

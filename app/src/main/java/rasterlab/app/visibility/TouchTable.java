@@ -14,7 +14,7 @@ import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.visibility.PixelTouch;
+import rasterlab.engine.visibility.buffer.PixelTouch;
 
 /** The history of a pixel: a row for each face that touched it. */
 final class TouchTable extends JTable {

@@ -2,10 +2,10 @@ package rasterlab.engine.pipeline;
 
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.visibility.ConvexBody;
-import rasterlab.engine.visibility.FaceCrossings;
-import rasterlab.engine.visibility.SharedPlanes;
 import rasterlab.engine.visibility.ViewedMesh;
+import rasterlab.engine.visibility.painter.ConvexBody;
+import rasterlab.engine.visibility.ray.FaceCrossings;
+import rasterlab.engine.visibility.ray.SharedPlanes;
 
 /**
  * The cheapest visibility method that is right.

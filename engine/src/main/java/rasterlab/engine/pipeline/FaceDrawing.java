@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.visibility.DepthBuffer;
 import rasterlab.engine.visibility.FacePaint;
-import rasterlab.engine.visibility.PixelHistory;
-import rasterlab.engine.visibility.PixelTouch;
 import rasterlab.engine.visibility.SteppedVisibility;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityWalk;
+import rasterlab.engine.visibility.buffer.DepthBuffer;
+import rasterlab.engine.visibility.buffer.PixelHistory;
+import rasterlab.engine.visibility.buffer.PixelTouch;
 
 /**
  * A request's faces, their colours and the method that draws them, for those who watch it at work.

@@ -26,10 +26,10 @@ import rasterlab.engine.transform.StereoPair;
 import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
-import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityWork;
 import rasterlab.engine.visibility.exact.ExactVisibility;
+import rasterlab.engine.visibility.hidden.Visibilities;
 
 /**
  * Draws requests. The same request gives the same pixels; a renderer may serve several threads and

@@ -43,7 +43,7 @@ public record ClipPlane(double a, double b, double c, double d) {
     }
 
     /** The value of the plane's equation, above 0 on the drawn side, 0 in the plane. */
-    double at(double x, double y, double z) {
+    public double at(double x, double y, double z) {
         return a * x + b * y + c * z + d;
     }
 

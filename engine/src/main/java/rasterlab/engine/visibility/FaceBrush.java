@@ -3,32 +3,32 @@ package rasterlab.engine.visibility;
 import rasterlab.engine.raster.Raster;
 
 /** Colours faces in a picture and counts the pixels. */
-final class FaceBrush {
+public final class FaceBrush {
     private final FacePaint paint;
     private final Raster out;
     private final Tally tally;
     private final SpanSink fill = (y, from, to) -> span(this.face, y, from, to);
     private int face;
 
-    FaceBrush(FacePaint paint, Raster out, Tally tally) {
+    public FaceBrush(FacePaint paint, Raster out, Tally tally) {
         this.paint = paint;
         this.out = out;
         this.tally = tally;
     }
 
     /** One face, or a piece of it, over whatever the picture holds: its fill, then its outline. */
-    void paint(ScreenPolygon polygon, int face) {
+    public void paint(ScreenPolygon polygon, int face) {
         fill(polygon, face);
         if (paint.hasOutline()) new OutlineStroke(out, paint.outline(face)).around(polygon);
     }
 
-    void fill(ScreenPolygon polygon, int face) {
+    public void fill(ScreenPolygon polygon, int face) {
         this.face = face;
         polygon.fill(out.width(), out.height(), fill);
     }
 
     /** The pixels [from, to) of row y. */
-    void span(int face, int y, int from, int to) {
+    public void span(int face, int y, int from, int to) {
         tally.pixelsWritten += to - from;
         paint.span(face, y, from, to, out);
     }

@@ -8,7 +8,7 @@ import rasterlab.engine.transform.PictureFit;
  *
  * <p>Where vertices lie behind the eye, the mesh's own least z says nothing about that.
  */
-final class NearestSeen {
+public final class NearestSeen {
     private final ViewedMesh view;
     private final double[][] sides;
     private EyePolygon from;
@@ -36,7 +36,7 @@ final class NearestSeen {
      * @param view in perspective
      * @return infinite where the picture shows nothing
      */
-    static double of(ViewedMesh view) {
+    public static double of(ViewedMesh view) {
         var search = new NearestSeen(view);
         double least = Double.POSITIVE_INFINITY;
         for (int face = 0; face < view.mesh().faceCount(); face++)
@@ -48,7 +48,7 @@ final class NearestSeen {
         from.size = 0;
         for (int k = 0; k < view.mesh().cornerCount(face); k++) {
             int v = view.mesh().corner(face, k);
-            from.add(view.eyeX[v], view.eyeY[v], view.eyeZ[v]);
+            from.add(view.eyeX(v), view.eyeY(v), view.eyeZ(v));
         }
         from.cut(view.near(), 1, to);
         to.cut(view.far(), -1, from);

@@ -9,10 +9,10 @@ import rasterlab.engine.transform.PictureFit;
  * <p>It is that of the {@link PixelPoint}: of two faces that meet in a line through centres the one
  * that is nearer beside it is the nearer.
  */
-final class NearnessPlane {
-    double base;
-    double perColumn;
-    double perRow;
+public final class NearnessPlane {
+    public double base;
+    public double perColumn;
+    public double perRow;
     private double most;
 
     /**
@@ -21,7 +21,7 @@ final class NearnessPlane {
      *
      * @return false for a face seen exactly edge-on: it covers nothing
      */
-    boolean load(ViewedMesh view, int face) {
+    public boolean load(ViewedMesh view, int face) {
         double nx = view.eyeNormal(face, 0);
         double ny = view.eyeNormal(face, 1);
         double nz = view.eyeNormal(face, 2);
@@ -61,7 +61,7 @@ final class NearnessPlane {
     /**
      * The most that nearness can be in the picture, and what its parts can be before they cancel.
      */
-    double most() {
+    public double most() {
         return most;
     }
 }

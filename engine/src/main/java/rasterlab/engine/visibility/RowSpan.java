@@ -7,12 +7,12 @@ package rasterlab.engine.visibility;
  * share an edge get bit-equal numbers and own each pixel once. An edge owns the row of its upper
  * end and not that of its lower one.
  */
-final class RowSpan {
+public final class RowSpan {
     private double left;
     private double right;
 
     /** Takes the corners [first, end) of a polygon where it crosses a row. */
-    void load(double[] x, double[] y, int first, int end, int row) {
+    public void load(double[] x, double[] y, int first, int end, int row) {
         left = Double.POSITIVE_INFINITY;
         right = Double.NEGATIVE_INFINITY;
         for (int k = first, p = end - 1; k < end; p = k++) {
@@ -27,12 +27,12 @@ final class RowSpan {
     }
 
     /** The first owned column from {@code least} on. */
-    int from(int least) {
+    public int from(int least) {
         return (int) Math.max(least, Math.ceil(left));
     }
 
     /** The column after the last owned one, up to {@code most}. */
-    int to(int most) {
+    public int to(int most) {
         return (int) Math.min(most, Math.ceil(right));
     }
 }

@@ -9,7 +9,7 @@ import rasterlab.engine.transform.PictureFit;
  * <p>Each row is filled as {@link RowSpan} says. Corners are rounded to 2⁻²⁴ pixel: an edge that
  * lies on pixel centres then does so exactly, whatever the rounding before.
  */
-final class ScreenPolygon {
+public final class ScreenPolygon {
     private static final double SUBPIXELS = 1 << 24;
 
     private final EyePolygon whole;
@@ -21,7 +21,7 @@ final class ScreenPolygon {
     private int size;
 
     /** A polygon for the faces of a view, to whose corners each plane may add one. */
-    ScreenPolygon(ViewedMesh view) {
+    public ScreenPolygon(ViewedMesh view) {
         this(view.mesh().mostCorners() + 2 + view.clipPlaneCount());
     }
 
@@ -34,33 +34,33 @@ final class ScreenPolygon {
     }
 
     /** The polygon with these corners, x and y of each in pixels; convex, and clipped already. */
-    static ScreenPolygon ofPixels(double[] corners) {
+    public static ScreenPolygon ofPixels(double[] corners) {
         var polygon = new ScreenPolygon(corners.length / 2);
         for (int at = 0; at < corners.length; at += 2) polygon.add(corners[at], corners[at + 1]);
         return polygon;
     }
 
-    int size() {
+    public int size() {
         return size;
     }
 
     /** Pixel coordinate of a corner. */
-    double x(int corner) {
+    public double x(int corner) {
         return x[corner];
     }
 
     /** Pixel coordinate of a corner. */
-    double y(int corner) {
+    public double y(int corner) {
         return y[corner];
     }
 
     /** Takes a face; nothing remains of one before the near plane or behind the far one. */
-    void load(ViewedMesh view, int face) {
+    public void load(ViewedMesh view, int face) {
         load(view, face, view.eyeX, view.eyeY, view.eyeZ);
     }
 
     /** The same with other eye coordinates than the view's own. */
-    void load(ViewedMesh view, int face, double[] eyeX, double[] eyeY, double[] eyeZ) {
+    public void load(ViewedMesh view, int face, double[] eyeX, double[] eyeY, double[] eyeZ) {
         var mesh = view.mesh();
         whole.size = 0;
         for (int k = 0; k < mesh.cornerCount(face); k++) {
@@ -96,7 +96,7 @@ final class ScreenPolygon {
     }
 
     /** Moves every corner to the nearest pixel centre, a tie to the even one. */
-    void roundToPixels() {
+    public void roundToPixels() {
         for (int k = 0; k < size; k++) {
             x[k] = Math.rint(x[k]);
             y[k] = Math.rint(y[k]);
@@ -107,7 +107,7 @@ final class ScreenPolygon {
      * Sends the owned pixels row by row, cut to the picture. A centre on a left edge or a level top
      * edge is owned, one on a right or level bottom edge is not.
      */
-    void fill(int width, int height, SpanSink out) {
+    public void fill(int width, int height, SpanSink out) {
         double top = Double.POSITIVE_INFINITY;
         double bottom = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < size; k++) {
@@ -127,7 +127,7 @@ final class ScreenPolygon {
     }
 
     /** What is left of the polygon between the planes: x, y, z of each corner. */
-    double[] eyeCorners() {
+    public double[] eyeCorners() {
         var corners = new double[3 * cut.size];
         for (int k = 0; k < cut.size; k++) {
             corners[3 * k] = cut.x[k];

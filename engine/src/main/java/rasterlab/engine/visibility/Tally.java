@@ -1,13 +1,13 @@
 package rasterlab.engine.visibility;
 
 /** {@link VisibilityWork} while it is being done, by one thread. */
-final class Tally {
-    long comparisons;
-    long depthTests;
-    long pixelsWritten;
-    long splits;
+public final class Tally {
+    public long comparisons;
+    public long depthTests;
+    public long pixelsWritten;
+    public long splits;
 
-    VisibilityWork work() {
+    public VisibilityWork work() {
         return new VisibilityWork(comparisons, depthTests, pixelsWritten, splits);
     }
 }

@@ -26,7 +26,7 @@ public final class ViewedMesh {
     private final double[][] eyePlanes;
     final double[] eyeX;
     final double[] eyeY;
-    final double[] eyeZ;
+    public final double[] eyeZ;
     private final double[] eyeNormals;
 
     /**
@@ -166,7 +166,7 @@ public final class ViewedMesh {
     }
 
     /** Whether a plane of any kind cuts off a corner of the mesh that is not too far away. */
-    boolean cutsOpen() {
+    public boolean cutsOpen() {
         for (int v = 0; v < eyeX.length; v++) {
             if (eyeZ[v] < near) return true;
             for (int plane = 0; plane < eyePlanes.length; plane++)

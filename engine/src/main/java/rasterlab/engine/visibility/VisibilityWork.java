@@ -12,14 +12,14 @@ import java.util.TreeMap;
  * @param splits faces, spans or windows that were divided
  */
 public record VisibilityWork(long comparisons, long depthTests, long pixelsWritten, long splits) {
-    static final VisibilityWork NONE = new VisibilityWork(0, 0, 0, 0);
+    public static final VisibilityWork NONE = new VisibilityWork(0, 0, 0, 0);
 
     /** All of it in one number: each comparison, depth test and written pixel is one. */
     public long total() {
         return comparisons + depthTests + pixelsWritten;
     }
 
-    VisibilityWork plus(VisibilityWork other) {
+    public VisibilityWork plus(VisibilityWork other) {
         return new VisibilityWork(
                 comparisons + other.comparisons,
                 depthTests + other.depthTests,

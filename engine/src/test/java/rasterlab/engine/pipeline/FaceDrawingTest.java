@@ -17,11 +17,11 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.visibility.FaceOutlines;
-import rasterlab.engine.visibility.PiecesWalk;
-import rasterlab.engine.visibility.PixelTouch;
-import rasterlab.engine.visibility.PixelTouch.Verdict;
 import rasterlab.engine.visibility.VisibilityStep;
 import rasterlab.engine.visibility.VisibilityWalk;
+import rasterlab.engine.visibility.buffer.PixelTouch;
+import rasterlab.engine.visibility.buffer.PixelTouch.Verdict;
+import rasterlab.engine.visibility.painter.PiecesWalk;
 
 class FaceDrawingTest {
     private static final int WIDTH = 120;

@@ -25,8 +25,8 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
-import rasterlab.engine.visibility.FaceCrossings;
 import rasterlab.engine.visibility.ViewedMesh;
+import rasterlab.engine.visibility.ray.FaceCrossings;
 
 class WireTest {
     private static final int WHITE = 0xFFFFFFFF;

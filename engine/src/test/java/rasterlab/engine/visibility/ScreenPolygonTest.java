@@ -14,6 +14,7 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.hidden.SideView;
 
 class ScreenPolygonTest {
     /** Pixel (3, 2) is the origin; corners are given as pixels from there, y up. */

@@ -13,8 +13,8 @@ import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.transform.ViewTransform;
-import rasterlab.engine.visibility.RaySpan;
 import rasterlab.engine.visibility.ViewedMesh;
+import rasterlab.engine.visibility.ray.RaySpan;
 
 /**
  * A scene by its surfaces instead of its faces: one ray for each pixel, the whole formula of light

@@ -9,9 +9,9 @@ import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.EyeSegment;
-import rasterlab.engine.visibility.FaceCrossings;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.ray.FaceCrossings;
 
 /**
  * The edges of a mesh, and the lines in which its faces pass through each other.

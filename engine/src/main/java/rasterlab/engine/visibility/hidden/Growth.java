@@ -8,7 +8,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
 
 /**

@@ -10,7 +10,6 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.PixelPoint;
 import rasterlab.engine.visibility.ViewedMesh;
-import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityWork;
 

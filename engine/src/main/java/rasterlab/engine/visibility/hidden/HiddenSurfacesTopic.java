@@ -11,7 +11,6 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
-import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.exact.ExactVisibility;
 

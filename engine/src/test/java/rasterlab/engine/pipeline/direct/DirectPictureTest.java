@@ -33,10 +33,10 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.FlatPaint;
-import rasterlab.engine.visibility.PixelAnswers;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.exact.ExactVisibility;
+import rasterlab.engine.visibility.hidden.PixelAnswers;
 
 /** The pipeline's pictures of scenes beside those of one ray for each pixel. */
 class DirectPictureTest {

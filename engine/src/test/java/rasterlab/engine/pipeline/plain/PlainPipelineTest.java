@@ -28,12 +28,12 @@ import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.FlatPaint;
-import rasterlab.engine.visibility.PixelAnswers;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.VisibilityWork;
 import rasterlab.engine.visibility.exact.ExactVisibility;
 import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
+import rasterlab.engine.visibility.hidden.PixelAnswers;
 import rasterlab.engine.visibility.hidden.SurfaceView;
 
 /** The page of the course beside the exact picture and beside the fast pipeline. */

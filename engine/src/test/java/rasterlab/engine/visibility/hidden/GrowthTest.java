@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.function.ToLongFunction;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /** Exponents of the work on small sizes; the bounds are wide. */

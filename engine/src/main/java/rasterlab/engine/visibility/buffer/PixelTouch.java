@@ -1,0 +1,42 @@
+package rasterlab.engine.visibility.buffer;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What a face did to one pixel.
+ *
+ * @param step of the method, from 1; 0 where it has no steps or never came to the face there
+ * @param face number in the mesh
+ * @param z view depth of the face's plane at the pixel; infinite for a face seen edge-on
+ * @param verdict what became of the face there
+ * @param test the depths that were compared, where the method keeps a buffer of them
+ * @param before the pixel's colour 0xAARRGGBB before
+ * @param after and after
+ */
+public record PixelTouch(
+        int step,
+        int face,
+        double z,
+        Verdict verdict,
+        Optional<DepthTest> test,
+        int before,
+        int after) {
+    /** What became of a face at a pixel. */
+    public enum Verdict {
+        /** The pixel got its colour, or was mixed with it. */
+        DRAWN,
+        /** The pixel got the colour of its outline. */
+        OUTLINED,
+        /** The buffer held something nearer. */
+        FAILED,
+        /** The method never drew it there: culled, or found hidden without asking the pixel. */
+        LEFT_OUT
+    }
+
+    /**
+     * @param offered the face's own depth, as the method stores it
+     * @param held what the pixel held; empty for the first face there
+     */
+    public record DepthTest(double offered, OptionalDouble held) {}
+}
