@@ -1,5 +1,6 @@
 package rasterlab.engine.visibility.buffer;
 
+import rasterlab.engine.visibility.NearestSeen;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
