@@ -71,7 +71,7 @@ final class BoxChoice {
 
     private static ProcessLimit expectedLimit() {
         if (Programs.onPath("prlimit").isEmpty()) return ProcessLimit.NO_PRLIMIT;
-        return Account.exceedsLimits() ? ProcessLimit.ROOT : ProcessLimit.HOLDS;
+        return SystemAccount.exceedsLimits() ? ProcessLimit.ROOT : ProcessLimit.HOLDS;
     }
 
     private Box plain(String reason, Object... arguments) {

@@ -49,9 +49,9 @@ class IsolationTest {
                 "CapEff:\t0000000000200000"
             })
     void rootIsKnownByItsRightsNotByItsName(String status) {
-        assertTrue(Account.exceedsLimits(List.of("Name:\tjava", status)));
+        assertTrue(SystemAccount.exceedsLimits(List.of("Name:\tjava", status)));
         assertFalse(
-                Account.exceedsLimits(
+                SystemAccount.exceedsLimits(
                         List.of("Uid:\t1000\t1000\t1000\t1000", "CapEff:\t0000000000000000")));
     }
 

@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /** The account that this process runs for, by the kernel's numbers: a name may mean anything. */
-final class Account {
+final class SystemAccount {
     private static final Path STATUS = Path.of("/proc/self/status");
 
     /** CAP_SYS_ADMIN and CAP_SYS_RESOURCE: their holders may start any number of processes. */
     private static final List<Integer> UNLIMITED = List.of(21, 24);
 
-    private Account() {}
+    private SystemAccount() {}
 
     /** Whether the kernel lets it start any number of processes whatever limit is set. */
     static boolean exceedsLimits() {
