@@ -30,7 +30,7 @@ public final class EdgeFunctionPolygon implements SteppedPolygon {
         if (functions > MOST_FUNCTIONS)
             throw new IllegalArgumentException(
                     "pixels × edges in their rows must be at most 1000000000, got " + functions);
-        return new Walk(new ActiveEdges(edges, height), rule, left, right);
+        return new Walk(new ScanlineEdges(edges, height), rule, left, right);
     }
 
     /** The first column of the picture at or right of x; its width where there is none. */
@@ -39,7 +39,7 @@ public final class EdgeFunctionPolygon implements SteppedPolygon {
     }
 
     private static final class Walk implements SpanWalk {
-        private final ActiveEdges edges;
+        private final ScanlineEdges edges;
         private final FillRule rule;
         private final int left;
         private final int right;
@@ -51,7 +51,7 @@ public final class EdgeFunctionPolygon implements SteppedPolygon {
         private int to;
         private long evaluated;
 
-        Walk(ActiveEdges edges, FillRule rule, int left, int right) {
+        Walk(ScanlineEdges edges, FillRule rule, int left, int right) {
             this.edges = edges;
             this.rule = rule;
             this.left = left;

@@ -20,11 +20,11 @@ public final class ScanlinePolygon implements SteppedPolygon {
     @Override
     public SpanWalk walk(double[] x, double[] y, FillRule rule, int width, int height) {
         PolygonCheck.check(x, y, width, height);
-        return new Walk(new ActiveEdges(PolygonEdge.crossing(x, y, height), height), rule, width);
+        return new Walk(new ScanlineEdges(PolygonEdge.crossing(x, y, height), height), rule, width);
     }
 
     private static final class Walk implements SpanWalk {
-        private final ActiveEdges edges;
+        private final ScanlineEdges edges;
         private final FillRule rule;
         private final int width;
 
@@ -38,7 +38,7 @@ public final class ScanlinePolygon implements SteppedPolygon {
         private int to;
         private long computed;
 
-        Walk(ActiveEdges edges, FillRule rule, int width) {
+        Walk(ScanlineEdges edges, FillRule rule, int width) {
             this.edges = edges;
             this.rule = rule;
             this.width = width;

@@ -8,7 +8,7 @@ import java.util.List;
  * The edges that cross one row, kept from row to row: an edge enters at its first row and leaves
  * after its last one.
  */
-final class ActiveEdges {
+final class ScanlineEdges {
     private final List<PolygonEdge> waiting;
     private final List<PolygonEdge> active = new ArrayList<>();
     private final int height;
@@ -18,7 +18,7 @@ final class ActiveEdges {
     /**
      * @param edges those that cross a row of the picture
      */
-    ActiveEdges(List<PolygonEdge> edges, int height) {
+    ScanlineEdges(List<PolygonEdge> edges, int height) {
         waiting = new ArrayList<>(edges);
         waiting.sort(Comparator.comparingInt(PolygonEdge::firstRow));
         this.height = height;
