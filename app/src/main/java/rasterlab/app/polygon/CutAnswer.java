@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param of how many there are to be
  */
-record CutAnswer(List<Cut> cuts, int of) implements Answer {
+record CutAnswer(List<Cut> cuts, int of) implements PolygonAnswer {
     /**
      * A triangle that was cut off at a corner.
      *

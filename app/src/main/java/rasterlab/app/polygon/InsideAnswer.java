@@ -13,7 +13,7 @@ import java.util.List;
  */
 record InsideAnswer(
         List<Boolean> inside, List<Boolean> exact, List<AskedSide> sides, boolean pointwise)
-        implements Answer {
+        implements PolygonAnswer {
     /**
      * A side that a method looked at.
      *

@@ -9,7 +9,7 @@ import rasterlab.engine.study.Deviation;
  * @param deviation from the exact answer
  */
 public record Outcome(
-        String method, Ending ending, String message, Deviation deviation, Answer answer) {
+        String method, Ending ending, String message, Deviation deviation, PolygonAnswer answer) {
     /** How it came to its end. */
     public enum Ending {
         ENDED,

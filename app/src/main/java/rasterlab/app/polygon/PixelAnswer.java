@@ -22,7 +22,7 @@ record PixelAnswer(
         Map<Integer, List<RowCrossing>> crossings,
         long reads,
         long writes)
-        implements Answer {
+        implements PolygonAnswer {
     @Override
     public int steps() {
         return runs.size();
