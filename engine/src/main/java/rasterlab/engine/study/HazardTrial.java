@@ -63,7 +63,7 @@ public final class HazardTrial {
             BooleanSupplier cancelled) {
         var cells = new ArrayList<Cell>();
         for (Hazard<I> hazard : topic.hazards()) {
-            Answer<O> answer = Answer.to(topic, hazard.input());
+            ExactAnswer<O> answer = ExactAnswer.to(topic, hazard.input());
             for (Method<C> method : topic.methods()) {
                 if (cancelled.getAsBoolean())
                     throw new CancellationException(
@@ -105,7 +105,7 @@ public final class HazardTrial {
      */
     public static <C, I, O> Tried<O> tried(
             Topic<C, I, O> topic, Method<C> method, I input, Duration wallLimit) {
-        return tried(topic, method, input, Answer.to(topic, input), wallLimit);
+        return tried(topic, method, input, ExactAnswer.to(topic, input), wallLimit);
     }
 
     /**
@@ -115,17 +115,17 @@ public final class HazardTrial {
      */
     public static <C, I, O> Function<Method<C>, Tried<O>> trying(
             Topic<C, I, O> topic, I input, Duration wallLimit) {
-        Answer<O> answer = Answer.to(topic, input);
+        ExactAnswer<O> answer = ExactAnswer.to(topic, input);
         return method -> tried(topic, method, input, answer, wallLimit);
     }
 
     static <C, I, O> Verdict judge(
-            Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
+            Topic<C, I, O> topic, Method<C> method, I input, ExactAnswer<O> answer, Duration wallLimit) {
         return tried(topic, method, input, answer, wallLimit).verdict();
     }
 
     private static <C, I, O> Tried<O> tried(
-            Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
+            Topic<C, I, O> topic, Method<C> method, I input, ExactAnswer<O> answer, Duration wallLimit) {
         var outcome =
                 Guard.call(
                         "trial of " + method.name(),
@@ -146,11 +146,11 @@ public final class HazardTrial {
     }
 
     private static <O> Tried<O> without(
-            Answer<O> answer, Optional<Throwable> thrown, Verdict verdict) {
+            ExactAnswer<O> answer, Optional<Throwable> thrown, Verdict verdict) {
         return new Tried<>(answer.exact(), Optional.empty(), thrown, verdict);
     }
 
-    private static Verdict endless(Answer<?> answer, String item) {
+    private static Verdict endless(ExactAnswer<?> answer, String item) {
         return new Verdict(
                 Verdict.Kind.ENDLESS,
                 Deviation.NONE,

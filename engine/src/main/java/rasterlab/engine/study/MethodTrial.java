@@ -12,7 +12,7 @@ final class MethodTrial<C, I, O> {
     private final Method<C> method;
     private final Workload<I> workload;
     private final StudySettings settings;
-    private final List<Answer<O>> answers;
+    private final List<ExactAnswer<O>> answers;
     private final double[] nanosPerItem;
     private final Map<String, Long> operations = new TreeMap<>();
     private Duration judging = Duration.ZERO;
@@ -28,7 +28,7 @@ final class MethodTrial<C, I, O> {
             Topic<C, I, O> topic,
             Method<C> method,
             Workload<I> workload,
-            List<Answer<O>> answers,
+            List<ExactAnswer<O>> answers,
             StudySettings settings) {
         this.topic = topic;
         this.method = method;

@@ -60,8 +60,8 @@ public final class StudyRunner<C, I, O> {
     }
 
     private List<MethodTrial<C, I, O>> trials(Workload<I> workload) {
-        List<Answer<O>> answers =
-                workload.inputs().stream().map(input -> Answer.to(topic, input)).toList();
+        List<ExactAnswer<O>> answers =
+                workload.inputs().stream().map(input -> ExactAnswer.to(topic, input)).toList();
         return topic.methods().stream()
                 .map(method -> new MethodTrial<>(topic, method, workload, answers, settings))
                 .toList();

@@ -39,7 +39,7 @@ class MethodTrialTest {
         assertEquals("it overwrote what it was given", trial.measurement().detail());
     }
 
-    private static <C, I, O> List<Answer<O>> answers(Topic<C, I, O> topic, List<I> inputs) {
-        return inputs.stream().map(input -> Answer.to(topic, input)).toList();
+    private static <C, I, O> List<ExactAnswer<O>> answers(Topic<C, I, O> topic, List<I> inputs) {
+        return inputs.stream().map(input -> ExactAnswer.to(topic, input)).toList();
     }
 }

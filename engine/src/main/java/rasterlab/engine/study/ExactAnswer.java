@@ -9,14 +9,14 @@ package rasterlab.engine.study;
  * @param limit the most items a method may produce: those of a cut answer, otherwise as {@link
  *     Topic#mostBeforeEndless} says
  */
-record Answer<O>(O exact, long items, boolean cut, int limit) {
+record ExactAnswer<O>(O exact, long items, boolean cut, int limit) {
 
-    static <C, I, O> Answer<O> to(Topic<C, I, O> topic, I input) {
+    static <C, I, O> ExactAnswer<O> to(Topic<C, I, O> topic, I input) {
         O exact = topic.exactPart(input, topic.mostItems() + 1);
         long items = topic.compare(input, exact, exact).of();
         if (items <= topic.mostItems())
-            return new Answer<>(exact, items, false, (int) topic.mostBeforeEndless(items));
-        return new Answer<>(
+            return new ExactAnswer<>(exact, items, false, (int) topic.mostBeforeEndless(items));
+        return new ExactAnswer<>(
                 topic.exactPart(input, topic.mostItems()),
                 topic.mostItems(),
                 true,
