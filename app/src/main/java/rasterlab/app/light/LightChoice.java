@@ -31,7 +31,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param shaded the topic by whose program, the user's own, it is lit; "" for the three shadings
  */
 record LightChoice(
-        Body body,
+        LitBody body,
         SphericalView camera,
         double zoom,
         MaterialChoice material,
@@ -70,7 +70,7 @@ record LightChoice(
     /** A coarse brass sphere under a lamp and a dim second one. */
     static LightChoice first() {
         return new LightChoice(
-                new Body("sphere", 12, Body.OWN),
+                new LitBody("sphere", 12, LitBody.OWN),
                 new SphericalView(Math.PI / 9, 1.2, 500),
                 1.5,
                 MaterialChoice.of(Substance.BRASS),
@@ -89,7 +89,7 @@ record LightChoice(
                 "");
     }
 
-    LightChoice with(Body other) {
+    LightChoice with(LitBody other) {
         var draft = new Draft(this);
         draft.body = other;
         return draft.choice();
@@ -246,7 +246,7 @@ record LightChoice(
 
     /** The same parts, to be changed one by one. */
     private static final class Draft {
-        private Body body;
+        private LitBody body;
         private SphericalView camera;
         private double zoom;
         private MaterialChoice material;

@@ -10,24 +10,24 @@ enum LightHazard {
     /** The highlight lies inside a face, where Gouraud's shading has no corner. */
     LOST_HIGHLIGHT(
             first ->
-                    first.with(new Body("sphere", 8, Body.OWN))
+                    first.with(new LitBody("sphere", 8, LitBody.OWN))
                             .with(MaterialChoice.of(Substance.RUBY).withShininess(120))),
     /** Few faces: steps by flat shading, bends by Gouraud's. */
     MACH_BANDS(
             first ->
-                    first.with(new Body("sphere", 14, Body.OWN))
+                    first.with(new LitBody("sphere", 14, LitBody.OWN))
                             .with(MaterialChoice.of(Substance.CHALK))
                             .withMach(true)),
     /** Averaged normals make edges round that are none. */
     ROUNDED_CUBE(
             first ->
-                    first.with(new Body("cube", 12, "angle"))
+                    first.with(new LitBody("cube", 12, "angle"))
                             .with(MaterialChoice.of(Substance.TURQUOISE))
                             .withArrows(true)),
     /** Plain means of a cube's normals depend on how its sides are cut. */
     CUT_CUBE(
             first ->
-                    first.with(new Body("cube", 12, "plain"))
+                    first.with(new LitBody("cube", 12, "plain"))
                             .with(MaterialChoice.of(Substance.TURQUOISE))
                             .withArrows(true)),
     /** Sums above 1 are cut: colours turn to white, the form is lost. */
@@ -40,12 +40,12 @@ enum LightHazard {
     PHONG_EXPONENT(
             first ->
                     first.with(MaterialChoice.of(Substance.GOLD).withShininess(20))
-                            .with(new Body("sphere", 40, Body.OWN))
+                            .with(new LitBody("sphere", 40, LitBody.OWN))
                             .with(Reflection.PHONG)),
     /** A cone meets too few corners to be seen by Gouraud's shading. */
     SPOT(
             first ->
-                    first.with(new Body("sphere", 16, Body.OWN))
+                    first.with(new LitBody("sphere", 16, LitBody.OWN))
                             .with(MaterialChoice.of(Substance.SILVER))
                             .withLamp(
                                     0,

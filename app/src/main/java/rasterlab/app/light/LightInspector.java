@@ -77,8 +77,8 @@ final class LightInspector {
                 new NumberSlider(
                         "detail",
                         texts.text("detail.hint"),
-                        Body.COARSEST,
-                        Body.FINEST,
+                        LitBody.COARSEST,
+                        LitBody.FINEST,
                         true,
                         40,
                         this::chooseDetail);
@@ -86,7 +86,7 @@ final class LightInspector {
         normals =
                 names(
                         "normals",
-                        withMine(Body.NORMALS),
+                        withMine(LitBody.NORMALS),
                         name -> model.choose(c -> c.with(c.body().withNormals(name))));
         shaded =
                 names(
@@ -188,7 +188,7 @@ final class LightInspector {
                         name.equals(choice.body().name())
                                 ? choice
                                 : choice.with(
-                                        new Body(
+                                        new LitBody(
                                                 name,
                                                 choice.body().detail(),
                                                 choice.body().normals())));
@@ -198,7 +198,7 @@ final class LightInspector {
         model.choose(
                 choice ->
                         choice.with(
-                                new Body(
+                                new LitBody(
                                         choice.body().name(),
                                         (int) Math.round(faces),
                                         choice.body().normals())));
@@ -214,7 +214,7 @@ final class LightInspector {
         var bodies =
                 new NameChooser(
                         "body",
-                        Body.NAMES,
+                        LitBody.NAMES,
                         name -> texts.textOr("body." + name, shown(name)),
                         this::chooseBody);
         column.row("body", bodies);
@@ -296,7 +296,7 @@ final class LightInspector {
         LightLabState state = model.state();
         LightChoice choice = state.choice();
         mode.refresh();
-        body.showListed(choice.body().name(), Body.NAMES);
+        body.showListed(choice.body().name(), LitBody.NAMES);
         up.show(choice.body().up().orElse(UpAxis.Y).code());
         column.showRow(up, choice.body().up().isPresent());
         column.showRow(detail, choice.body().hasDetail());

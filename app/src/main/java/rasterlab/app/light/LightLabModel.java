@@ -42,7 +42,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final PictureMaker maker;
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final Listeners<LightLabState> listeners = new Listeners<>();
-    private final KeptFile<LitFile, Body, LitSceneOpening.Answer> keptFile;
+    private final KeptFile<LitFile, LitBody, LitSceneOpening.Answer> keptFile;
     private final RowLabModel rows;
     private final OwnMethods own;
     private final OwnTrips ownTrips;
@@ -123,7 +123,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Lights a body that an earlier run has shown; there is nothing to undo afterwards. */
-    void bringBack(Body body) {
+    void bringBack(LitBody body) {
         history.forget();
         show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
     }
@@ -330,7 +330,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     @Override
     public Chosen kept() {
-        Body body = state.choice().body();
+        LitBody body = state.choice().body();
         LightChoice light =
                 body.opened().isEmpty()
                         ? state.choice()

@@ -129,7 +129,7 @@ public final class LightPanel extends LabPanel {
     /** The scene that normals of every method are lit in. */
     private Object lit() {
         LightChoice choice = model.state().choice();
-        return choice.with(choice.body().withNormals(Body.OWN));
+        return choice.with(choice.body().withNormals(LitBody.OWN));
     }
 
     private String normals() {

@@ -147,7 +147,7 @@ final class LightStage extends SelfDrawn implements Settling {
 
     /** Whether every picture of a model has nothing of it. */
     private static boolean showsNothing(LightLabState state) {
-        Optional<Body.OpenedScene> model =
+        Optional<LitBody.OpenedScene> model =
                 state.choice().body().opened().filter(one -> one.up().isPresent());
         return model.isPresent()
                 && state.drawn().isPresent()

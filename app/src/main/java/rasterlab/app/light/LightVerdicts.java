@@ -61,11 +61,11 @@ final class LightVerdicts implements AutoCloseable {
      * as near them is what topic {@code vertex-normals} says.
      */
     static Map<String, Verdict.Kind> ofNormals(LightHazard hazard) {
-        Body body = hazard.shown().body();
-        Images right = normals(body.withNormals(Body.OWN));
+        LitBody body = hazard.shown().body();
+        Images right = normals(body.withNormals(LitBody.OWN));
         var topic = new NormalsTopic();
         var verdicts = new LinkedHashMap<String, Verdict.Kind>();
-        for (String name : Body.NORMALS) {
+        for (String name : LitBody.NORMALS) {
             Images found = normals(body.withNormals(name));
             Deviation off = topic.compare(new Triangles(new double[0], new int[0]), right, found);
             verdicts.put(name, kind(topic, off));
@@ -79,7 +79,7 @@ final class LightVerdicts implements AutoCloseable {
     }
 
     /** The normals of all corners. */
-    private static Images normals(Body body) {
+    private static Images normals(LitBody body) {
         Mesh mesh = body.scene().mesh();
         var normals = new double[3 * mesh.totalCorners()];
         int at = 0;

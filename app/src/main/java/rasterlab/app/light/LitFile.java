@@ -9,19 +9,19 @@ import rasterlab.engine.scene.obj.UpAxis;
  * one by then.
  *
  * @param file empty where the body is the lab's
- * @param normals of the body, as in {@link Body}
+ * @param normals of the body, as in {@link LitBody}
  * @param up the axis of a model that points up
  */
 record LitFile(Optional<Path> file, String normals, UpAxis up) {
-    static final LitFile NONE = new LitFile(Optional.empty(), Body.OWN, UpAxis.Y);
+    static final LitFile NONE = new LitFile(Optional.empty(), LitBody.OWN, UpAxis.Y);
 
     LitFile {
-        if (!Body.NORMALS.contains(normals))
+        if (!LitBody.NORMALS.contains(normals))
             throw new IllegalArgumentException(
-                    "normals must be one of %s, got '%s'".formatted(Body.NORMALS, normals));
+                    "normals must be one of %s, got '%s'".formatted(LitBody.NORMALS, normals));
     }
 
-    static LitFile of(Body body) {
+    static LitFile of(LitBody body) {
         return body.opened()
                 .map(
                         scene ->

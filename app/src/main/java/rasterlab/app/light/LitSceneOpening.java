@@ -9,7 +9,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes in the lab; of an earlier run's only the body. */
-final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpening.Answer> {
+final class LitSceneOpening implements KeptFile.Lab<LitFile, LitBody, LitSceneOpening.Answer> {
     /**
      * @param opened empty where there is a problem
      */
@@ -27,17 +27,17 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpeni
     }
 
     @Override
-    public Body shown() {
+    public LitBody shown() {
         return model.state().choice().body();
     }
 
     @Override
-    public LitFile files(Body shown) {
+    public LitFile files(LitBody shown) {
         return LitFile.of(shown);
     }
 
     @Override
-    public Body place(Body shown) {
+    public LitBody place(LitBody shown) {
         return shown;
     }
 
@@ -55,7 +55,7 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpeni
     }
 
     @Override
-    public Optional<Supplier<Answer>> reading(LitFile kept, Body before) {
+    public Optional<Supplier<Answer>> reading(LitFile kept, LitBody before) {
         LightChoice now = model.state().choice();
         return kept.file()
                 .map(

@@ -19,14 +19,14 @@ final class MadeBody {
      * @param normals those, beside the right ones
      */
     private record Made(
-            Body body, Optional<OwnProgram> by, Scene scene, Optional<OwnNormals> normals) {}
+            LitBody body, Optional<OwnProgram> by, Scene scene, Optional<OwnNormals> normals) {}
 
     MadeBody(OwnMethods own) {
         this.own = own;
     }
 
     LightFrame.Drawn drawn(LightFrame frame, PictureMaker maker, BooleanSupplier cancelled) {
-        Body body = frame.choice().body();
+        LitBody body = frame.choice().body();
         Optional<OwnProgram> by = own.of(OwnNormals.TOPIC).filter(program -> body.asksProgram());
         if (last.filter(made -> made.body().equals(body) && made.by().equals(by)).isEmpty())
             last = Optional.of(made(body, by));
@@ -34,7 +34,7 @@ final class MadeBody {
         return frame.drawn(made.scene(), made.normals(), own, maker, cancelled);
     }
 
-    private Made made(Body body, Optional<OwnProgram> by) {
+    private Made made(LitBody body, Optional<OwnProgram> by) {
         if (!body.asksProgram()) return new Made(body, by, body.scene(), Optional.empty());
         var normals = OwnNormals.of(body, own);
         return new Made(body, by, normals.scene(), Optional.of(normals));

@@ -89,7 +89,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     static OpenedLitScene read(Path file, LightChoice before) {
         if (isModel(file)) {
             ModelNotes model = ModelNotes.read(file);
-            LightChoice shown = before.with(Body.model(file, model.scene(), UpAxis.Y));
+            LightChoice shown = before.with(LitBody.model(file, model.scene(), UpAxis.Y));
             return new OpenedLitScene(shown, List.of(model.told()), false);
         }
         SceneView view = view(file);
@@ -116,9 +116,9 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
      * @throws Complaint naming the file and the place in it
      */
     static OpenedLitScene again(Path file, UpAxis up, LightChoice before) {
-        Body body =
+        LitBody body =
                 isModel(file)
-                        ? Body.model(file, ModelNotes.read(file, up).scene(), up)
+                        ? LitBody.model(file, ModelNotes.read(file, up).scene(), up)
                         : body(file, view(file).source(), before.body().detail());
         return new OpenedLitScene(before.with(body), List.of(), false);
     }
@@ -129,7 +129,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
      * @throws Complaint naming the file and the place in it
      */
     static OpenedLitScene standing(Path file, UpAxis up, LightChoice before) {
-        Body turned = again(file, up, before).choice().body();
+        LitBody turned = again(file, up, before).choice().body();
         LightChoice next = before.with(turned.withNormals(before.body().normals()));
         return new OpenedLitScene(next, List.of(), false);
     }
@@ -169,14 +169,14 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
         return choice.withZoom(shown);
     }
 
-    private static Body body(Path file, SceneSource source, int detail) {
-        if (source instanceof SceneSource.ByName named && Body.NAMES.contains(named.name())) {
+    private static LitBody body(Path file, SceneSource source, int detail) {
+        if (source instanceof SceneSource.ByName named && LitBody.NAMES.contains(named.name())) {
             int steps = named.detail().orElse(detail);
-            boolean listed = steps >= Body.COARSEST && steps <= Body.FINEST;
-            var body = new Body(named.name(), listed ? steps : detail, Body.OWN);
+            boolean listed = steps >= LitBody.COARSEST && steps <= LitBody.FINEST;
+            var body = new LitBody(named.name(), listed ? steps : detail, LitBody.OWN);
             if (listed && named.detail().isPresent() || !body.hasDetail()) return body;
         }
-        return Body.opened(file, source.scene());
+        return LitBody.opened(file, source.scene());
     }
 
     private static LightChoice dressed(LightChoice choice, Scene scene, List<String> notes) {

@@ -29,7 +29,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
     private static final double RIGHT = 1e-9;
 
     /** Asks the program for its normals, once and on any thread. */
-    static OwnNormals of(Body body, OwnMethods own) {
+    static OwnNormals of(LitBody body, OwnMethods own) {
         var asked = new Asked(own);
         VertexNormals truth = new NormalsTopic().method(truth(own)).implementation();
         Scene right = body.scene(truth);
@@ -42,7 +42,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
         }
     }
 
-    private static OwnNormals refused(Body body, Scene right, IllegalArgumentException refusal) {
+    private static OwnNormals refused(LitBody body, Scene right, IllegalArgumentException refusal) {
         return new OwnNormals(body.scene(), right, OwnTold.refused(refusal.getMessage()));
     }
 

@@ -70,7 +70,7 @@ final class TopicBodies {
 
     /** The method if its normals are those that the body is shown with, and the lab has it not. */
     private static String ownNormals(Object input, String method) {
-        boolean shown = method.isEmpty() || Body.NORMALS.contains(method);
+        boolean shown = method.isEmpty() || LitBody.NORMALS.contains(method);
         return input instanceof Triangles && !shown ? method : "";
     }
 
@@ -92,7 +92,7 @@ final class TopicBodies {
     }
 
     /** The input whose body it is; empty for a scene's. */
-    static Optional<Object> input(Body body) {
+    static Optional<Object> input(LitBody body) {
         String[] words = body.name().split("/");
         return has(body.name()) ? Optional.of(input(words[0], words[1])) : Optional.empty();
     }
@@ -117,14 +117,14 @@ final class TopicBodies {
 
     /** The choice that shows an input. */
     static LightChoice shown(String body, Object input, String method) {
-        LightChoice first = LightChoice.first().with(new Body(body, Body.COARSEST, Body.OWN));
+        LightChoice first = LightChoice.first().with(new LitBody(body, LitBody.COARSEST, LitBody.OWN));
         if (input instanceof FacePoints points) return face(first, points.face());
         if (input instanceof LitPoints points) return point(first, points.points().get(0), method);
         String own = ownNormals(input, method);
-        Body shown =
+        LitBody shown =
                 own.isEmpty()
-                        ? new Body(body, Body.COARSEST, method.isEmpty() ? "plain" : method)
-                        : new Body(body + "/" + own, Body.COARSEST, Body.OWN);
+                        ? new LitBody(body, LitBody.COARSEST, method.isEmpty() ? "plain" : method)
+                        : new LitBody(body + "/" + own, LitBody.COARSEST, LitBody.OWN);
         return first.with(shown).with(facing((Triangles) input)).with(MIDDLE).withArrows(true);
     }
 

@@ -209,9 +209,9 @@ class LightLabModelTest {
 
     @Test
     void cubeOfAveragedNormalsIsRoundAndOfItsOwnIsNot() {
-        model.choose(choice -> choice.with(new Body("cube", 12, Body.OWN)).withArrows(true));
+        model.choose(choice -> choice.with(new LitBody("cube", 12, LitBody.OWN)).withArrows(true));
         double[] own = drawn().cornerArrows();
-        model.choose(choice -> choice.with(new Body("cube", 12, "angle")));
+        model.choose(choice -> choice.with(new LitBody("cube", 12, "angle")));
         double[] mean = drawn().cornerArrows();
         assertEquals(own.length, mean.length);
         assertFalse(Arrays.equals(own, mean));

@@ -110,7 +110,7 @@ class LitInputsTest {
 
     @Test
     void bodyIsCutIntoTrianglesOfItsOwnCorners() {
-        model.choose(choice -> choice.with(new Body("cube", 12, Body.OWN)));
+        model.choose(choice -> choice.with(new LitBody("cube", 12, LitBody.OWN)));
         Triangles cube = LitInputs.body(model.state().choice());
         assertEquals(8 * 3, cube.vertices().length);
         assertEquals(12 * 3, cube.triangles().length);

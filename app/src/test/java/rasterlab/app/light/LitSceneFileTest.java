@@ -61,7 +61,7 @@ class LitSceneFileTest {
     void commandLightsTheSidesOfTheLab(boolean twoSided) throws IOException {
         LightChoice choice =
                 LightChoice.first()
-                        .with(new Body("vase", 12, Body.OWN))
+                        .with(new LitBody("vase", 12, LitBody.OWN))
                         .with(new SphericalView(0.5, 0.5, 600))
                         .withTwoSides(twoSided);
         Path path = folder.resolve("lit one.scene.json");

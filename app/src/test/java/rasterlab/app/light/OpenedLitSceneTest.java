@@ -69,7 +69,7 @@ class OpenedLitSceneTest {
         Lamp sun = Lamp.at(1, 2, 3).withKind(Lamp.Kind.SUN).withStrength(0.35);
         assertOpened(
                 LightChoice.first()
-                        .with(new Body("torus", 9, "angle"))
+                        .with(new LitBody("torus", 9, "angle"))
                         .with(new SphericalView(0.2, 0.9, 777))
                         .withZoom(2.25)
                         .withLamps(List.of(spot, faint, sun))
@@ -169,7 +169,7 @@ class OpenedLitSceneTest {
     void opensScenesByName() throws IOException {
         LightChoice before = model.state().choice();
         open(written("\"torus\", \"detail\": 20"));
-        assertEquals(new Body("torus", 20, Body.OWN), model.state().choice().body());
+        assertEquals(new LitBody("torus", 20, LitBody.OWN), model.state().choice().body());
         assertEquals(before.lamps(), model.state().choice().lamps());
         assertEquals("", model.state().problem());
         open(written("\"house\", \"zoom\": 2, \"look\": {\"terms\": [\"diffuse\"]}"));

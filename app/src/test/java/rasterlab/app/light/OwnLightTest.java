@@ -113,7 +113,7 @@ class OwnLightTest {
                                         List.of(
                                                 Lamp.at(3, 1, 2).withKind(Lamp.Kind.SUN),
                                                 Lamp.at(90, 40, 60)))
-                                .with(new Body("vase", 12, Body.OWN)));
+                                .with(new LitBody("vase", 12, LitBody.OWN)));
         settle();
         assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
     }

@@ -24,7 +24,7 @@ import rasterlab.engine.scene.obj.UpAxis;
  *     user's program
  * @param opened the scene of a file; kept as long as the program runs
  */
-record Body(String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
+record LitBody(String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
     /**
      * @param file where it was read from, an absolute path
      * @param up the axis of a model that points up; empty for a scene file
@@ -40,24 +40,24 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
     static final int FINEST = 64;
 
     @JsonCreator
-    Body(
+    LitBody(
             @JsonProperty("name") String name,
             @JsonProperty("detail") int detail,
             @JsonProperty("normals") String normals) {
         this(name, detail, normals, Optional.empty());
     }
 
-    static Body opened(Path file, Scene scene) {
+    static LitBody opened(Path file, Scene scene) {
         return opened(file, scene, Optional.empty());
     }
 
-    static Body model(Path file, Scene scene, UpAxis up) {
+    static LitBody model(Path file, Scene scene, UpAxis up) {
         return opened(file, scene, Optional.of(up));
     }
 
-    private static Body opened(Path file, Scene scene, Optional<UpAxis> up) {
+    private static LitBody opened(Path file, Scene scene, Optional<UpAxis> up) {
         var opened = new OpenedScene(file.toAbsolutePath(), scene, up);
-        return new Body(String.valueOf(file.getFileName()), COARSEST, OWN, Optional.of(opened));
+        return new LitBody(String.valueOf(file.getFileName()), COARSEST, OWN, Optional.of(opened));
     }
 
     /** The axis of a model that points up; empty where no model is lit. */
@@ -65,8 +65,8 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Opened
         return opened.flatMap(OpenedScene::up);
     }
 
-    Body withNormals(String other) {
-        return new Body(name, detail, other, opened);
+    LitBody withNormals(String other) {
+        return new LitBody(name, detail, other, opened);
     }
 
     /** Whether its normals are those that the user's own program finds. */
