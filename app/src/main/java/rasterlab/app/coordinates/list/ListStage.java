@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.PlaneStage;
 import rasterlab.app.language.Texts;
@@ -34,8 +34,8 @@ final class ListStage extends PlaneStage {
     @Override
     public void refresh() {
         Figure figure = figure(model.step());
-        everything = Box.around(figure(model.last()).marks());
-        everything.add(Box.around(figure.marks()));
+        everything = MarkBounds.around(figure(model.last()).marks());
+        everything.add(MarkBounds.around(figure.marks()));
         int known = model.trial().isPresent() ? 1 : 0;
         shown().show(figure, points(), note(), everything, 2 * model.arrangement() + known);
     }

@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.meeting;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.PlanePoint;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.PlaneStage;
 import rasterlab.app.coordinates.figure.Spot;
@@ -37,7 +37,7 @@ final class MeetingStage extends PlaneStage {
                                         MeetingLabModel.Grip.THROUGH,
                                         model.choice().line().through())),
                         readings.note(),
-                        Box.around(figure.marks()),
+                        MarkBounds.around(figure.marks()),
                         model.arrangement());
     }
 

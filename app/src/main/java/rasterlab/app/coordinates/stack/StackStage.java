@@ -4,7 +4,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.PlanePoint;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.PlaneStage;
 import rasterlab.app.language.Texts;
@@ -31,8 +31,8 @@ final class StackStage extends PlaneStage {
         StackChoice choice = model.choice();
         StackScene whole = StackScene.of(choice.commands(), model.last());
         Figure figure = StackFigure.of(model.scene(), choice.viewpoint());
-        everything = Box.around(StackFigure.of(whole, choice.viewpoint()).marks());
-        everything.add(Box.around(figure.marks()));
+        everything = MarkBounds.around(StackFigure.of(whole, choice.viewpoint()).marks());
+        everything.add(MarkBounds.around(figure.marks()));
         shown().show(
                         figure,
                         List.of(

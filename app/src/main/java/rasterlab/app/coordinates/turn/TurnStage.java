@@ -17,7 +17,7 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.language.Texts;
 
@@ -131,7 +131,7 @@ final class TurnStage extends JPanel implements AutoCloseable {
     void refresh() {
         TurnScene scene = model.scene();
         Figure figure = TurnFigure.of(scene, model.step(), texts.language());
-        Rectangle2D everything = Box.around(figure.marks());
+        Rectangle2D everything = MarkBounds.around(figure.marks());
         int begun = scene.known() ? 1 : 0;
         way.show(
                 figure, List.of(point()), note(scene), everything, 2 * model.arrangement() + begun);

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Ink;
@@ -186,9 +186,9 @@ final class ViewFigure {
     /** The box around all marks, but for vanishing points so far that the house would be a dot. */
     static Rectangle2D frame(List<Mark> marks) {
         Rectangle2D house =
-                Box.around(marks.stream().filter(mark -> mark.ink() == Ink.OBJECT).toList());
+                MarkBounds.around(marks.stream().filter(mark -> mark.ink() == Ink.OBJECT).toList());
         double most = FARTHEST * Math.max(house.getWidth(), house.getHeight());
-        return Box.around(
+        return MarkBounds.around(
                 marks.stream()
                         .filter(mark -> !(mark instanceof Mark.Line line && line.ink() == Ink.HELP))
                         .filter(

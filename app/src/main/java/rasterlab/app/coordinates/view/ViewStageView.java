@@ -10,7 +10,7 @@ import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.language.Texts;
@@ -71,7 +71,7 @@ final class ViewStageView extends JPanel implements AutoCloseable {
         int stage = model.step();
         Figure figure = ViewFigure.of(model.scene(), stage);
         boolean plane = figure.ruled() && model.choice().vanishing();
-        everything = plane ? ViewFigure.frame(figure.marks()) : Box.around(figure.marks());
+        everything = plane ? ViewFigure.frame(figure.marks()) : MarkBounds.around(figure.marks());
         vertex = ViewFigure.vertex(model.scene(), stage);
         PlaneView shown = shown();
         shown.show(

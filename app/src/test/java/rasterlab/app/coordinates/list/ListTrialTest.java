@@ -30,7 +30,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.coordinates.Answered;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -360,6 +360,6 @@ class ListTrialTest {
                         new Verdict(Verdict.Kind.WRONG, Deviation.NONE, ""));
         assertEquals(List.of(Unlike.of(POINT_BEYOND)), scene.unlike());
         model.show(Example.AXIS);
-        assertTrue(Box.around(marks(scene)).getHeight() < 100);
+        assertTrue(MarkBounds.around(marks(scene)).getHeight() < 100);
     }
 }

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Lab;
-import rasterlab.app.coordinates.figure.Box;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -56,7 +56,7 @@ class MeetingLabModelTest {
     @MethodSource("hazards")
     void everyHazardHasAPictureOfUsualSize(Hazard<PlaneAndLines> hazard) {
         model.show(hazard.input());
-        var all = Box.around(MeetingFigure.of(model.scene(), model.view()).marks());
+        var all = MarkBounds.around(MeetingFigure.of(model.scene(), model.view()).marks());
         String said = hazard.name() + " " + all;
         assertTrue(all.getWidth() + all.getHeight() >= 1, said);
         assertTrue(Math.max(all.getWidth(), all.getHeight()) <= 4 * SideView.FARTHEST, said);

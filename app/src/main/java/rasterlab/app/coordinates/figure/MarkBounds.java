@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /** The rectangle around marks. */
-public final class Box {
-    private Box() {}
+public final class MarkBounds {
+    private MarkBounds() {}
 
     /**
      * The box around all but what is drawn wrong, which may be anywhere; the unit square for
