@@ -16,7 +16,7 @@ final class ShapeAssembly {
     private final Optional<VertexLight> light;
     private final boolean flat;
 
-    /** Front and back of each vertex, {@link Corners#NUMBERS} numbers each. */
+    /** Front and back of each vertex, {@link TriangleCorners#NUMBERS} numbers each. */
     private double[][] fronts;
 
     private double[][] backs;
@@ -33,7 +33,7 @@ final class ShapeAssembly {
      * @param toEye turns and moves
      * @param alpha of the vertices' own colours
      */
-    Corners assemble(Shape shape, Matrix4d toEye, double alpha) {
+    TriangleCorners assemble(Shape shape, Matrix4d toEye, double alpha) {
         fronts = new double[shape.vertexCount()][];
         backs = new double[shape.vertexCount()][];
         for (int v = 0; v < shape.vertexCount(); v++) {
@@ -41,7 +41,7 @@ final class ShapeAssembly {
             fronts[v] = corner(shape, v, eye, false, alpha);
             backs[v] = corner(shape, v, eye, true, alpha);
         }
-        var corners = new Corners();
+        var corners = new TriangleCorners();
         var strokes = new Strokes(projection, frame.width(), frame.height(), corners);
         int[] at = shape.indices();
         if (shape.lines())
@@ -79,7 +79,7 @@ final class ShapeAssembly {
         };
     }
 
-    private void triangle(int a, int b, int c, Corners corners, Strokes strokes) {
+    private void triangle(int a, int b, int c, TriangleCorners corners, Strokes strokes) {
         boolean counterClockwise = area(fronts[a], fronts[b], fronts[c]) > 0;
         boolean front = counterClockwise == choice.is(Setting.FRONT_FACE, "GL_CCW");
         if (culled(front)) return;

@@ -55,7 +55,7 @@ public final class SoftwarePainter implements AutoCloseable {
 
     private void add(
             GlFrame frame,
-            Corners corners,
+            TriangleCorners corners,
             PixelColors colors,
             DepthRaster out,
             BooleanSupplier cancelled) {

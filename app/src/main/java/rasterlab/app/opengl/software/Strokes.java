@@ -22,9 +22,9 @@ final class Strokes {
     private final double perPixelY;
     private final double halfWidth;
     private final double halfHeight;
-    private final Corners out;
+    private final TriangleCorners out;
 
-    Strokes(Matrix4d projection, int width, int height, Corners out) {
+    Strokes(Matrix4d projection, int width, int height, TriangleCorners out) {
         this.projection = projection;
         this.out = out;
         halfWidth = width / 2.0;
@@ -34,7 +34,7 @@ final class Strokes {
     }
 
     /**
-     * @param a {@value Corners#NUMBERS} numbers, before the near plane, as b
+     * @param a {@value TriangleCorners#NUMBERS} numbers, before the near plane, as b
      */
     void line(double[] a, double[] b) {
         double dx = pixelX(b) - pixelX(a);
@@ -73,7 +73,7 @@ final class Strokes {
     /** The corner with colours from 0 to 1, which they may leave where an end moved outwards. */
     private static double[] inRange(double[] corner) {
         double[] limited = corner.clone();
-        for (int k = Corners.RED; k <= Corners.ALPHA; k++)
+        for (int k = TriangleCorners.RED; k <= TriangleCorners.ALPHA; k++)
             limited[k] = Math.max(0, Math.min(1, limited[k]));
         return limited;
     }
@@ -114,7 +114,7 @@ final class Strokes {
         double t =
                 (value * w(a) - a[coordinate])
                         / (b[coordinate] - a[coordinate] - value * (w(b) - w(a)));
-        double[] point = new double[Corners.NUMBERS];
+        double[] point = new double[TriangleCorners.NUMBERS];
         for (int k = 0; k < point.length; k++) point[k] = a[k] + t * (b[k] - a[k]);
         return point;
     }

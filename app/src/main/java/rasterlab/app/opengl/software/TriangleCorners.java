@@ -4,7 +4,7 @@ import java.util.Arrays;
 import rasterlab.engine.scene.TriangleMesh;
 
 /** Corners of triangles in eye space, three after three, each with its own colour and texture. */
-final class Corners {
+final class TriangleCorners {
     /** x, y, z, red, green, blue, alpha, s, t. */
     static final int NUMBERS = 9;
 
