@@ -31,7 +31,7 @@ public record LineDrawing(
     /**
      * @param worst the largest difference of a pixel's coverage from the exact one, in levels
      */
-    public record Covered(Coverage drawn, int worst) {}
+    public record Covered(PixelCoverage drawn, int worst) {}
 
     /** The most pixels that the lab draws of a segment. */
     public static final int LIMIT = 4096;
@@ -74,8 +74,8 @@ public record LineDrawing(
             PixelRecording nearest,
             LineTrace trace,
             Deviation deviation) {
-        Coverage exact = Coverage.exact(segment, nearest);
-        Coverage drawn = Coverage.of(method, segment, LIMIT);
+        PixelCoverage exact = PixelCoverage.exact(segment, nearest);
+        PixelCoverage drawn = PixelCoverage.of(method, segment, LIMIT);
         PixelDifference difference = drawn.differenceFrom(exact);
         LineMarks marks =
                 LineMarks.of(difference, drawn.pixels(), drawn.steps(), trace.pixels().size());
@@ -101,8 +101,8 @@ public record LineDrawing(
     }
 
     /** Lit pixels are covered wholly. */
-    private Coverage covered() {
-        return coverage.map(Covered::drawn).orElseGet(() -> Coverage.whole(trace.pixels()));
+    private PixelCoverage covered() {
+        return coverage.map(Covered::drawn).orElseGet(() -> PixelCoverage.whole(trace.pixels()));
     }
 
     /** Number of pixels drawn, at most {@link #LIMIT}. */
@@ -121,12 +121,12 @@ public record LineDrawing(
     }
 
     /** The pixels that step {@code step} lit, counted from 1; one wholly where none is covered. */
-    List<Coverage.Shade> shades(int step) {
+    List<PixelCoverage.Shade> shades(int step) {
         return coverage.map(covered -> covered.drawn().at(step))
                 .orElseGet(
                         () ->
                                 List.of(
-                                        new Coverage.Shade(
+                                        new PixelCoverage.Shade(
                                                 step, x(step), y(step), CoverageLine.FULL)));
     }
 }

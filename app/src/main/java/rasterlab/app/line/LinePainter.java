@@ -77,7 +77,7 @@ final class LinePainter {
     /** Coverage is opacity, of a colour that stands out from the ground where it is whole. */
     private void paintCoverage(LineDrawing drawing, int step, double inset) {
         Color whole = MethodColours.edgeOn(colours.ground(), LineColours.OWN.of(drawing.method()));
-        for (Coverage.Shade shade : drawing.coverage().orElseThrow().drawn().shades()) {
+        for (PixelCoverage.Shade shade : drawing.coverage().orElseThrow().drawn().shades()) {
             if (shade.step() > step) return;
             requireUse();
             g.setColor(new Color(whole.getRed(), whole.getGreen(), whole.getBlue(), shade.level()));
@@ -161,7 +161,7 @@ final class LinePainter {
         if (grid.cell() < 6) return;
         g.setColor(colours.ink());
         g.setStroke(new BasicStroke(2f));
-        for (Coverage.Shade shade : drawing.shades(step)) g.draw(square(shade.x(), shade.y(), 0));
+        for (PixelCoverage.Shade shade : drawing.shades(step)) g.draw(square(shade.x(), shade.y(), 0));
     }
 
     private Rectangle2D square(int pixelX, int pixelY, double inset) {

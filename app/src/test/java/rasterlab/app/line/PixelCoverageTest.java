@@ -6,22 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.line.Coverage.Shade;
+import rasterlab.app.line.PixelCoverage.Shade;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.WuLine;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelWindow;
 
-class CoverageTest {
+class PixelCoverageTest {
     private static final Segment SEGMENT = new Segment(0, 0, 11, 4);
 
-    private static Coverage exact(Segment segment) {
-        return Coverage.exact(segment, new LineTopic().exact(segment, LineDrawing.LIMIT));
+    private static PixelCoverage exact(Segment segment) {
+        return PixelCoverage.exact(segment, new LineTopic().exact(segment, LineDrawing.LIMIT));
     }
 
-    private static Coverage wu(Segment segment, int limit) {
-        return Coverage.of(new WuLine(), segment, limit);
+    private static PixelCoverage wu(Segment segment, int limit) {
+        return PixelCoverage.of(new WuLine(), segment, limit);
     }
 
     @Test
@@ -40,7 +40,7 @@ class CoverageTest {
 
     @Test
     void windowLeavesOutWhatLiesBeside() {
-        Coverage seen = wu(SEGMENT.in(new PixelWindow(2, 1, 5, 1)), 99);
+        PixelCoverage seen = wu(SEGMENT.in(new PixelWindow(2, 1, 5, 1)), 99);
         assertEquals(List.of(new Shade(1, 2, 1, 185)), seen.at(1));
         for (Shade shade : seen.shades())
             assertTrue(shade.y() == 1 && shade.x() >= 2 && shade.x() <= 5, shade.toString());
@@ -52,8 +52,8 @@ class CoverageTest {
         var random = new Random(seed);
         for (int i = 0; i < 300; i++) {
             var segment = new Segment(part(random), part(random), part(random), part(random));
-            Coverage exact = exact(segment);
-            Coverage drawn = wu(segment, LineDrawing.LIMIT);
+            PixelCoverage exact = exact(segment);
+            PixelCoverage drawn = wu(segment, LineDrawing.LIMIT);
             String where = segment + ", seed " + seed;
             assertTrue(drawn.worst(exact) <= 1, where);
             assertTrue(drawn.differenceFrom(exact).isEmpty(), where);
@@ -67,9 +67,9 @@ class CoverageTest {
     /** What the lab once drew: the nearest pixels as whole blocks. */
     @Test
     void wholeBlocksAreTooMuchAndLeaveTheirNeighboursOut() {
-        Coverage exact = exact(SEGMENT);
+        PixelCoverage exact = exact(SEGMENT);
         var blocks =
-                new Coverage(
+                new PixelCoverage(
                         exact.shades().stream()
                                 .filter(shade -> shade.level() >= 128)
                                 .map(shade -> new Shade(shade.step(), shade.x(), shade.y(), 255))

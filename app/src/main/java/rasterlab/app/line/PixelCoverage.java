@@ -20,7 +20,7 @@ import rasterlab.engine.study.LimitReached;
  *
  * @param shades in drawing order
  */
-public record Coverage(List<Shade> shades) {
+public record PixelCoverage(List<Shade> shades) {
     /** What a method may be off by for its rounding. */
     private static final int TOLERATED = 1;
 
@@ -30,7 +30,7 @@ public record Coverage(List<Shade> shades) {
      */
     public record Shade(int step, int x, int y, int level) {}
 
-    public Coverage {
+    public PixelCoverage {
         shades = List.copyOf(shades);
     }
 
@@ -38,19 +38,19 @@ public record Coverage(List<Shade> shades) {
      * @param limit the most steps, at least 1
      * @throws IllegalArgumentException if the method refuses the segment
      */
-    static Coverage of(CoverageLine method, Segment s, int limit) {
+    static PixelCoverage of(CoverageLine method, Segment s, int limit) {
         var collected = new Collected(method.walk(s.x0(), s.y0(), s.x1(), s.y1()), s, limit);
         try {
             method.shade(s.x0(), s.y0(), s.x1(), s.y1(), collected);
         } catch (LimitReached e) {
-            return new Coverage(collected.shades);
+            return new PixelCoverage(collected.shades);
         }
-        return new Coverage(collected.shades);
+        return new PixelCoverage(collected.shades);
     }
 
     /** Every pixel wholly, one a step. */
-    static Coverage whole(PixelRecording pixels) {
-        return new Coverage(
+    static PixelCoverage whole(PixelRecording pixels) {
+        return new PixelCoverage(
                 IntStream.range(0, pixels.size())
                         .mapToObj(
                                 i -> new Shade(i + 1, pixels.x(i), pixels.y(i), CoverageLine.FULL))
@@ -92,7 +92,7 @@ public record Coverage(List<Shade> shades) {
      *
      * @param nearest the nearest pixels, in order; no farther than 2²⁸ steps from the beginning
      */
-    static Coverage exact(Segment s, PixelRecording nearest) {
+    static PixelCoverage exact(Segment s, PixelRecording nearest) {
         long dx = (long) s.x1() - s.x0();
         long dy = (long) s.y1() - s.y0();
         boolean steep = Math.abs(dy) > Math.abs(dx);
@@ -114,7 +114,7 @@ public record Coverage(List<Shade> shades) {
             if (beside > 0 && s.window().contains(besideX, besideY))
                 shades.add(new Shade(i + 1, besideX, besideY, beside));
         }
-        return new Coverage(shades);
+        return new PixelCoverage(shades);
     }
 
     /** ⌈255·offset/n − ½⌉, at most 127. */
@@ -140,7 +140,7 @@ public record Coverage(List<Shade> shades) {
     }
 
     /** Missing is what is covered too little, by more than one level, extra what is too much. */
-    PixelDifference differenceFrom(Coverage exact) {
+    PixelDifference differenceFrom(PixelCoverage exact) {
         Map<Spot, Integer> wanted = exact.levels();
         Map<Spot, Integer> drawn = levels();
         PixelSet own = PixelSet.of(pixels());
@@ -152,11 +152,11 @@ public record Coverage(List<Shade> shades) {
     }
 
     /** The largest difference of a pixel's level. */
-    int worst(Coverage exact) {
+    int worst(PixelCoverage exact) {
         Map<Spot, Integer> wanted = exact.levels();
         Map<Spot, Integer> drawn = levels();
         int worst = 0;
-        for (Coverage each : List.of(this, exact))
+        for (PixelCoverage each : List.of(this, exact))
             for (Shade s : each.shades)
                 worst = Math.max(worst, Math.abs(excess(drawn, wanted, s.x, s.y)));
         return worst;
