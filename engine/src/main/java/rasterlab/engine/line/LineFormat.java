@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.contract.CoveragePixels;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.format.Doubles;
+import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
@@ -159,13 +159,13 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
                         ? windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), s.window())
                         : stepped.walk(s.x0(), s.y0(), s.x1(), s.y1());
         AnsweredPixels pixels = pixels(call, s);
-        var values = new Doubles();
+        var values = new GrowingDoubles();
         while (walk.advance()) if (pixels.keep(walk.x(), walk.y())) values.add(walk.decision());
         return new Walked(stepped.decisionFormula(), pixels.kept(), values);
     }
 
     /** The walk of a line, each step with its decision value; millions of them, so not a list. */
-    private record Walked(String decision, PixelRecording pixels, Doubles values)
+    private record Walked(String decision, PixelRecording pixels, GrowingDoubles values)
             implements Written {
         @Override
         public void write(ValueSink out) throws IOException {

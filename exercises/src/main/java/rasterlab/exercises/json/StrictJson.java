@@ -11,7 +11,7 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.format.Doubles;
+import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
@@ -185,12 +185,12 @@ public final class StrictJson implements ValueSource {
 
     @Override
     public double[] numbers(int least, int most) throws IOException {
-        var values = new Doubles();
+        var values = new GrowingDoubles();
         addNumbers(values, new Expected.Items("numbers", "", least, most), least, most);
         return values.toArray();
     }
 
-    private void addNumbers(Doubles values, Expected numbers, int least, int most)
+    private void addNumbers(GrowingDoubles values, Expected numbers, int least, int most)
             throws IOException {
         startArray(numbers, least, most);
         for (int size = 0; hasNext(numbers, size, least, most); size++) values.add(number());
@@ -198,7 +198,7 @@ public final class StrictJson implements ValueSource {
 
     @Override
     public double[] points(int dimension, int least, int most) throws IOException {
-        var values = new Doubles();
+        var values = new GrowingDoubles();
         String each = " of " + dimension + " numbers each";
         var points = new Expected.Items("points", each, least, most);
         var point = new Expected.Items("numbers", "", dimension, dimension);

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.PlaneRotation;
-import rasterlab.engine.format.Doubles;
+import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
@@ -108,7 +108,7 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
         SteppedRotation stepped = call.stepped(SteppedRotation.class);
         double[] points = turns.points();
         var steps = new ArrayList<List<Step>>();
-        var left = new Doubles();
+        var left = new GrowingDoubles();
         for (int i = 0; i < points.length; i += 2)
             steps.add(
                     drained(
@@ -117,7 +117,7 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
         return answer(turns, new Images(left.toArray(), 2), null, Steps.plainLists(steps));
     }
 
-    private static List<Step> drained(TurnWalk walk, Doubles left) {
+    private static List<Step> drained(TurnWalk walk, GrowingDoubles left) {
         var steps = new ArrayList<Step>();
         while (walk.advance())
             steps.add(new Step(walk.turn(), walk.text(), walk.value(), walk.x(), walk.y()));

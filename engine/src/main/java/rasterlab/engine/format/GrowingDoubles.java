@@ -3,7 +3,7 @@ package rasterlab.engine.format;
 import java.util.Arrays;
 
 /** Numbers of which it shows only at the end how many there are. */
-public final class Doubles {
+public final class GrowingDoubles {
     private double[] values = new double[64];
     private int size;
 
