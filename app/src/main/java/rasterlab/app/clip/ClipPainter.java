@@ -23,7 +23,7 @@ import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.raster.PixelMark;
 
-/** Draws what {@link Drawn} stands for. */
+/** Draws what {@link ClipMark} stands for. */
 final class ClipPainter {
     /** Region codes are so many times as large as labels: the first for which there is room. */
     private static final float[] LARGER = {1.5f, 1.2f, 1};
@@ -73,24 +73,24 @@ final class ClipPainter {
     /**
      * @throws CancellationException soon after {@code cancelled} says true
      */
-    void paint(List<Drawn> drawn, BooleanSupplier cancelled) {
-        List<Line2D> segments = segments(drawn, inView, Drawn.Ink.GIVEN);
-        for (Drawn each : drawn) {
+    void paint(List<ClipMark> drawn, BooleanSupplier cancelled) {
+        List<Line2D> segments = segments(drawn, inView, ClipMark.Ink.GIVEN);
+        for (ClipMark each : drawn) {
             if (cancelled.getAsBoolean())
                 throw new CancellationException("a newer frame is asked for");
-            if (each instanceof Drawn.Area area) paint(area);
-            else if (each instanceof Drawn.Line line) paint(line);
-            else if (each instanceof Drawn.Region region) paint(region, segments);
-            else if (each instanceof Drawn.Sign sign) paint(sign);
+            if (each instanceof ClipMark.Area area) paint(area);
+            else if (each instanceof ClipMark.Line line) paint(line);
+            else if (each instanceof ClipMark.Region region) paint(region, segments);
+            else if (each instanceof ClipMark.Sign sign) paint(sign);
         }
     }
 
-    private void paint(Drawn.Area area) {
+    private void paint(ClipMark.Area area) {
         g.setColor(ground(area.ink()));
         inView.area(area.corners()).ifPresent(g::fill);
     }
 
-    private Color ground(Drawn.Ink ink) {
+    private Color ground(ClipMark.Ink ink) {
         return switch (ink) {
             case WINDOW -> colours.margin();
             case TESTED -> translucent(colours.focus());
@@ -103,7 +103,7 @@ final class ClipPainter {
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), TRANSLUCENT);
     }
 
-    private void paint(Drawn.Line line) {
+    private void paint(ClipMark.Line line) {
         Path2D path = inView.line(line.points(), line.closed());
         switch (line.ink()) {
             case WINDOW -> stroke(path, colours.ink(), 2f);
@@ -147,7 +147,7 @@ final class ClipPainter {
     }
 
     /** What is missing is dashed with rings, what is too much is whole with crosses. */
-    private void wrong(Path2D path, Drawn.Line line, Color colour, PixelMark mark) {
+    private void wrong(Path2D path, ClipMark.Line line, Color colour, PixelMark mark) {
         if (mark == PixelMark.MISSING) {
             stroke(path, colours.ground(), 5f);
             dashed(path, colour, 3.2f, 7);
@@ -165,10 +165,10 @@ final class ClipPainter {
     }
 
     /** Lines of that ink, such as what is to be clipped, where they are seen, in view units. */
-    static List<Line2D> segments(List<Drawn> drawn, InView inView, Drawn.Ink ink) {
+    static List<Line2D> segments(List<ClipMark> drawn, InView inView, ClipMark.Ink ink) {
         var segments = new ArrayList<Line2D>();
-        for (Drawn each : drawn)
-            if (each instanceof Drawn.Line line && line.ink() == ink)
+        for (ClipMark each : drawn)
+            if (each instanceof ClipMark.Line line && line.ink() == ink)
                 add(segments, inView.line(line.points(), line.closed()));
         return segments;
     }
@@ -194,7 +194,7 @@ final class ClipPainter {
     }
 
     /** Paints a region behind everything else. */
-    private void paint(Drawn.Region region, List<Line2D> segments) {
+    private void paint(ClipMark.Region region, List<Line2D> segments) {
         Rectangle view = g.getClipBounds();
         double left = Math.max(view.getMinX(), map.viewX(region.xmin()));
         double right = Math.min(view.getMaxX(), map.viewX(region.xmax()));
@@ -220,7 +220,7 @@ final class ClipPainter {
         }
     }
 
-    private void paint(Drawn.Sign sign) {
+    private void paint(ClipMark.Sign sign) {
         if (!inView.holds(sign.at())) return;
         double x = map.viewX(sign.at().x());
         double y = map.viewY(sign.at().y());

@@ -20,7 +20,7 @@ import rasterlab.app.canvas.StageColours;
  * @param labels where no region's code may stand
  */
 record ClipPicture(
-        List<Drawn> drawn, String method, String other, boolean ruled, List<Rectangle> labels)
+        List<ClipMark> drawn, String method, String other, boolean ruled, List<Rectangle> labels)
         implements PlanePicture {
     ClipPicture {
         drawn = List.copyOf(drawn);
@@ -42,9 +42,9 @@ record ClipPicture(
      * @param step as {@link ClipLabState#step}
      */
     static ClipPicture of(ClipScene scene, Clipping clipping, int step, Locale locale) {
-        var wrong = new ArrayList<Drawn>();
-        add(wrong, scene, clipping.wrong().missing(), Drawn.Ink.MISSING);
-        add(wrong, scene, clipping.wrong().extra(), Drawn.Ink.EXTRA);
+        var wrong = new ArrayList<ClipMark>();
+        add(wrong, scene, clipping.wrong().missing(), ClipMark.Ink.MISSING);
+        add(wrong, scene, clipping.wrong().extra(), ClipMark.Ink.EXTRA);
         return of(scene, clipping, "", step, wrong, locale);
     }
 
@@ -55,9 +55,9 @@ record ClipPicture(
                         edges(results.scene(), other),
                         edges(results.scene(), results.clipping()),
                         results.unit());
-        var wrong = new ArrayList<Drawn>();
-        add(wrong, results.scene(), between.missing(), Drawn.Ink.ONLY_SECOND);
-        add(wrong, results.scene(), between.extra(), Drawn.Ink.ONLY_FIRST);
+        var wrong = new ArrayList<ClipMark>();
+        add(wrong, results.scene(), between.missing(), ClipMark.Ink.ONLY_SECOND);
+        add(wrong, results.scene(), between.extra(), ClipMark.Ink.ONLY_FIRST);
         return of(results.scene(), results.clipping(), other.method(), step, wrong, locale);
     }
 
@@ -67,12 +67,12 @@ record ClipPicture(
     }
 
     private static void add(
-            List<Drawn> wrong, ClipScene scene, List<double[]> edges, Drawn.Ink ink) {
+            List<ClipMark> wrong, ClipScene scene, List<double[]> edges, ClipMark.Ink ink) {
         List<double[]> shown =
                 scene instanceof VolumeScene volume
                         ? VolumeDrawing.inPicture(volume, edges)
                         : edges;
-        for (double[] edge : shown) wrong.add(Drawn.Line.of(edge, ink));
+        for (double[] edge : shown) wrong.add(ClipMark.Line.of(edge, ink));
     }
 
     private static ClipPicture of(
@@ -80,9 +80,9 @@ record ClipPicture(
             Clipping clipping,
             String other,
             int step,
-            List<Drawn> wrong,
+            List<ClipMark> wrong,
             Locale locale) {
-        List<Drawn> drawn;
+        List<ClipMark> drawn;
         if (scene instanceof SegmentScene segments)
             drawn = SegmentDrawing.of(segments, clipping, step, wrong, locale);
         else if (scene instanceof PolygonScene polygon)
@@ -100,7 +100,7 @@ record ClipPicture(
     @Override
     public List<Line2D> lines(PlaneMap map, Rectangle view) {
         var inView = new InView(map, view);
-        return Stream.of(Drawn.Ink.GIVEN, Drawn.Ink.WINDOW)
+        return Stream.of(ClipMark.Ink.GIVEN, ClipMark.Ink.WINDOW)
                 .flatMap(ink -> ClipPainter.segments(drawn, inView, ink).stream())
                 .toList();
     }

@@ -10,7 +10,7 @@ final class PolygonDrawing {
     private static final double BEYOND = 100;
 
     private final PolygonScene scene;
-    private final List<Drawn> drawn = new ArrayList<>();
+    private final List<ClipMark> drawn = new ArrayList<>();
 
     private PolygonDrawing(PolygonScene scene) {
         this.scene = scene;
@@ -20,12 +20,12 @@ final class PolygonDrawing {
      * @param step as {@link ClipLabState#step}
      * @param wrong marked when the result is shown
      */
-    static List<Drawn> of(PolygonScene scene, Clipping clipping, int step, List<Drawn> wrong) {
+    static List<ClipMark> of(PolygonScene scene, Clipping clipping, int step, List<ClipMark> wrong) {
         var drawing = new PolygonDrawing(scene);
-        drawing.add(new Drawn.Area(scene.window().corners(), Drawn.Ink.WINDOW));
-        drawing.add(new Drawn.Area(scene.subject(), Drawn.Ink.GIVEN));
-        drawing.add(new Drawn.Line(scene.window().corners(), true, Drawn.Ink.WINDOW));
-        drawing.add(new Drawn.Line(scene.subject(), true, Drawn.Ink.GIVEN));
+        drawing.add(new ClipMark.Area(scene.window().corners(), ClipMark.Ink.WINDOW));
+        drawing.add(new ClipMark.Area(scene.subject(), ClipMark.Ink.GIVEN));
+        drawing.add(new ClipMark.Line(scene.window().corners(), true, ClipMark.Ink.WINDOW));
+        drawing.add(new ClipMark.Line(scene.subject(), true, ClipMark.Ink.GIVEN));
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.pieces(clipping);
         else if (step > 0) drawing.step(clipping.steps().get(step - 1));
@@ -33,38 +33,38 @@ final class PolygonDrawing {
         return drawing.drawn;
     }
 
-    private void add(Drawn one) {
+    private void add(ClipMark one) {
         drawn.add(one);
     }
 
     private void pieces(Clipping clipping) {
         for (Clipping.Part part : clipping.parts()) {
             List<Place> corners = PlaneFigures.points(part.coordinates());
-            add(new Drawn.Area(corners, Drawn.Ink.LEFT));
-            add(new Drawn.Line(corners, true, Drawn.Ink.LEFT));
+            add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
+            add(new ClipMark.Line(corners, true, ClipMark.Ink.LEFT));
         }
     }
 
     private void step(ClipStep step) {
         List<Place> corners = PlaneFigures.points(step.left());
         boolean open = step.border() < 0;
-        if (!open) add(new Drawn.Area(corners, Drawn.Ink.LEFT));
+        if (!open) add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
         if (!open)
-            add(Drawn.Line.of(continued(side(scene.window(), step.border())), Drawn.Ink.TESTED));
-        add(new Drawn.Line(corners, !open, Drawn.Ink.STEP));
+            add(ClipMark.Line.of(continued(side(scene.window(), step.border())), ClipMark.Ink.TESTED));
+        add(new ClipMark.Line(corners, !open, ClipMark.Ink.STEP));
         if (step.passing() == ClipStep.Passing.BOTH) passage(step.places());
     }
 
     private void passage(double[] places) {
-        sign(places, 0, Drawn.Shape.ENTERING);
-        sign(places, 2, Drawn.Shape.LEAVING);
+        sign(places, 0, ClipMark.Shape.ENTERING);
+        sign(places, 2, ClipMark.Shape.LEAVING);
     }
 
-    private void sign(double[] places, int at, Drawn.Shape shape) {
+    private void sign(double[] places, int at, ClipMark.Shape shape) {
         var place = new Place(places[at], places[at + 1]);
         double[] way = inward(place);
-        double sense = shape == Drawn.Shape.ENTERING ? 1 : -1;
-        add(new Drawn.Sign(place, sense * way[0], sense * way[1], shape, ""));
+        double sense = shape == ClipMark.Shape.ENTERING ? 1 : -1;
+        add(new ClipMark.Sign(place, sense * way[0], sense * way[1], shape, ""));
     }
 
     /** The direction from a place on the rim towards the middle of the window. */

@@ -12,7 +12,7 @@ final class SegmentDrawing {
 
     private final SegmentScene scene;
     private final Locale locale;
-    private final List<Drawn> drawn = new ArrayList<>();
+    private final List<ClipMark> drawn = new ArrayList<>();
 
     private SegmentDrawing(SegmentScene scene, Locale locale) {
         this.scene = scene;
@@ -23,13 +23,13 @@ final class SegmentDrawing {
      * @param step as {@link ClipLabState#step}
      * @param wrong marked when the result is shown
      */
-    static List<Drawn> of(
-            SegmentScene scene, Clipping clipping, int step, List<Drawn> wrong, Locale locale) {
+    static List<ClipMark> of(
+            SegmentScene scene, Clipping clipping, int step, List<ClipMark> wrong, Locale locale) {
         var drawing = new SegmentDrawing(scene, locale);
         drawing.window(scene.window());
         if (scene.window().upright()) drawing.regions(scene.window().rectangle());
         for (PlaneSegment segment : scene.segments())
-            drawing.add(Drawn.Line.of(segment.ends(), Drawn.Ink.GIVEN));
+            drawing.add(ClipMark.Line.of(segment.ends(), ClipMark.Ink.GIVEN));
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.parts(clipping, Integer.MAX_VALUE);
         else if (step > 0) drawing.step(clipping, clipping.steps().get(step - 1));
@@ -37,25 +37,25 @@ final class SegmentDrawing {
         return drawing.drawn;
     }
 
-    private void add(Drawn one) {
+    private void add(ClipMark one) {
         drawn.add(one);
     }
 
     private void window(ShownWindow window) {
-        add(new Drawn.Area(window.corners(), Drawn.Ink.WINDOW));
+        add(new ClipMark.Area(window.corners(), ClipMark.Ink.WINDOW));
         if (window.upright())
-            for (int i = 0; i < 4; i++) add(endless(window.rectangle(), i, Drawn.Ink.HELP));
-        add(new Drawn.Line(window.corners(), true, Drawn.Ink.WINDOW));
+            for (int i = 0; i < 4; i++) add(endless(window.rectangle(), i, ClipMark.Ink.HELP));
+        add(new ClipMark.Line(window.corners(), true, ClipMark.Ink.WINDOW));
     }
 
     /** The line that holds a side of a rectangle. */
-    private static Drawn endless(ClipWindow sides, int side, Drawn.Ink ink) {
+    private static ClipMark endless(ClipWindow sides, int side, ClipMark.Ink ink) {
         double far = FAR * sides.unit();
         double x = side == 1 ? sides.xmax() : sides.xmin();
         double y = side == 2 ? sides.ymax() : sides.ymin();
         return side % 2 == 0
-                ? Drawn.Line.of(new double[] {sides.xmin() - far, y, sides.xmax() + far, y}, ink)
-                : Drawn.Line.of(new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
+                ? ClipMark.Line.of(new double[] {sides.xmin() - far, y, sides.xmax() + far, y}, ink)
+                : ClipMark.Line.of(new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
     }
 
     /** The codes of the nine regions. */
@@ -65,7 +65,7 @@ final class SegmentDrawing {
         for (int column = 0; column < 3; column++)
             for (int row = 0; row < 3; row++)
                 add(
-                        new Drawn.Region(
+                        new ClipMark.Region(
                                 xs[column],
                                 ys[row],
                                 xs[column + 1],
@@ -83,17 +83,17 @@ final class SegmentDrawing {
     /** What is left of the segments before one. */
     private void parts(Clipping clipping, int before) {
         for (Clipping.Part part : clipping.parts())
-            if (part.item() < before) add(Drawn.Line.of(part.coordinates(), Drawn.Ink.LEFT));
+            if (part.item() < before) add(ClipMark.Line.of(part.coordinates(), ClipMark.Ink.LEFT));
     }
 
     private void step(Clipping clipping, ClipStep step) {
         parts(clipping, step.item());
         if (step.border() >= 0) add(tested(step.border()));
-        add(Drawn.Line.of(step.left(), Drawn.Ink.STEP));
+        add(ClipMark.Line.of(step.left(), ClipMark.Ink.STEP));
         double[] ends = scene.segments().get(step.item()).ends();
         if (step.places().length > 0)
             add(
-                    new Drawn.Sign(
+                    new ClipMark.Sign(
                             new Place(step.places()[0], step.places()[1]),
                             ends[2] - ends[0],
                             ends[3] - ends[1],
@@ -101,17 +101,17 @@ final class SegmentDrawing {
                             Codes.decision(clipping.decidesByCode(), step, locale)));
     }
 
-    static Drawn.Shape shape(ClipStep.Passing passing) {
+    static ClipMark.Shape shape(ClipStep.Passing passing) {
         return switch (passing) {
-            case ENTERING -> Drawn.Shape.ENTERING;
-            case LEAVING -> Drawn.Shape.LEAVING;
-            case BOTH, NONE -> Drawn.Shape.TESTED;
+            case ENTERING -> ClipMark.Shape.ENTERING;
+            case LEAVING -> ClipMark.Shape.LEAVING;
+            case BOTH, NONE -> ClipMark.Shape.TESTED;
         };
     }
 
-    private Drawn tested(int border) {
+    private ClipMark tested(int border) {
         if (scene.window().upright())
-            return endless(scene.window().rectangle(), border, Drawn.Ink.TESTED);
-        return Drawn.Line.of(PolygonDrawing.side(scene.window(), border), Drawn.Ink.TESTED);
+            return endless(scene.window().rectangle(), border, ClipMark.Ink.TESTED);
+        return ClipMark.Line.of(PolygonDrawing.side(scene.window(), border), ClipMark.Ink.TESTED);
     }
 }

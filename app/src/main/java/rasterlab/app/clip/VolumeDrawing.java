@@ -18,7 +18,7 @@ final class VolumeDrawing {
     private final VolumeScene scene;
     private final VolumePicture picture;
     private final Locale locale;
-    private final List<Drawn> drawn = new ArrayList<>();
+    private final List<ClipMark> drawn = new ArrayList<>();
 
     private VolumeDrawing(VolumeScene scene, Locale locale) {
         this.scene = scene;
@@ -30,13 +30,13 @@ final class VolumeDrawing {
      * @param step as {@link ClipLabState#step}
      * @param wrong what is wrong, marked when the result is shown
      */
-    static List<Drawn> of(
-            VolumeScene scene, Clipping clipping, int step, List<Drawn> wrong, Locale locale) {
+    static List<ClipMark> of(
+            VolumeScene scene, Clipping clipping, int step, List<ClipMark> wrong, Locale locale) {
         var drawing = new VolumeDrawing(scene, locale);
         ClipStep current =
                 step > 0 && step <= clipping.steps().size() ? clipping.steps().get(step - 1) : null;
         drawing.volume(current == null ? -1 : current.border());
-        for (SpaceSegment segment : scene.segments()) drawing.line(segment.ends(), Drawn.Ink.GIVEN);
+        for (SpaceSegment segment : scene.segments()) drawing.line(segment.ends(), ClipMark.Ink.GIVEN);
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.parts(clipping, Integer.MAX_VALUE);
         if (current != null) drawing.step(clipping, current);
@@ -74,15 +74,15 @@ final class VolumeDrawing {
     /** The six faces; an edge between two that are turned away is behind the others. */
     private void volume(int tested) {
         if (scene.space() != VolumeSpace.CANONICAL) eye();
-        add(new Drawn.Area(face(4), Drawn.Ink.WINDOW));
-        add(new Drawn.Area(face(5), Drawn.Ink.WINDOW));
+        add(new ClipMark.Area(face(4), ClipMark.Ink.WINDOW));
+        add(new ClipMark.Area(face(5), ClipMark.Ink.WINDOW));
         var seen = new boolean[6];
         for (int face = 0; face < 6; face++) seen[face] = scene.view().faces(outward(face));
-        if (tested >= 0) add(new Drawn.Area(face(tested), Drawn.Ink.TESTED));
+        if (tested >= 0) add(new ClipMark.Area(face(tested), ClipMark.Ink.TESTED));
         for (int one = 0; one < 6; one++)
             for (int other = one + 1; other < 6; other++)
                 edge(one, other, seen[one] || seen[other]);
-        if (tested >= 0) add(new Drawn.Line(face(tested), true, Drawn.Ink.TESTED));
+        if (tested >= 0) add(new ClipMark.Line(face(tested), true, ClipMark.Ink.TESTED));
     }
 
     private void edge(int one, int other, boolean seen) {
@@ -92,7 +92,7 @@ final class VolumeDrawing {
                         .toArray();
         if (shared.length != 2) return;
         List<Place> ends = List.of(picture.of(corner(shared[0])), picture.of(corner(shared[1])));
-        add(new Drawn.Line(ends, false, seen ? Drawn.Ink.WINDOW : Drawn.Ink.HIDDEN));
+        add(new ClipMark.Line(ends, false, seen ? ClipMark.Ink.WINDOW : ClipMark.Ink.HIDDEN));
     }
 
     private List<Place> face(int face) {
@@ -121,22 +121,22 @@ final class VolumeDrawing {
     private void eye() {
         Place at = picture.of(new SpacePoint(0, 0, 0));
         for (int i = 0; i < 4; i++)
-            add(new Drawn.Line(List.of(at, picture.of(corner(i))), false, Drawn.Ink.HELP));
+            add(new ClipMark.Line(List.of(at, picture.of(corner(i))), false, ClipMark.Ink.HELP));
         Place ahead = picture.of(new SpacePoint(0, 0, 1));
-        add(new Drawn.Sign(at, ahead.x() - at.x(), ahead.y() - at.y(), Drawn.Shape.EYE, ""));
+        add(new ClipMark.Sign(at, ahead.x() - at.x(), ahead.y() - at.y(), ClipMark.Shape.EYE, ""));
     }
 
-    private void add(Drawn one) {
+    private void add(ClipMark one) {
         drawn.add(one);
     }
 
     /** A segment of the normalised space; after the division only what lies before the eye. */
-    private void line(double[] ends, Drawn.Ink ink) {
+    private void line(double[] ends, ClipMark.Ink ink) {
         if (ends.length == 0) return;
         double[] shown = scene.space() == VolumeSpace.CANONICAL ? inFront(ends) : ends;
         if (shown.length > 0)
             add(
-                    new Drawn.Line(
+                    new ClipMark.Line(
                             List.of(picture.of(first(shown)), picture.of(second(shown))),
                             false,
                             ink));
@@ -156,12 +156,12 @@ final class VolumeDrawing {
 
     private void parts(Clipping clipping, int before) {
         for (Clipping.Part part : clipping.parts())
-            if (part.item() < before) line(part.coordinates(), Drawn.Ink.LEFT);
+            if (part.item() < before) line(part.coordinates(), ClipMark.Ink.LEFT);
     }
 
     private void step(Clipping clipping, ClipStep step) {
         parts(clipping, step.item());
-        line(step.left(), Drawn.Ink.STEP);
+        line(step.left(), ClipMark.Ink.STEP);
         if (step.places().length == 0) return;
         double[] ends = scene.segments().get(step.item()).ends();
         Place from = picture.of(first(ends));
@@ -169,7 +169,7 @@ final class VolumeDrawing {
         var at = new SpacePoint(step.places()[0], step.places()[1], step.places()[2]);
         if (picture.inFront(at))
             add(
-                    new Drawn.Sign(
+                    new ClipMark.Sign(
                             picture.of(at),
                             to.x() - from.x(),
                             to.y() - from.y(),

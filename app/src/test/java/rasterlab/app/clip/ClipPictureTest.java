@@ -28,23 +28,23 @@ class ClipPictureTest {
 
     private final ClipTopics topics = new ClipTopics();
 
-    private List<Drawn> drawn(ClipScene scene, int step) {
+    private List<ClipMark> drawn(ClipScene scene, int step) {
         ClipResults results = ClipResults.of(topics, scene);
         int shown = step < 0 ? results.clipping().steps().size() + 1 : step;
         return ClipPicture.of(scene, results.clipping(), shown, Locale.ENGLISH).drawn();
     }
 
-    private static Stream<Drawn.Line> lines(List<Drawn> drawn, Drawn.Ink ink) {
+    private static Stream<ClipMark.Line> lines(List<ClipMark> drawn, ClipMark.Ink ink) {
         return drawn.stream()
-                .filter(Drawn.Line.class::isInstance)
-                .map(Drawn.Line.class::cast)
+                .filter(ClipMark.Line.class::isInstance)
+                .map(ClipMark.Line.class::cast)
                 .filter(line -> line.ink() == ink);
     }
 
-    private static Stream<Drawn.Sign> signs(List<Drawn> drawn, Drawn.Shape shape) {
+    private static Stream<ClipMark.Sign> signs(List<ClipMark> drawn, ClipMark.Shape shape) {
         return drawn.stream()
-                .filter(Drawn.Sign.class::isInstance)
-                .map(Drawn.Sign.class::cast)
+                .filter(ClipMark.Sign.class::isInstance)
+                .map(ClipMark.Sign.class::cast)
                 .filter(sign -> sign.shape() == shape);
     }
 
@@ -52,8 +52,8 @@ class ClipPictureTest {
     void writesTheCodesOfTheNineRegions() {
         List<String> codes =
                 drawn(SegmentScene.first(), 0).stream()
-                        .filter(Drawn.Region.class::isInstance)
-                        .map(region -> ((Drawn.Region) region).words())
+                        .filter(ClipMark.Region.class::isInstance)
+                        .map(region -> ((ClipMark.Region) region).words())
                         .toList();
         assertEquals(
                 List.of("1010", "1000", "1001", "0010", "0000", "0001", "0110", "0100", "0101"),
@@ -62,54 +62,54 @@ class ClipPictureTest {
 
     @Test
     void stepShowsItsSideItsPlaceAndItsNumber() {
-        List<Drawn> drawn = drawn(SegmentScene.first().withMethod("liang-barsky"), 1);
-        Drawn.Line tested = lines(drawn, Drawn.Ink.TESTED).findFirst().orElseThrow();
+        List<ClipMark> drawn = drawn(SegmentScene.first().withMethod("liang-barsky"), 1);
+        ClipMark.Line tested = lines(drawn, ClipMark.Ink.TESTED).findFirst().orElseThrow();
         assertTrue(tested.points().stream().allMatch(p -> p.x() == 0), "the left side");
-        Drawn.Sign enters = signs(drawn, Drawn.Shape.ENTERING).findFirst().orElseThrow();
+        ClipMark.Sign enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow();
         assertEquals(0, enters.at().x(), 1e-12);
         assertEquals("t = 0.2", enters.words());
-        assertEquals(0, lines(drawn, Drawn.Ink.LEFT).count(), "a result before its time");
+        assertEquals(0, lines(drawn, ClipMark.Ink.LEFT).count(), "a result before its time");
     }
 
     @Test
     void codeStepsShowTheCode() {
-        List<Drawn> drawn = drawn(SegmentScene.first(), 1);
-        Drawn.Sign enters = signs(drawn, Drawn.Shape.ENTERING).findFirst().orElseThrow();
+        List<ClipMark> drawn = drawn(SegmentScene.first(), 1);
+        ClipMark.Sign enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow();
         assertEquals("1010", enters.words());
     }
 
     @Test
     void resultMarksWhatIsWrongByKind() {
-        List<Drawn> right = drawn(SegmentScene.first(), -1);
-        assertEquals(3, lines(right, Drawn.Ink.LEFT).count());
-        assertEquals(0, lines(right, Drawn.Ink.MISSING).count());
-        List<Drawn> wrong = drawn(SegmentScene.first().withMethod("cohen-sutherland-textbook"), -1);
-        assertTrue(lines(wrong, Drawn.Ink.MISSING).count() > 0);
-        assertTrue(lines(wrong, Drawn.Ink.EXTRA).count() > 0);
+        List<ClipMark> right = drawn(SegmentScene.first(), -1);
+        assertEquals(3, lines(right, ClipMark.Ink.LEFT).count());
+        assertEquals(0, lines(right, ClipMark.Ink.MISSING).count());
+        List<ClipMark> wrong = drawn(SegmentScene.first().withMethod("cohen-sutherland-textbook"), -1);
+        assertTrue(lines(wrong, ClipMark.Ink.MISSING).count() > 0);
+        assertTrue(lines(wrong, ClipMark.Ink.EXTRA).count() > 0);
     }
 
     @Test
     void weilerAthertonShowsWhereTheBoundaryEntersAndLeaves() {
         PolygonScene scene = PolygonScene.first().withMethod("weiler-atherton");
-        List<Drawn> drawn = drawn(scene, 1);
-        Place enters = signs(drawn, Drawn.Shape.ENTERING).findFirst().orElseThrow().at();
-        Place leaves = signs(drawn, Drawn.Shape.LEAVING).findFirst().orElseThrow().at();
+        List<ClipMark> drawn = drawn(scene, 1);
+        Place enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow().at();
+        Place leaves = signs(drawn, ClipMark.Shape.LEAVING).findFirst().orElseThrow().at();
         for (Place place : List.of(enters, leaves))
             assertTrue(place.x() == 0 || place.x() == 10 || place.y() == 6, place.toString());
     }
 
     @Test
     void sutherlandHodgmanShowsTheLineOfTheSide() {
-        Drawn.Line tested =
-                lines(drawn(PolygonScene.first(), 2), Drawn.Ink.TESTED).findFirst().orElseThrow();
+        ClipMark.Line tested =
+                lines(drawn(PolygonScene.first(), 2), ClipMark.Ink.TESTED).findFirst().orElseThrow();
         assertTrue(tested.points().stream().allMatch(p -> p.x() == 10), "the right side");
     }
 
     @Test
     void volumeHasTwelveEdgesAndHidesThoseBehind() {
-        List<Drawn> drawn = drawn(VolumeScene.first(), 0);
-        long seen = lines(drawn, Drawn.Ink.WINDOW).count();
-        long hidden = lines(drawn, Drawn.Ink.HIDDEN).count();
+        List<ClipMark> drawn = drawn(VolumeScene.first(), 0);
+        long seen = lines(drawn, ClipMark.Ink.WINDOW).count();
+        long hidden = lines(drawn, ClipMark.Ink.HIDDEN).count();
         assertEquals(12, seen + hidden);
         assertTrue(hidden > 0 && hidden < seen, hidden + " of 12 hidden");
     }
@@ -128,7 +128,7 @@ class ClipPictureTest {
     void boxAfterTheDivisionIsSquare() {
         VolumeScene scene =
                 VolumeScene.first().withSpace(VolumeSpace.CANONICAL).withView(new Viewpoint(0, 0));
-        for (Drawn.Line edge : lines(drawn(scene, 0), Drawn.Ink.WINDOW).toList())
+        for (ClipMark.Line edge : lines(drawn(scene, 0), ClipMark.Ink.WINDOW).toList())
             for (Place corner : edge.points()) {
                 assertEquals(1, Math.abs(corner.x()), 1e-12);
                 assertEquals(1, Math.abs(corner.y()), 1e-12);

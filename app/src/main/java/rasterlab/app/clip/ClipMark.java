@@ -3,7 +3,7 @@ package rasterlab.app.clip;
 import java.util.List;
 
 /** One thing in the picture, in plane coordinates; {@link ClipPainter} knows how it looks. */
-sealed interface Drawn {
+sealed interface ClipMark {
     /** What a line or an area stands for. */
     enum Ink {
         /** The window or volume and its sides. */
@@ -43,14 +43,14 @@ sealed interface Drawn {
     }
 
     /** A line through points in turn, and back to the first one if it is closed. */
-    record Line(List<Place> points, boolean closed, Ink ink) implements Drawn {
+    record Line(List<Place> points, boolean closed, Ink ink) implements ClipMark {
         static Line of(double[] ends, Ink ink) {
             return new Line(PlaneFigures.points(ends), false, ink);
         }
     }
 
     /** The inside of a closed line. */
-    record Area(List<Place> corners, Ink ink) implements Drawn {}
+    record Area(List<Place> corners, Ink ink) implements ClipMark {}
 
     /**
      * A sign.
@@ -58,9 +58,9 @@ sealed interface Drawn {
      * @param dx the way an arrow head points, with dy
      * @param words beside it, "" for none
      */
-    record Sign(Place at, double dx, double dy, Shape shape, String words) implements Drawn {}
+    record Sign(Place at, double dx, double dy, Shape shape, String words) implements ClipMark {}
 
     /** Words in the middle of what is seen of a region, whose ends may be infinite. */
     record Region(double xmin, double ymin, double xmax, double ymax, String words)
-            implements Drawn {}
+            implements ClipMark {}
 }
