@@ -93,7 +93,7 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
         if (rowStep(task) == 1) return exact(task, limit);
         PixelPredicate part = part(task);
         var recording = new PixelRecording(limit);
-        new ExactFill(task)
+        new ExactSeedFill(task)
                 .fill(
                         (x, y) -> {
                             if (part.test(x, y) && recording.size() < limit) recording.plot(x, y);
@@ -130,7 +130,7 @@ public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecordi
     @Override
     public PixelRecording exact(FillTask task, int limit) {
         var recording = new PixelRecording(limit);
-        new ExactFill(task)
+        new ExactSeedFill(task)
                 .fill(
                         (x, y) -> {
                             if (recording.size() < limit) recording.plot(x, y);

@@ -47,7 +47,7 @@ final class FilledPicture implements PixelGrid {
     private Set<Integer> region() {
         if (region == null) {
             region = new HashSet<>();
-            new ExactFill(task).fill((x, y) -> region.add(y * width() + x));
+            new ExactSeedFill(task).fill((x, y) -> region.add(y * width() + x));
         }
         return region;
     }

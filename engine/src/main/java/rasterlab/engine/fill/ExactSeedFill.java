@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import rasterlab.contract.Pixels;
 
 /** The reference: breadth first over a grid of booleans, every pixel looked at from each side. */
-final class ExactFill {
+final class ExactSeedFill {
     private final boolean[][] open;
     private final int reach;
 
@@ -13,7 +13,7 @@ final class ExactFill {
 
     private final FillTask task;
 
-    ExactFill(FillTask task) {
+    ExactSeedFill(FillTask task) {
         this.task = task;
         int[][] colours =
                 task.rows().stream().map(r -> r.codePoints().toArray()).toArray(int[][]::new);
