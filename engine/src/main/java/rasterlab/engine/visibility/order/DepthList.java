@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /** Polygons by their largest depth, the farthest last. */
 final class DepthList {
-    private final List<Extent> sorted = new ArrayList<>();
+    private final List<FacetExtent> sorted = new ArrayList<>();
 
     boolean isEmpty() {
         return sorted.isEmpty();
@@ -17,7 +17,7 @@ final class DepthList {
     }
 
     /** Puts one in its place, before those of the same depth. */
-    void add(Extent extent) {
+    void add(FacetExtent extent) {
         sorted.add(placeOf(extent.mostZ()), extent);
     }
 
@@ -33,11 +33,11 @@ final class DepthList {
         return low;
     }
 
-    Extent removeFarthest() {
+    FacetExtent removeFarthest() {
         return sorted.remove(sorted.size() - 1);
     }
 
-    void remove(Extent extent) {
+    void remove(FacetExtent extent) {
         int place = placeOf(extent.mostZ());
         while (sorted.get(place) != extent) place++;
         sorted.remove(place);
@@ -47,9 +47,9 @@ final class DepthList {
      * The farthest polygon of which P may hide something. Once one is not as far as P's nearest
      * corner, none before it is.
      */
-    Optional<Extent> firstHidden(Extent p, FiveTests tests) {
+    Optional<FacetExtent> firstHidden(FacetExtent p, FiveTests tests) {
         for (int i = sorted.size() - 1; i >= 0; i--) {
-            Extent q = sorted.get(i);
+            FacetExtent q = sorted.get(i);
             if (p.clearlyBehind(q)) return Optional.empty();
             if (tests.mayHide(p, q)) return Optional.of(q);
         }

@@ -25,7 +25,7 @@ final class FiveTests {
     private long comparisons;
 
     /** Whether P may hide something of Q, all tests having said no. */
-    boolean mayHide(Extent p, Extent q) {
+    boolean mayHide(FacetExtent p, FacetExtent q) {
         comparisons++;
         if (p.clearlyBehind(q) || yes(0, p.apartInX(q)) || yes(1, p.apartInY(q))) return false;
         int sidesOfQ = sides(2, q.facet(), p.facet());
@@ -49,7 +49,7 @@ final class FiveTests {
         return one.plane().sides(other.seen());
     }
 
-    private boolean outlinesApart(Extent p, Extent q) {
+    private boolean outlinesApart(FacetExtent p, FacetExtent q) {
         asked[4]++;
         return edgeParts(p.facet(), q.facet()) || edgeParts(q.facet(), p.facet());
     }

@@ -65,7 +65,7 @@ final class Newell implements SteppedOrder {
         private final DepthList left = new DepthList();
 
         /** P is the last; each before it is marked and waits for the next. */
-        private final List<Extent> waiting = new ArrayList<>();
+        private final List<FacetExtent> waiting = new ArrayList<>();
 
         private final int polygons;
         private long splits;
@@ -84,8 +84,8 @@ final class Newell implements SteppedOrder {
                 else left.add(extent(facet));
         }
 
-        private Extent extent(Facet facet) {
-            return new Extent(facet, frame);
+        private FacetExtent extent(Facet facet) {
+            return new FacetExtent(facet, frame);
         }
 
         @Override
@@ -132,7 +132,7 @@ final class Newell implements SteppedOrder {
         }
 
         /** Paints P, moves one before it, or cuts one of a circle. */
-        private void resolve(Extent p) {
+        private void resolve(FacetExtent p) {
             int marked = hiddenAmongMarked(p);
             if (marked >= 0) {
                 if (!cutCircle(marked)) paint(p);
@@ -141,25 +141,25 @@ final class Newell implements SteppedOrder {
             left.firstHidden(p, tests).ifPresentOrElse(q -> move(q, p), () -> paint(p));
         }
 
-        private void move(Extent q, Extent p) {
+        private void move(FacetExtent q, FacetExtent p) {
             left.remove(q);
             waiting.add(q);
             step = step(OrderStep.Kind.MOVE, q, p);
         }
 
-        private OrderStep step(OrderStep.Kind kind, Extent one, Extent other) {
+        private OrderStep step(OrderStep.Kind kind, FacetExtent one, FacetExtent other) {
             double depth = Math.scalb(one.mostZ(), exponent);
             return new OrderStep(kind, one.facet().polygon(), other.facet().polygon(), depth);
         }
 
-        private void paint(Extent p) {
+        private void paint(FacetExtent p) {
             waiting.remove(waiting.size() - 1);
             give(p.facet());
             step = step(OrderStep.Kind.PAINT, p, p);
         }
 
         /** The place of the first marked polygon of which P may hide something, or −1. */
-        private int hiddenAmongMarked(Extent p) {
+        private int hiddenAmongMarked(FacetExtent p) {
             for (int i = 0; i < waiting.size() - 1; i++)
                 if (tests.mayHide(p, waiting.get(i))) return i;
             return -1;
@@ -178,12 +178,12 @@ final class Newell implements SteppedOrder {
             return false;
         }
 
-        private boolean cutOneOf(Extent a, Extent b) {
+        private boolean cutOneOf(FacetExtent a, FacetExtent b) {
             if (cut(a, b, b.facet().plane()) || cut(b, a, a.facet().plane())) return true;
             return cutAlongEdges(a, b) || cutAlongEdges(b, a);
         }
 
-        private boolean cutAlongEdges(Extent one, Extent by) {
+        private boolean cutAlongEdges(FacetExtent one, FacetExtent by) {
             for (int edge = 0; edge < by.facet().seen().length / 3; edge++)
                 if (cut(one, by, EyePlane.throughEdge(by.facet(), edge))) return true;
             return false;
@@ -193,11 +193,11 @@ final class Newell implements SteppedOrder {
          * Cuts one if it has corners on both sides. What waited for it still does; those that came
          * after it are sorted in again with its pieces.
          */
-        private boolean cut(Extent one, Extent by, EyePlane plane) {
+        private boolean cut(FacetExtent one, FacetExtent by, EyePlane plane) {
             if (plane.sides(one.facet().seen()) != (EyePlane.NEAR | EyePlane.FAR)) return false;
             splits++;
-            List<Extent> later = waiting.subList(waiting.indexOf(one), waiting.size());
-            for (Extent each : later) if (each != one) left.add(each);
+            List<FacetExtent> later = waiting.subList(waiting.indexOf(one), waiting.size());
+            for (FacetExtent each : later) if (each != one) left.add(each);
             later.clear();
             for (Facet piece : one.facet().cut(plane)) left.add(extent(piece));
             step = step(OrderStep.Kind.CUT, one, by);

@@ -5,7 +5,7 @@ package rasterlab.engine.visibility.order;
  *
  * <p>All its corners are in front of the eye, z &gt; 0.
  */
-final class Extent {
+final class FacetExtent {
     /** Depths that differ by less than this factor may be equal but for rounding. */
     private static final double LEVEL = 1 + 0x1p-44;
 
@@ -20,7 +20,7 @@ final class Extent {
     /**
      * @throws IllegalArgumentException naming the polygon if it reaches behind the eye
      */
-    Extent(Facet facet, EyeFrame frame) {
+    FacetExtent(Facet facet, EyeFrame frame) {
         this.facet = facet;
         double[] seen = facet.seen();
         for (int i = 0; i < seen.length / 3; i++) {
@@ -56,20 +56,20 @@ final class Extent {
     }
 
     /** Whether every point of the other is nearer than all of this, or level with its nearest. */
-    boolean behind(Extent other) {
+    boolean behind(FacetExtent other) {
         return leastZ >= other.mostZ;
     }
 
     /** Whether every point of the other is nearer than all of this by more than rounding. */
-    boolean clearlyBehind(Extent other) {
+    boolean clearlyBehind(FacetExtent other) {
         return leastZ > other.mostZ * LEVEL;
     }
 
-    boolean apartInX(Extent other) {
+    boolean apartInX(FacetExtent other) {
         return leastX >= other.mostX || other.leastX >= mostX;
     }
 
-    boolean apartInY(Extent other) {
+    boolean apartInY(FacetExtent other) {
         return leastY >= other.mostY || other.leastY >= mostY;
     }
 }
