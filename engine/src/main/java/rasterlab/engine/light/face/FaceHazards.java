@@ -30,45 +30,45 @@ final class FaceHazards {
         return List.of(
                 hazard(
                         "dull-and-flat",
-                        Faces.face(
+                        FaceSamples.face(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                 new double[] {0, 0, 1, 0, 0, 1, 0, 0, 1},
                                 FAR,
                                 FAR,
-                                Faces.grey(0.5, 0, 0)),
+                                FaceSamples.grey(0.5, 0, 0)),
                         EXACT,
                         EXACT,
                         EXACT,
                         EXACT),
                 hazard(
                         "highlight-inside",
-                        Faces.dome(0.5, ABOVE, ABOVE, Faces.grey(0.4, 0.5, 60)),
+                        FaceSamples.dome(0.5, ABOVE, ABOVE, FaceSamples.grey(0.4, 0.5, 60)),
                         WRONG,
                         WRONG,
                         WRONG,
                         WRONG),
                 hazard(
                         "curved",
-                        Faces.dome(0.6, FAR, FAR, Faces.grey(0.8, 0, 0)),
+                        FaceSamples.dome(0.6, FAR, FAR, FaceSamples.grey(0.8, 0, 0)),
                         WRONG,
                         WRONG,
                         WRONG,
                         WRONG),
                 hazard(
                         "sum-above-1-at-the-corners",
-                        Faces.face(
+                        FaceSamples.face(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                 new double[] {0, 0, 1, 1, 0, 0.2, 0, 1, 0.2},
                                 FAR,
                                 FAR,
-                                Faces.grey(1, 0.5, 1)),
+                                FaceSamples.grey(1, 0.5, 1)),
                         WRONG,
                         WRONG,
                         WRONG,
                         WRONG),
                 hazard(
                         "close-and-slanted",
-                        Faces.face(tilted, across, FAR, ABOVE, Faces.grey(0.6, 0, 0)),
+                        FaceSamples.face(tilted, across, FAR, ABOVE, FaceSamples.grey(0.6, 0, 0)),
                         WRONG,
                         DEGRADED,
                         EXACT,
@@ -79,12 +79,12 @@ final class FaceHazards {
         return List.of(
                 hazard(
                         "lamp-in-the-plane",
-                        Faces.face(
+                        FaceSamples.face(
                                 new double[] {0, 0, 0, 5, 0, -6, 0, 5, -8},
                                 new double[] {6, 8, 5, 6, 8, 5, 12, 16, 10},
                                 new double[] {-5, 10, -10},
                                 new double[] {11, 3, 7},
-                                Faces.grey(0.5, 0.5, 1)),
+                                FaceSamples.grey(0.5, 0.5, 1)),
                         WRONG,
                         WRONG,
                         EXACT,
@@ -96,12 +96,12 @@ final class FaceHazards {
         return List.of(
                 hazard(
                         "zero-area-face",
-                        Faces.face(
+                        FaceSamples.face(
                                 new double[] {0, 0, 0, 1, 0, 0, 2, 0, 0},
                                 up,
                                 FAR,
                                 FAR,
-                                Faces.grey(0.5, 0, 0)),
+                                FaceSamples.grey(0.5, 0, 0)),
                         REFUSED,
                         REFUSED,
                         EXACT,
@@ -109,12 +109,12 @@ final class FaceHazards {
                 new Hazard<>(
                         "normals-cancel",
                         new FacePoints(
-                                Faces.face(
+                                FaceSamples.face(
                                         new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                         new double[] {1, 0, 0, -1, 0, 0, 0, 0, 1},
                                         ABOVE,
                                         ABOVE,
-                                        Faces.grey(0.5, 0, 0)),
+                                        FaceSamples.grey(0.5, 0, 0)),
                                 new double[] {0.5, 0.5, 0}),
                         recorded(WRONG, WRONG, WRONG, WRONG, REFUSED)));
     }

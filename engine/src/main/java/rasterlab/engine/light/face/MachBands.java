@@ -23,7 +23,7 @@ public final class MachBands {
 
     private static final double[] LAMP = {3, 0, 6};
     private static final double[] EYE = {0, 0, 8};
-    private static final SurfaceMaterial SHINY = Faces.grey(0.6, 0.35, 30);
+    private static final SurfaceMaterial SHINY = FaceSamples.grey(0.6, 0.35, 30);
 
     private MachBands() {}
 
@@ -48,7 +48,7 @@ public final class MachBands {
             place(west, 0, corners, 0);
             place(west + width, 0, corners, 3);
             place(west + width / 2, width, corners, 6);
-            faces.add(Faces.face(corners, corners, LAMP, EYE, SHINY));
+            faces.add(FaceSamples.face(corners, corners, LAMP, EYE, SHINY));
         }
         return faces;
     }

@@ -19,7 +19,7 @@ import rasterlab.engine.study.Deviation;
 
 class FaceShadingTest {
     private static final FaceTopic TOPIC = new FaceTopic();
-    private static final SurfaceMaterial SHINY = Faces.grey(0.5, 0.4, 40);
+    private static final SurfaceMaterial SHINY = FaceSamples.grey(0.5, 0.4, 40);
 
     @Property(tries = 150)
     void phongIsTheFormulaAtEveryPoint(@ForAll long seed) {
@@ -27,10 +27,10 @@ class FaceShadingTest {
         double[] corners = random.doubles(9, -1, 1).toArray();
         double[] normals = random.doubles(9, -1, 1).toArray();
         for (int k = 2; k < 9; k += 3) normals[k] = 1.5;
-        var material = Faces.grey(random.nextDouble(), random.nextDouble(), random.nextInt(200));
+        var material = FaceSamples.grey(random.nextDouble(), random.nextDouble(), random.nextInt(200));
         double[] lamp = random.doubles(3, 2, 5).toArray();
         double[] eye = random.doubles(3, 2, 5).toArray();
-        var points = FacePoints.grid(Faces.face(corners, normals, lamp, eye, material), 4);
+        var points = FacePoints.grid(FaceSamples.face(corners, normals, lamp, eye, material), 4);
         Deviation deviation =
                 TOPIC.compare(
                         points, TOPIC.exact(points, 99), TOPIC.record(method("phong"), points, 99));
@@ -40,7 +40,7 @@ class FaceShadingTest {
     @Test
     void formulasAreCounted() {
         double[] above = {1, 2, 5};
-        var points = FacePoints.grid(Faces.dome(0.4, above, above, SHINY), 4);
+        var points = FacePoints.grid(FaceSamples.dome(0.4, above, above, SHINY), 4);
         long count = points.weights().length / 3;
         assertEquals(Map.of("formulas", 1L), TOPIC.operations(method("flat"), points));
         assertEquals(Map.of("formulas", 3L), TOPIC.operations(method("gouraud"), points));
@@ -51,7 +51,7 @@ class FaceShadingTest {
     @Test
     void toldEvaluationsAreThoseOfTheFormula() {
         double[] lamp = {1, 2, 5};
-        var points = FacePoints.grid(Faces.dome(0.4, lamp, lamp, SHINY), 3);
+        var points = FacePoints.grid(FaceSamples.dome(0.4, lamp, lamp, SHINY), 3);
         var told = new ArrayList<Double>();
         double[] shades =
                 ((SteppedFace) method("phong"))
@@ -67,7 +67,7 @@ class FaceShadingTest {
     @Test
     void allButFlatAgreeAtTheCorners() {
         double[] above = {1, 2, 5};
-        LitFace face = Faces.dome(0.4, above, above, SHINY);
+        LitFace face = FaceSamples.dome(0.4, above, above, SHINY);
         double[] corners = {1, 0, 0, 0, 1, 0, 0, 0, 1};
         double[] phong = method("phong").shade(face, corners);
         assertArrayEquals(phong, method("gouraud").shade(face, corners), 1e-12);
@@ -107,7 +107,7 @@ class FaceShadingTest {
             double[] normals = corners.clone();
             normals[7] = 0;
             double[] far = {0, 0, away};
-            faces.add(Faces.face(corners, normals, far, far, Faces.grey(0.8, 0, 0)));
+            faces.add(FaceSamples.face(corners, normals, far, far, FaceSamples.grey(0.8, 0, 0)));
         }
         return faces;
     }
@@ -127,7 +127,7 @@ class FaceShadingTest {
 
     @Test
     void refusesWeightsThatAreNoMean() {
-        LitFace face = Faces.dome(0.4, new double[] {0, 0, 5}, new double[] {0, 0, 5}, SHINY);
+        LitFace face = FaceSamples.dome(0.4, new double[] {0, 0, 5}, new double[] {0, 0, 5}, SHINY);
         for (var method : TOPIC.methods()) {
             var refusal =
                     assertThrows(

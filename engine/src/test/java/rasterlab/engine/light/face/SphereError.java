@@ -38,7 +38,7 @@ public record SphereError(double worst, double mean, int points) {
                 for (int half = 0; half < 2; half++) {
                     double[] corners = corners(row, column, half, meridians, parallels);
                     if (corners.length == 0) continue;
-                    var face = Faces.face(corners, corners, LAMP, EYE, material);
+                    var face = FaceSamples.face(corners, corners, LAMP, EYE, material);
                     double[] weights = FacePoints.grid(face, ROWS).weights();
                     double[] shades = method.shade(face, weights);
                     for (int i = 0; i < shades.length; i += 3) {

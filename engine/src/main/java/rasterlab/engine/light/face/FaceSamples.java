@@ -5,8 +5,8 @@ import rasterlab.contract.LitFace;
 import rasterlab.contract.SurfaceMaterial;
 
 /** Faces to try methods on. */
-final class Faces {
-    private Faces() {}
+final class FaceSamples {
+    private FaceSamples() {}
 
     /**
      * A piece of a sphere of radius 1 about the origin, with its radii as normals.
