@@ -24,9 +24,9 @@ class FormulaFault(
 fun formulaFaults(
     markdown: String,
     formulas: Formulas,
-): List<FormulaFault> = buildList { statementTree(markdown).accept(Faults(formulas, this)) }
+): List<FormulaFault> = buildList { statementTree(markdown).accept(FaultVisitor(formulas, this)) }
 
-private class Faults(
+private class FaultVisitor(
     private val formulas: Formulas,
     private val found: MutableList<FormulaFault>,
 ) : AbstractVisitor() {
