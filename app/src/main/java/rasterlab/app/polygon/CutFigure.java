@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /** A polygon to be cut into triangles. */
-public record CutFigure(List<Place> corners) implements Figure {
+public record CutFigure(List<Place> corners) implements PolygonFigure {
     public CutFigure {
         corners = List.copyOf(corners);
     }

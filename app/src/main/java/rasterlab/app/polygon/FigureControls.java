@@ -60,7 +60,7 @@ final class FigureControls {
         return box;
     }
 
-    void refresh(Figure figure, Inspector column) {
+    void refresh(PolygonFigure figure, Inspector column) {
         whole.setVisible(figure instanceof InsideFigure);
         if (figure instanceof InsideFigure inside) whole.setSelected(inside.whole());
         boolean fill = figure instanceof FillFigure;

@@ -13,7 +13,7 @@ import rasterlab.engine.polygon.scan.PolygonTask;
  * @param height of the picture, in pixels
  */
 public record FillFigure(List<Place> corners, FillRule rule, int width, int height, BrushKind brush)
-        implements Figure {
+        implements PolygonFigure {
     public FillFigure {
         corners = List.copyOf(corners);
     }

@@ -13,7 +13,7 @@ import rasterlab.engine.polygon.ShapeAndPoints;
  * @param whole whether only points with whole coordinates are looked at
  */
 public record InsideFigure(boolean triangle, List<Place> corners, List<Place> points, boolean whole)
-        implements Figure {
+        implements PolygonFigure {
     public InsideFigure {
         corners = List.copyOf(corners);
         points = List.copyOf(points);

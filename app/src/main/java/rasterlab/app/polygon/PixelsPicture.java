@@ -26,7 +26,7 @@ import rasterlab.engine.surface.Brush;
  * @param wrong what is marked when the result is shown
  * @param step as {@link PolygonLabState#step}
  */
-record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wrong, int step)
+record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wrong wrong, int step)
         implements PlanePicture {
     /** The view units a pixel from which on lines between pixels and marks are drawn. */
     private static final double GRID = 5;

@@ -33,7 +33,7 @@ final class PolygonCommand {
                                         scene.method(), scene.comparison(), scene.mode().topic())));
     }
 
-    private static String input(Figure figure) {
+    private static String input(PolygonFigure figure) {
         if (figure instanceof InsideFigure inside)
             return inside.triangle()
                     ? CommandInput.signed(new PointInTriangleTopic().format(), inside.input())

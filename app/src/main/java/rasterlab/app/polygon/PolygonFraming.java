@@ -10,7 +10,7 @@ final class PolygonFraming {
 
     private PolygonFraming() {}
 
-    static Rectangle2D of(Figure figure) {
+    static Rectangle2D of(PolygonFigure figure) {
         if (figure instanceof FillFigure fill) return pixels(fill.width(), fill.height());
         if (figure instanceof SeedFigure seed) return pixels(seed.width(), seed.height());
         if (figure instanceof CutFigure cut) return around(cut.corners());

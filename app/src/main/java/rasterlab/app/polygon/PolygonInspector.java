@@ -165,7 +165,7 @@ final class PolygonInspector {
     void refresh() {
         PolygonLabState state = model.state();
         PolygonChoice choice = state.choice();
-        Figure figure = choice.scene().figure();
+        PolygonFigure figure = choice.scene().figure();
         mode.show(choice.mode().code());
         for (PolygonMode each : PolygonMode.values()) refreshMethods(each, choice);
         difference.setVisible(!choice.scene().comparison().isEmpty());

@@ -182,7 +182,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         if (figure() instanceof SeedFigure old) edit(change.apply(old));
     }
 
-    private Figure figure() {
+    private PolygonFigure figure() {
         return state.choice().scene().figure();
     }
 
@@ -268,7 +268,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         return false;
     }
 
-    private void edit(Figure figure) {
+    private void edit(PolygonFigure figure) {
         edit(state.choice().scene().with(figure));
     }
 
@@ -289,7 +289,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     }
 
     /** The grip, or the first one of a figure that does not have it. */
-    private static Grip existing(Figure figure, Grip grip) {
+    private static Grip existing(PolygonFigure figure, Grip grip) {
         Set<Grip> grips = figure.grips().keySet();
         return grips.contains(grip) || grips.isEmpty() ? grip : grips.iterator().next();
     }

@@ -10,7 +10,7 @@ import rasterlab.engine.raster.PixelRecording;
 record PolygonPictures(PolygonTopics topics, Texts texts) {
     /** A method beside the exact answer. */
     PlanePicture of(PolygonScene scene, Outcome outcome, int step) {
-        Figure figure = scene.figure();
+        PolygonFigure figure = scene.figure();
         if (outcome.answer() instanceof InsideAnswer inside)
             return judged(scene, outcome.method(), inside, "", step);
         if (outcome.answer() instanceof CutAnswer cut)
@@ -29,7 +29,7 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
     PlanePicture difference(PolygonResults results, int step) {
         Outcome first = results.outcome();
         Outcome second = results.other().orElseThrow();
-        Figure figure = results.scene().figure();
+        PolygonFigure figure = results.scene().figure();
         if (first.answer() instanceof InsideAnswer inside)
             return judged(results.scene(), first.method(), inside, second.method(), step);
         if (first.answer() instanceof CutAnswer cut)

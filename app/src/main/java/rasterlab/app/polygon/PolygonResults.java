@@ -18,7 +18,7 @@ public record PolygonResults(PolygonScene scene, Outcome outcome, Optional<Outco
     }
 
     private static Outcome outcome(PolygonTopics topics, PolygonScene scene) {
-        Figure figure = scene.figure();
+        PolygonFigure figure = scene.figure();
         if (figure instanceof InsideFigure inside)
             return Judging.of(topics, scene.mode(), inside, scene.method());
         if (figure instanceof CutFigure cut)

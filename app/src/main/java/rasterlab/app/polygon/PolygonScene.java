@@ -5,7 +5,7 @@ package rasterlab.app.polygon;
  *
  * @param comparison a second method, "" for none
  */
-public record PolygonScene(PolygonMode mode, Figure figure, String method, String comparison) {
+public record PolygonScene(PolygonMode mode, PolygonFigure figure, String method, String comparison) {
     /** Opens on a method that no hazard is known to break. */
     static PolygonScene first(PolygonMode mode) {
         return switch (mode) {
@@ -17,7 +17,7 @@ public record PolygonScene(PolygonMode mode, Figure figure, String method, Strin
         };
     }
 
-    PolygonScene with(Figure other) {
+    PolygonScene with(PolygonFigure other) {
         return new PolygonScene(mode, other, method, comparison);
     }
 

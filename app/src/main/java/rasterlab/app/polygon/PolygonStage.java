@@ -96,7 +96,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         cards.show(this, pair == pixels ? PIXELS : PLANE);
         boolean together = state.choice().difference();
         Optional<Outcome> second = together ? Optional.empty() : results.other();
-        Figure chosen = state.choice().scene().figure();
+        PolygonFigure chosen = state.choice().scene().figure();
         Rectangle2D all = PolygonFraming.of(chosen);
         pair.arrange(all, second.isPresent());
         pair.chosen().stepAtLeast(chosen.leastStep());
@@ -128,7 +128,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
 
     /** What the picture alone would not tell; of two pictures also whose each is. */
     private String note(Outcome outcome, boolean finished, boolean named) {
-        Figure figure = model.state().results().scene().figure();
+        PolygonFigure figure = model.state().results().scene().figure();
         String note = finished ? PolygonNotes.about(figure, outcome, texts) : "";
         return note.isEmpty() && named ? OwnWords.called(outcome.method(), texts.language()) : note;
     }

@@ -76,7 +76,7 @@ public record PolygonTopics(
      *
      * @throws IllegalArgumentException naming the hazards there are
      */
-    Figure showing(PolygonScene scene, String hazard) {
+    PolygonFigure showing(PolygonScene scene, String hazard) {
         Object input =
                 Named.<Hazard<?>>find(
                                 "hazard", hazard, List.copyOf(hazards(scene.mode())), Hazard::name)
@@ -85,7 +85,7 @@ public record PolygonTopics(
     }
 
     /** The figure with another input of its topic in the place of its own. */
-    static Figure showing(Figure figure, Object input) {
+    static PolygonFigure showing(PolygonFigure figure, Object input) {
         if (figure instanceof InsideFigure old) return old.showing((ShapeAndPoints) input);
         if (figure instanceof CutFigure) return new CutFigure(CornerList.of((Points) input));
         if (figure instanceof FillFigure old) return old.showing((PolygonTask) input);

@@ -15,7 +15,7 @@ import rasterlab.engine.fill.FillTask;
  * @param same whether the new colour is the one that the seed has already
  */
 public record SeedFigure(List<String> rows, Place seed, Place pen, int connectivity, boolean same)
-        implements Figure {
+        implements PolygonFigure {
     static final char WALL = '#';
     static final char FREE = '.';
     static final char NEW = '*';

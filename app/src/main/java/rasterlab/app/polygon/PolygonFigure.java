@@ -12,23 +12,23 @@ import java.util.Map;
     @JsonSubTypes.Type(value = FillFigure.class, name = "fill"),
     @JsonSubTypes.Type(value = SeedFigure.class, name = "seed")
 })
-public sealed interface Figure permits InsideFigure, CutFigure, FillFigure, SeedFigure {
+public sealed interface PolygonFigure permits InsideFigure, CutFigure, FillFigure, SeedFigure {
     /** What can be moved, by name and place. */
     Map<Grip, Place> grips();
 
-    Figure moved(Grip grip, Place to);
+    PolygonFigure moved(Grip grip, Place to);
 
     /** One corner more behind that one, or a wall at the pen. */
-    Figure grown(Grip beside);
+    PolygonFigure grown(Grip beside);
 
     /** The figure without that corner unless it is needed, or without the wall at the pen. */
-    Figure without(Grip grip);
+    PolygonFigure without(Grip grip);
 
     /**
      * The figure after two clicks on the ground: a corner more there, the point there, or a wall
      * there.
      */
-    Figure clicked(Place at);
+    PolygonFigure clicked(Place at);
 
     /** The least way that a key moves a point, in the plane's units; 0 for any. */
     double leastStep();
