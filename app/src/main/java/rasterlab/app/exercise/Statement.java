@@ -20,7 +20,7 @@ import org.commonmark.renderer.NodeRenderer;
 import org.commonmark.renderer.html.AttributeProvider;
 import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlRenderer;
-import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.FormulaMarkdown;
 import rasterlab.exercises.formula.Typeset;
 
@@ -45,7 +45,7 @@ final class Statement {
         Optional<Image> picture(String name);
 
         /** The formula as it is set; empty as long as it is not. */
-        Optional<Typeset> formula(Formula formula);
+        Optional<Typeset> formula(TexFormula formula);
     }
 
     /**

@@ -11,7 +11,7 @@ import org.commonmark.node.Node;
 import org.commonmark.renderer.NodeRenderer;
 import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlWriter;
-import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.FormulaBlock;
 import rasterlab.exercises.formula.InlineFormula;
 import rasterlab.exercises.formula.Typeset;
@@ -22,12 +22,12 @@ import rasterlab.exercises.score.Message;
  * code with a note where it cannot.
  */
 final class StatementFormulas {
-    private final Function<Formula, Optional<Typeset>> setter;
+    private final Function<TexFormula, Optional<Typeset>> setter;
     private final String language;
     private final Map<String, Typeset.Drawn> drawn = new LinkedHashMap<>();
-    private final List<Formula> awaited = new ArrayList<>();
+    private final List<TexFormula> awaited = new ArrayList<>();
 
-    StatementFormulas(Function<Formula, Optional<Typeset>> setter, String language) {
+    StatementFormulas(Function<TexFormula, Optional<Typeset>> setter, String language) {
         this.setter = setter;
         this.language = language;
     }
@@ -38,7 +38,7 @@ final class StatementFormulas {
     }
 
     /** What was not set yet. */
-    List<Formula> awaited() {
+    List<TexFormula> awaited() {
         return List.copyOf(awaited);
     }
 
@@ -66,7 +66,7 @@ final class StatementFormulas {
         out.line();
     }
 
-    private void put(Formula formula, HtmlWriter out) {
+    private void put(TexFormula formula, HtmlWriter out) {
         Optional<Typeset> set = setter.apply(formula);
         if (set.isEmpty()) {
             awaited.add(formula);

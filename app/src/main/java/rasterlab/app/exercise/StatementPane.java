@@ -17,7 +17,7 @@ import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Picture;
-import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
 import rasterlab.exercises.formula.Typeset;
 
@@ -66,7 +66,7 @@ final class StatementPane extends JEditorPane implements Settling {
         if (markdown.equals(shown)) return;
         boolean goesOn = !shown.isEmpty() && markdown.startsWith(shown);
         shown = markdown;
-        List<Formula> awaited = put(exercise, language);
+        List<TexFormula> awaited = put(exercise, language);
         setCaretPosition(0);
         if (goesOn) showEnd();
         if (awaited.isEmpty()) return;
@@ -96,7 +96,7 @@ final class StatementPane extends JEditorPane implements Settling {
     }
 
     /** The formulas that are not set yet. */
-    private List<Formula> put(Exercise exercise, String language) {
+    private List<TexFormula> put(Exercise exercise, String language) {
         Statement statement = statement(exercise, shown, language, formulas);
         kit.setFormulas(statement.formulas().drawn());
         getDocument().putProperty("imageCache", statement.pictures());
@@ -130,7 +130,7 @@ final class StatementPane extends JEditorPane implements Settling {
     private record Pictures(Map<String, Picture> named, Formulas formulas)
             implements Statement.Painter {
         @Override
-        public Optional<Typeset> formula(Formula formula) {
+        public Optional<Typeset> formula(TexFormula formula) {
             return formulas.known(formula);
         }
 

@@ -27,7 +27,7 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
 
 class StatementPaneTest {
@@ -72,7 +72,7 @@ class StatementPaneTest {
                 });
         pane[0].settle();
         EventQueue.invokeAndWait(() -> assertEquals(1, typeset(pane[0]).size()));
-        assertTrue(formulas.known(new Formula("n+1", false)).isPresent());
+        assertTrue(formulas.known(new TexFormula("n+1", false)).isPresent());
     }
 
     @Test

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
 import rasterlab.exercises.formula.Typeset;
 
@@ -38,7 +38,7 @@ class StatementTest {
                     }
 
                     @Override
-                    public Optional<Typeset> formula(Formula formula) {
+                    public Optional<Typeset> formula(TexFormula formula) {
                         return formulas.known(formula);
                     }
                 });
@@ -87,14 +87,14 @@ class StatementTest {
     @Test
     void aFormulaThatIsNotSetYetIsItsSource() {
         Statement statement = of("Let $a<b$ be.");
-        assertEquals(List.of(new Formula("a<b", false)), statement.formulas().awaited());
+        assertEquals(List.of(new TexFormula("a<b", false)), statement.formulas().awaited());
         assertTrue(statement.html().contains("Let $a&lt;b$ be."), statement.html());
     }
 
     @Test
     void aFormulaIsFoundByTheElementOfItsSource() {
-        formulas.set(new Formula("a", false));
-        formulas.set(new Formula("b", true));
+        formulas.set(new TexFormula("a", false));
+        formulas.set(new TexFormula("b", true));
         Statement statement = of("Let $a$ be\n\n$$\nb\n$$\n");
         assertEquals(List.of(), statement.formulas().awaited());
         assertEquals(Set.of("formula-0", "formula-1"), statement.formulas().drawn().keySet());
@@ -107,7 +107,7 @@ class StatementTest {
 
     @Test
     void aBrokenFormulaIsItsSourceWithANote() {
-        formulas.set(new Formula("\\foo<b", false));
+        formulas.set(new TexFormula("\\foo<b", false));
         String html = of("Let $\\foo<b$ be.\n\n$$\na\n\nrest").html();
         assertTrue(html.contains("<code>$\\foo&lt;b$</code>"), html);
         assertTrue(html.contains("(\\foo is no command that is known here)"), html);

@@ -4,11 +4,11 @@ import org.commonmark.node.CustomBlock;
 
 /** A formula on lines of its own. */
 public final class FormulaBlock extends CustomBlock {
-    private Formula formula = new Formula("", true);
+    private TexFormula formula = new TexFormula("", true);
     private boolean closed;
 
     /** What stands before the closing dollars, or before the empty line where there are none. */
-    public Formula formula() {
+    public TexFormula formula() {
         return formula;
     }
 
@@ -17,7 +17,7 @@ public final class FormulaBlock extends CustomBlock {
         return closed;
     }
 
-    void set(Formula written, boolean isClosed) {
+    void set(TexFormula written, boolean isClosed) {
         formula = written;
         closed = isClosed;
     }

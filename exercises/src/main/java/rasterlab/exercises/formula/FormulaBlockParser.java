@@ -47,7 +47,7 @@ final class FormulaBlockParser extends AbstractBlockParser {
 
     @Override
     public void closeBlock() {
-        block.set(new Formula(tex.toString().strip(), true), closed);
+        block.set(new TexFormula(tex.toString().strip(), true), closed);
     }
 
     /** Starts a formula unless words follow it on its line. */

@@ -45,7 +45,7 @@ public final class FormulaFaults extends AbstractVisitor {
         else found.add(new Fault("$$ " + display.formula().tex(), Message.of("formula.end")));
     }
 
-    private void check(Formula formula) {
+    private void check(TexFormula formula) {
         TexCheck.mistake(formula.tex())
                 .ifPresent(mistake -> found.add(new Fault(formula.source(), mistake)));
     }

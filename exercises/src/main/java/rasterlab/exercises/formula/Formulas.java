@@ -9,19 +9,19 @@ import java.util.Optional;
 public final class Formulas {
     private static final int MOST = 1000;
 
-    private final Map<Formula, Typeset> remembered =
+    private final Map<TexFormula, Typeset> remembered =
             Collections.synchronizedMap(
                     new LinkedHashMap<>(16, 0.75f, true) {
                         private static final long serialVersionUID = 1L;
 
                         @Override
-                        protected boolean removeEldestEntry(Map.Entry<Formula, Typeset> eldest) {
+                        protected boolean removeEldestEntry(Map.Entry<TexFormula, Typeset> eldest) {
                             return size() > MOST;
                         }
                     });
 
     /** Sets the formula, which takes some tenths of a second the first time. */
-    public Typeset set(Formula formula) {
+    public Typeset set(TexFormula formula) {
         Typeset known = remembered.get(formula);
         if (known != null) return known;
         Typeset made = Typesetter.set(formula);
@@ -30,7 +30,7 @@ public final class Formulas {
     }
 
     /** The formula if it was set before; takes no time. */
-    public Optional<Typeset> known(Formula formula) {
+    public Optional<Typeset> known(TexFormula formula) {
         return Optional.ofNullable(remembered.get(formula));
     }
 }

@@ -4,13 +4,13 @@ import org.commonmark.node.CustomNode;
 
 /** A formula within a line of text. */
 public final class InlineFormula extends CustomNode {
-    private final Formula formula;
+    private final TexFormula formula;
 
-    InlineFormula(Formula formula) {
+    InlineFormula(TexFormula formula) {
         this.formula = formula;
     }
 
-    public Formula formula() {
+    public TexFormula formula() {
         return formula;
     }
 }

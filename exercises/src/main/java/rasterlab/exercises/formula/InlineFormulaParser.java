@@ -40,7 +40,7 @@ final class InlineFormulaParser implements InlineContentParser {
     private static ParsedInline formula(String tex, boolean displayed, Scanner after) {
         if (tex.isBlank()) return ParsedInline.none();
         return ParsedInline.of(
-                new InlineFormula(new Formula(tex.strip(), displayed)), after.position());
+                new InlineFormula(new TexFormula(tex.strip(), displayed)), after.position());
     }
 
     private static boolean isSpace(char c) {

@@ -25,13 +25,13 @@ final class Typesetter {
 
     private Typesetter() {}
 
-    static Typeset set(Formula formula) {
+    static Typeset set(TexFormula formula) {
         synchronized (LIBRARY) {
             return checked(formula);
         }
     }
 
-    private static Typeset checked(Formula formula) {
+    private static Typeset checked(TexFormula formula) {
         try {
             Library.prepare();
             Optional<Message> mistake = TexCheck.mistake(formula.tex());
@@ -61,7 +61,7 @@ final class Typesetter {
         static void prepare() {}
     }
 
-    private static Typeset drawn(Formula formula) {
+    private static Typeset drawn(TexFormula formula) {
         int style = formula.displayed() ? TeXConstants.STYLE_DISPLAY : TeXConstants.STYLE_TEXT;
         Box box =
                 new TeXFormula(formula.tex())

@@ -43,7 +43,7 @@ class FormulaMarkdownTest {
                                 if (!block.closed()) found.append("open");
                             }
 
-                            private void put(Formula formula) {
+                            private void put(TexFormula formula) {
                                 found.append('[').append(formula.source()).append(']');
                             }
                         });

@@ -30,7 +30,7 @@ class FormulasTest {
     private final Formulas formulas = new Formulas();
 
     private Typeset.Drawn drawn(String tex) {
-        Typeset set = formulas.set(new Formula(tex, false));
+        Typeset set = formulas.set(new TexFormula(tex, false));
         return assertInstanceOf(Typeset.Drawn.class, set, () -> tex + ": " + set);
     }
 
@@ -70,7 +70,7 @@ class FormulasTest {
     @Test
     void hasMoreRoomOnLinesOfItsOwn() {
         var inline = drawn("\\frac{a}{b}");
-        var own = (Typeset.Drawn) formulas.set(new Formula("\\frac{a}{b}", true));
+        var own = (Typeset.Drawn) formulas.set(new TexFormula("\\frac{a}{b}", true));
         assertTrue(own.height() > 1.2 * inline.height());
     }
 
@@ -84,7 +84,7 @@ class FormulasTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
     void names(String said, String tex) {
-        Typeset set = formulas.set(new Formula(tex, true));
+        Typeset set = formulas.set(new TexFormula(tex, true));
         var mistake = assertInstanceOf(Typeset.Mistaken.class, set, () -> "drawn: " + tex);
         assertEquals(said, mistake.message().in("en"));
         assertNotEquals(said, mistake.message().in("ru"));
@@ -147,7 +147,7 @@ class FormulasTest {
             })
     void runsNothingButFormulas(String tex) {
         Set<String> before = new HashSet<>(MacroInfo.Commands.keySet());
-        assertInstanceOf(Typeset.Mistaken.class, formulas.set(new Formula(tex, false)), tex);
+        assertInstanceOf(Typeset.Mistaken.class, formulas.set(new TexFormula(tex, false)), tex);
         drawn("\\frac{a}{b}");
         assertEquals(before, MacroInfo.Commands.keySet());
     }
@@ -172,7 +172,7 @@ class FormulasTest {
             })
     void boundsHowDeepFormulasLie(String begin) {
         for (int deep = 1; deep < 100; deep++) {
-            var set = formulas.set(new Formula(begin.repeat(deep) + "x" + end(begin, deep), true));
+            var set = formulas.set(new TexFormula(begin.repeat(deep) + "x" + end(begin, deep), true));
             if (set instanceof Typeset.Mistaken mistake) {
                 String key = mistake.message().sentences().get(0).key();
                 assertTrue(Set.of("formula.deep", "formula.large").contains(key), key);
@@ -191,7 +191,7 @@ class FormulasTest {
 
     @Test
     void isRemembered() {
-        var formula = new Formula("y", false);
+        var formula = new TexFormula("y", false);
         assertEquals(Optional.empty(), formulas.known(formula));
         Typeset set = formulas.set(formula);
         assertSame(set, formulas.set(formula));
@@ -203,7 +203,7 @@ class FormulasTest {
         var parser = Parser.builder().extensions(List.of(new FormulaMarkdown())).build();
         for (var exercise : Catalogue.builtIn().all())
             for (String language : List.of("en", "ru")) {
-                var found = new HashSet<Formula>();
+                var found = new HashSet<TexFormula>();
                 parser.parse(exercise.statement(language))
                         .accept(
                                 new AbstractVisitor() {
@@ -219,7 +219,7 @@ class FormulasTest {
                                             found.add(block.formula());
                                     }
                                 });
-                for (Formula formula : found)
+                for (TexFormula formula : found)
                     assertInstanceOf(Typeset.Drawn.class, formulas.set(formula), formula.tex());
                 assertTrue(
                         !found.isEmpty() || exercise.form() != Form.WRITE,

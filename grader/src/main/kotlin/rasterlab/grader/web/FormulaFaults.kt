@@ -3,7 +3,7 @@ package rasterlab.grader.web
 import org.commonmark.node.AbstractVisitor
 import org.commonmark.node.CustomBlock
 import org.commonmark.node.CustomNode
-import rasterlab.exercises.formula.Formula
+import rasterlab.exercises.formula.TexFormula
 import rasterlab.exercises.formula.FormulaBlock
 import rasterlab.exercises.formula.Formulas
 import rasterlab.exercises.formula.InlineFormula
@@ -39,7 +39,7 @@ private class FaultVisitor(
             else -> found += unclosed(block)
         }
 
-    private fun check(formula: Formula) {
+    private fun check(formula: TexFormula) {
         val set = formulas.set(formula)
         if (set is Typeset.Mistaken) found += FormulaFault(formula.source(), set.message())
     }

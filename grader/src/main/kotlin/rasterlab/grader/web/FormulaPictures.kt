@@ -4,7 +4,7 @@ import org.commonmark.node.Node
 import org.commonmark.renderer.NodeRenderer
 import org.commonmark.renderer.html.HtmlNodeRendererContext
 import org.commonmark.renderer.html.HtmlWriter
-import rasterlab.exercises.formula.Formula
+import rasterlab.exercises.formula.TexFormula
 import rasterlab.exercises.formula.FormulaBlock
 import rasterlab.exercises.formula.Formulas
 import rasterlab.exercises.formula.InlineFormula
@@ -49,7 +49,7 @@ class FormulaPictures(
     }
 
     /** Puts a formula that gets smaller with the page; an empty picture in its frame holds the least width. */
-    private fun shrinking(formula: Formula) {
+    private fun shrinking(formula: TexFormula) {
         val set = formulas.set(formula)
         if (set !is Typeset.Drawn) return put(formula)
         out.tag("span", mapOf("class" to "shrinking"))
@@ -60,7 +60,7 @@ class FormulaPictures(
         out.tag("/span")
     }
 
-    private fun put(formula: Formula) =
+    private fun put(formula: TexFormula) =
         when (val set = formulas.set(formula)) {
             is Typeset.Drawn -> picture(formula.tex(), set)
             is Typeset.Mistaken -> note(FormulaFault(formula.source(), set.message()))

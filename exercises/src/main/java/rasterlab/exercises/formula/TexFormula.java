@@ -6,7 +6,7 @@ package rasterlab.exercises.formula;
  * @param tex what stands between the dollars
  * @param displayed whether it stands on lines of its own, with room for large signs
  */
-public record Formula(String tex, boolean displayed) {
+public record TexFormula(String tex, boolean displayed) {
     /** The formula with its dollars, as in the statement. */
     public String source() {
         String dollars = displayed ? "$$" : "$";
