@@ -25,7 +25,7 @@ final class Band {
 
     private float[] own = {};
 
-    void begin(Frame frame, int number) {
+    void begin(FrameState frame, int number) {
         argb = frame.picture.argb();
         width = frame.picture.width();
         height = frame.picture.height();

@@ -27,7 +27,7 @@ final class BandStage {
     /**
      * @param chunks how many of {@code sorted} are the frame's
      */
-    void run(Frame frame, int number, TriangleChunk[] sorted, int chunks) {
+    void run(FrameState frame, int number, TriangleChunk[] sorted, int chunks) {
         band.begin(frame, number);
         if (frame.surface instanceof Surface.PerPixel) pixels.begin(frame);
         boolean inBlocks = loops.findsInBlocks() && isDense(count(sorted, chunks, number), cells());
@@ -53,7 +53,7 @@ final class BandStage {
         return DENSE * triangles > pixels;
     }
 
-    private void drawEach(Frame frame, TriangleChunk chunk, int from, int end) {
+    private void drawEach(FrameState frame, TriangleChunk chunk, int from, int end) {
         int[] corners = chunk.corners;
         for (int i = 3 * from; i < 3 * end; i += 3) {
             int first = corners[i];
@@ -64,12 +64,12 @@ final class BandStage {
         }
     }
 
-    private void draw(Frame frame, ScreenVertices vertices, int first, int second, int third) {
+    private void draw(FrameState frame, ScreenVertices vertices, int first, int second, int third) {
         if (tiny.load(vertices, first, second, third, band)) fillTiny(frame, vertices, third);
         else drawLarge(frame, vertices, first, second, third);
     }
 
-    private void drawBlocks(Frame frame, TriangleChunk chunk, int from, int end) {
+    private void drawBlocks(FrameState frame, TriangleChunk chunk, int from, int end) {
         for (int first = from; first < end; first += block.count) {
             block.take(chunk, first, end, frame.vertices);
             loops.find(block, band);
@@ -83,13 +83,13 @@ final class BandStage {
     }
 
     /** Returns the place after the pixels that are listed from a place on. */
-    private int fillListed(Frame frame, int place) {
+    private int fillListed(FrameState frame, int place) {
         if (frame.surface instanceof Surface.Smooth) return TinyFill.listed(band, block, place);
         if (frame.surface instanceof Surface.PerPixel) return pixels.addListed(block, place);
         return TinyFill.listedFlat(band, block, place);
     }
 
-    private void drawOther(Frame frame, int kind, int triangle) {
+    private void drawOther(FrameState frame, int kind, int triangle) {
         int third = block.corner(triangle, 2);
         if (kind == TinyBlock.LARGE) {
             int first = block.corner(triangle, 0);
@@ -100,7 +100,7 @@ final class BandStage {
         }
     }
 
-    private void drawLarge(Frame frame, ScreenVertices vertices, int first, int second, int third) {
+    private void drawLarge(FrameState frame, ScreenVertices vertices, int first, int second, int third) {
         scan.load(vertices, first, second, third, band);
         if (frame.surface instanceof Surface.Smooth) {
             fillSmooth(vertices);
@@ -128,7 +128,7 @@ final class BandStage {
         }
     }
 
-    private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
+    private void fillTiny(FrameState frame, ScreenVertices vertices, int third) {
         if (frame.surface instanceof Surface.Smooth) {
             if (tiny.columns * tiny.rows <= TinyScan.FEW) TinyFill.few(band, tiny, vertices);
             else loops.smooth(band, tiny, vertices);

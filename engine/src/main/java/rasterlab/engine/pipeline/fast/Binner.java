@@ -18,7 +18,7 @@ final class Binner {
         return (triangles + TriangleChunk.SIZE - 1) / TriangleChunk.SIZE;
     }
 
-    void run(Frame frame, int index, TriangleChunk chunk) {
+    void run(FrameState frame, int index, TriangleChunk chunk) {
         chunk.begin(frame.bands, frame.attributeCount);
         kept = 0;
         int from = index * TriangleChunk.SIZE;
@@ -28,14 +28,14 @@ final class Binner {
         sort(chunk, frame.bands);
     }
 
-    private void keepAll(Frame frame, int from, int to, TriangleChunk chunk) {
+    private void keepAll(FrameState frame, int from, int to, TriangleChunk chunk) {
         int[] triangles = frame.mesh.triangles();
         for (int t = 3 * from; t < 3 * to; t += 3)
             keep(frame, frame.vertices, triangles[t], triangles[t + 1], triangles[t + 2], chunk);
     }
 
     /** The same where some vertices lie beyond a plane. */
-    private void sortOutBeyond(Frame frame, int from, int to, TriangleChunk chunk) {
+    private void sortOutBeyond(FrameState frame, int from, int to, TriangleChunk chunk) {
         int[] triangles = frame.mesh.triangles();
         short[] code = frame.vertices.code;
         for (int t = 3 * from; t < 3 * to; t += 3) {
@@ -48,7 +48,7 @@ final class Binner {
         }
     }
 
-    private void keep(Frame frame, ScreenVertices v, int a, int b, int c, TriangleChunk chunk) {
+    private void keep(FrameState frame, ScreenVertices v, int a, int b, int c, TriangleChunk chunk) {
         int ax = v.x(a);
         int ay = v.y(a);
         int bx = v.x(b);
@@ -95,7 +95,7 @@ final class Binner {
     }
 
     /** A fan about the first corner. */
-    private void clip(Frame frame, int a, int b, int c, TriangleChunk chunk) {
+    private void clip(FrameState frame, int a, int b, int c, TriangleChunk chunk) {
         ClipPolygon polygon = clipper.clip(frame, a, b, c);
         if (polygon.size < 3) return;
         int first = chunk.clippedVertices;
@@ -110,7 +110,7 @@ final class Binner {
      * @param third the vertex that colours the triangle where it has one colour only
      */
     private static void addVertex(
-            Frame frame, ClipPolygon polygon, int k, int third, TriangleChunk chunk) {
+            FrameState frame, ClipPolygon polygon, int k, int third, TriangleChunk chunk) {
         ScreenVertices to = chunk.clipped;
         int at = chunk.clippedVertices++;
         to.ensure(at + 1);
@@ -133,7 +133,7 @@ final class Binner {
             to.putAttribute(
                     i,
                     at,
-                    frame.flatColors && Frame.isColor(frame.attribute[i])
+                    frame.flatColors && FrameState.isColor(frame.attribute[i])
                             ? frame.vertices.attribute(i, third)
                             : (float) polygon.attribute(k, i));
     }

@@ -29,7 +29,7 @@ final class Clipper {
      *
      * @return what is left, possibly fewer than three corners; good until the next call
      */
-    ClipPolygon clip(Frame frame, int a, int b, int c) {
+    ClipPolygon clip(FrameState frame, int a, int b, int c) {
         polygon.size = 0;
         addVertex(frame, a);
         addVertex(frame, b);
@@ -39,7 +39,7 @@ final class Clipper {
         return polygon;
     }
 
-    private void addVertex(Frame frame, int vertex) {
+    private void addVertex(FrameState frame, int vertex) {
         float x = frame.mesh.values(VertexQuantity.X)[vertex];
         float y = frame.mesh.values(VertexQuantity.Y)[vertex];
         float z = frame.mesh.values(VertexQuantity.Z)[vertex];

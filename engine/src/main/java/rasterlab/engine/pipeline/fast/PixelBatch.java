@@ -80,7 +80,7 @@ public final class PixelBatch {
 
     private static void prepare(
             Set<VertexQuantity> now, Set<VertexQuantity> next, Map<VertexQuantity, float[]> room) {
-        for (VertexQuantity quantity : Frame.QUANTITIES)
+        for (VertexQuantity quantity : FrameState.QUANTITIES)
             if (next.contains(quantity)) {
                 now.add(quantity);
                 if (!room.containsKey(quantity)) room.put(quantity, new float[ROOM]);

@@ -21,15 +21,15 @@ final class PixelFill {
     private final TinyScan listed = new TinyScan();
 
     private final RowLoops loops;
-    private final float[][] values = new float[Frame.QUANTITIES.length][];
-    private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
-    private final boolean[] divided = new boolean[Frame.QUANTITIES.length];
+    private final float[][] values = new float[FrameState.QUANTITIES.length][];
+    private final boolean[] affine = new boolean[FrameState.QUANTITIES.length];
+    private final boolean[] divided = new boolean[FrameState.QUANTITIES.length];
 
     /** The values that grow from corner to corner, and how, see {@link RowLoops#between}. */
     private final float[][] growing = new float[RowLoops.VALUES][];
 
     private final float[] corners = new float[3 * RowLoops.VALUES];
-    private Frame frame;
+    private FrameState frame;
     private PixelColors colors;
     private Blending blending;
     private int count;
@@ -54,7 +54,7 @@ final class PixelFill {
     }
 
     /** Forgets what a frame left behind that failed. */
-    void begin(Frame frame) {
+    void begin(FrameState frame) {
         this.frame = frame;
         var surface = (Surface.PerPixel) frame.surface;
         colors = surface.colors();
@@ -71,7 +71,7 @@ final class PixelFill {
             values[k] = batch.values(quantity);
             affine[k] = colors.affine().contains(quantity);
             divided[k] = !affine[k] && !colors.directions().contains(quantity);
-            if (frame.flatColors && Frame.isColor(quantity)) firstFlat = k;
+            if (frame.flatColors && FrameState.isColor(quantity)) firstFlat = k;
             else divides |= divided[k];
         }
         System.arraycopy(values, 0, growing, 0, firstFlat);

@@ -22,16 +22,16 @@ final class PixelSlopes {
 
     final float[] nearnessDown = new float[PixelBatch.SIZE];
 
-    private final float[][] right = new float[Frame.QUANTITIES.length][];
-    private final float[][] down = new float[Frame.QUANTITIES.length][];
-    private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
+    private final float[][] right = new float[FrameState.QUANTITIES.length][];
+    private final float[][] down = new float[FrameState.QUANTITIES.length][];
+    private final boolean[] affine = new boolean[FrameState.QUANTITIES.length];
 
     /** The attributes whose slopes are wanted. */
-    private final int[] attribute = new int[Frame.QUANTITIES.length];
+    private final int[] attribute = new int[FrameState.QUANTITIES.length];
 
     private int count;
 
-    void begin(Frame frame, PixelColors colors) {
+    void begin(FrameState frame, PixelColors colors) {
         count = 0;
         runs = 0;
         for (int k = 0; k < frame.attributeCount; k++) {
@@ -58,7 +58,7 @@ final class PixelSlopes {
      * @param corners of its values, as {@link RowLoops#between} has them
      * @param nearness where 1/w is among them
      */
-    void endRun(Scan scan, Frame frame, float[] corners, int nearness, int pixels) {
+    void endRun(Scan scan, FrameState frame, float[] corners, int nearness, int pixels) {
         if (count == 0) return;
         float rightB = scan.stepB * scan.inverseArea;
         float rightC = scan.stepC * scan.inverseArea;

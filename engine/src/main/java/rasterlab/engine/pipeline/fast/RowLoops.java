@@ -12,7 +12,7 @@ interface RowLoops {
     int MOST_LANES = 8;
 
     /** Room for all values that grow from corner to corner: the attributes and 1/w. */
-    int VALUES = Frame.QUANTITIES.length + 1;
+    int VALUES = FrameState.QUANTITIES.length + 1;
 
     static RowLoops of(Lanes lanes) {
         return lanes.part(RowLoops.class, PlainLoops::new, "VectorLoops");

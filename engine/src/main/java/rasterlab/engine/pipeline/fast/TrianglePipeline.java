@@ -22,7 +22,7 @@ public final class TrianglePipeline implements AutoCloseable {
 
     private final WorkerTeam team;
     private final Worker[] workers;
-    private final Frame frame = new Frame();
+    private final FrameState frame = new FrameState();
     private final WorkerTeam.Task vertexTask = this::vertices;
     private final WorkerTeam.Task attributeTask = this::attributes;
     private final WorkerTeam.Task binTask = this::bin;

@@ -44,14 +44,14 @@ final class VertexStage {
     }
 
     /** Finds the places of a block of vertices on the picture. */
-    void place(Frame frame, int index) {
+    void place(FrameState frame, int index) {
         int from = index * VertexBlock.SIZE;
         block.count = Math.min(VertexBlock.SIZE, frame.mesh.vertexCount() - from);
         project(frame, from);
     }
 
     /** Finds the attributes of those groups of a block's vertices that are needed. */
-    void fill(Frame frame, int index) {
+    void fill(FrameState frame, int index) {
         int end = Math.min((index + 1) * VertexBlock.SIZE, frame.mesh.vertexCount());
         int from = index * VertexBlock.SIZE;
         while (from < end) {
@@ -63,7 +63,7 @@ final class VertexStage {
         }
     }
 
-    private void fill(Frame frame, int from, int end) {
+    private void fill(FrameState frame, int from, int end) {
         block.count = end - from;
         take(frame.mesh, VertexQuantity.X, from);
         putDepths(frame, from);
@@ -72,7 +72,7 @@ final class VertexStage {
         if (frame.hasColors()) color(frame, from);
     }
 
-    private void project(Frame frame, int from) {
+    private void project(FrameState frame, int from) {
         take(frame.mesh, VertexQuantity.X, from);
         float[] matrix = frame.view.toClip();
         transform(matrix, 0, clipX);
@@ -100,9 +100,9 @@ final class VertexStage {
      */
     private void take(TriangleMesh mesh, VertexQuantity first, int from) {
         int k = first.ordinal();
-        System.arraycopy(mesh.values(Frame.QUANTITIES[k]), from, worldX, 0, block.count);
-        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 1]), from, worldY, 0, block.count);
-        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 2]), from, worldZ, 0, block.count);
+        System.arraycopy(mesh.values(FrameState.QUANTITIES[k]), from, worldX, 0, block.count);
+        System.arraycopy(mesh.values(FrameState.QUANTITIES[k + 1]), from, worldY, 0, block.count);
+        System.arraycopy(mesh.values(FrameState.QUANTITIES[k + 2]), from, worldZ, 0, block.count);
     }
 
     /** All arrays have one index: of others the compiler would make no vector instructions. */
@@ -131,14 +131,14 @@ final class VertexStage {
     }
 
     /** Found again, so that of vertices out of sight nothing is written. */
-    private void putDepths(Frame frame, int from) {
+    private void putDepths(FrameState frame, int from) {
         transform(frame.view.toClip(), 2, clipZ);
         transform(frame.view.toClip(), 3, clipW);
         loops.depths(block.count, clipZ, clipW);
         for (int i = 0; i < block.count; i++) frame.vertices.put(from + i, clipZ[i], clipW[i]);
     }
 
-    private void toEye(Frame frame, int from) {
+    private void toEye(FrameState frame, int from) {
         TriangleMesh mesh = frame.mesh;
         float[] matrix = frame.view.toEye();
         transform(matrix, 0, block.x);
@@ -158,10 +158,10 @@ final class VertexStage {
     }
 
     /** What is no colour, before the colours are made of it. */
-    private void putPlaces(Frame frame, int from) {
+    private void putPlaces(FrameState frame, int from) {
         for (int k = 0; k < frame.attributeCount; k++) {
             VertexQuantity quantity = frame.attribute[k];
-            if (Frame.isColor(quantity)) return;
+            if (FrameState.isColor(quantity)) return;
             ScreenVertices to = frame.vertices;
             switch (quantity) {
                 case X -> put(to, k, block.x, 0, from);
@@ -188,7 +188,7 @@ final class VertexStage {
         for (int i = 0; i < block.count; i++) written[at + stride * i] = values[first + i];
     }
 
-    private void color(Frame frame, int from) {
+    private void color(FrameState frame, int from) {
         channel(frame.mesh, VertexQuantity.RED, from, block.red);
         channel(frame.mesh, VertexQuantity.GREEN, from, block.green);
         channel(frame.mesh, VertexQuantity.BLUE, from, block.blue);

@@ -8,7 +8,7 @@ final class Bands {
      * @param top its first row
      */
     static Band of(DepthRaster out, int top) {
-        var frame = new Frame();
+        var frame = new FrameState();
         frame.picture = out.raster();
         frame.depth = out.depth();
         var band = new Band();

@@ -19,7 +19,7 @@ class ClipperTest {
         var surface = new Surface.Flat(VertexColors.own());
         var out = new Raster(8, 8);
         for (int seed = 0; seed < 2000; seed++) {
-            var frame = new Frame();
+            var frame = new FrameState();
             frame.begin(pair(new Random(seed)), view, surface, out, new float[0]);
             new VertexStage(Lanes.best()).place(frame, 0);
             Arrays.fill(frame.vertices.needed, true);

@@ -16,7 +16,7 @@ final class Coverage {
 
     static Coverage of(TriangleMesh mesh, TriangleView view, int width, int height) {
         var out = new Raster(width, height);
-        var frame = new Frame();
+        var frame = new FrameState();
         frame.begin(mesh, view, new Surface.Flat(VertexColors.own()), out, new float[0]);
         for (int k = 0; k < VertexStage.blocks(mesh); k++)
             new VertexStage(Lanes.best()).place(frame, k);
@@ -34,7 +34,7 @@ final class Coverage {
         return coverage;
     }
 
-    private void add(Frame frame, TriangleChunk chunk, int triangle, Band band) {
+    private void add(FrameState frame, TriangleChunk chunk, int triangle, Band band) {
         int at = 3 * triangle;
         boolean whole = chunk.corners[at] >= 0;
         var vertices = whole ? frame.vertices : chunk.clipped;

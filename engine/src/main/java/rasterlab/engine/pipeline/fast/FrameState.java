@@ -5,7 +5,7 @@ import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
 /** What is being drawn now, for all stages. One frame at a time; arrays stay for the next. */
-final class Frame {
+final class FrameState {
     static final VertexQuantity[] QUANTITIES = VertexQuantity.values();
 
     TriangleMesh mesh;
