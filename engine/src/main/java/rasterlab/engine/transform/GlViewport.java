@@ -16,8 +16,8 @@ import org.joml.Matrix4d;
  * @param near depth that z = −1 gets, brought into 0..1
  * @param far depth that z = 1 gets, brought into 0..1; may be less than {@code near}
  */
-public record GlWindow(int x, int y, int width, int height, double near, double far) {
-    public GlWindow {
+public record GlViewport(int x, int y, int width, int height, double near, double far) {
+    public GlViewport {
         if (width < 0 || height < 0)
             throw new IllegalArgumentException(
                     "GL_INVALID_VALUE: width and height must be at least 0, got %d×%d"
@@ -27,8 +27,8 @@ public record GlWindow(int x, int y, int width, int height, double near, double 
     }
 
     /** Viewport(x, y, width, height) with the depth range 0..1. */
-    public static GlWindow viewport(int x, int y, int width, int height) {
-        return new GlWindow(x, y, width, height, 0, 1);
+    public static GlViewport viewport(int x, int y, int width, int height) {
+        return new GlViewport(x, y, width, height, 0, 1);
     }
 
     /** The matrix from −1..1 to the window. */
