@@ -30,7 +30,7 @@ private const val OUR_FAULT = 70
     versionProvider = GraderVersion::class,
     description = ["The grading server of Rasterlab."],
 )
-private class GraderCommand(
+private class GraderProgram(
     private val words: CommandWords,
 ) : Runnable {
     @Spec
@@ -64,7 +64,7 @@ fun main(arguments: Array<String>) {
 /** Every failure ends in one line; its stack is in the log, if there is one already. */
 internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLine {
     val commands =
-        CommandLine(GraderCommand(words))
+        CommandLine(GraderProgram(words))
             .addSubcommand(ServeCommand(words))
             .addSubcommand(BackupCommand(words))
             .addSubcommand(RestoreCommand(words))
