@@ -38,7 +38,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         this.topics = topics;
         ClipChoice first = ClipChoice.FIRST;
         ClipResults drawn = ClipResults.of(topics, first.scene());
-        state = new ClipLabState(first, drawn, resultOf(drawn), Grip.end(0, 0), 0);
+        state = new ClipLabState(first, drawn, resultOf(drawn), ClipGrip.end(0, 0), 0);
         clippings =
                 new LatestOnly<>(
                         "clipping",
@@ -128,7 +128,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
      * Moves a point to a place in the picture. Between {@link #beginDrag} and {@link #endDrag} all
      * moves are one for undo.
      */
-    public void move(Grip grip, double planeX, double planeY) {
+    public void move(ClipGrip grip, double planeX, double planeY) {
         edit(state.choice().scene().moved(grip, new Place(planeX, planeY)));
     }
 
@@ -142,7 +142,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     }
 
     /** Shows the coordinates of another point. */
-    public void select(Grip grip) {
+    public void select(ClipGrip grip) {
         if (!grip.equals(state.selected())) publish(selecting(grip));
     }
 
@@ -251,17 +251,17 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     }
 
     private void clip(ClipChoice choice, int arrangement) {
-        Grip selected = existing(choice.scene(), state.selected());
+        ClipGrip selected = existing(choice.scene(), state.selected());
         publish(new ClipLabState(choice, state.results(), state.step(), selected, arrangement));
         clippings.ask(choice.scene());
     }
 
     /** The grip, or the first one of a scene that does not have it. */
-    private static Grip existing(ClipScene scene, Grip grip) {
+    private static ClipGrip existing(ClipScene scene, ClipGrip grip) {
         if (scene instanceof VolumeScene volume)
-            return grip.kind() == Grip.Kind.END && grip.index() < volume.segments().size()
+            return grip.kind() == ClipGrip.Kind.END && grip.index() < volume.segments().size()
                     ? grip
-                    : Grip.end(0, 0);
+                    : ClipGrip.end(0, 0);
         return scene.grips().containsKey(grip) ? grip : scene.grips().keySet().iterator().next();
     }
 
@@ -279,7 +279,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
                 state.choice(), state.results(), step, state.selected(), state.arrangement());
     }
 
-    private ClipLabState selecting(Grip grip) {
+    private ClipLabState selecting(ClipGrip grip) {
         return new ClipLabState(
                 state.choice(), state.results(), state.step(), grip, state.arrangement());
     }

@@ -13,7 +13,7 @@ import java.util.Optional;
  * @param arrangement changes when the stage should show everything again
  */
 public record ClipLabState(
-        ClipChoice choice, ClipResults results, int step, Grip selected, int arrangement) {
+        ClipChoice choice, ClipResults results, int step, ClipGrip selected, int arrangement) {
     /** Whether the result is shown. */
     public boolean finished() {
         return step > results.clipping().steps().size();

@@ -143,8 +143,8 @@ final class ClipReadings {
                 scene instanceof SegmentScene plane
                         ? plane.segments().size()
                         : ((VolumeScene) scene).segments().size();
-        Grip selected = state.selected();
-        int chosen = selected.kind() == Grip.Kind.END ? selected.index() : 0;
+        ClipGrip selected = state.selected();
+        int chosen = selected.kind() == ClipGrip.Kind.END ? selected.index() : 0;
         return Math.min(segments - 1, state.current().map(ClipStep::item).orElse(chosen));
     }
 

@@ -17,17 +17,17 @@ public sealed interface ClipScene permits SegmentScene, PolygonScene, VolumeScen
     ClipScene withComparison(String other);
 
     /** Where the points that can be moved are in the picture; none may be finite. */
-    Map<Grip, Place> grips();
+    Map<ClipGrip, Place> grips();
 
     /** The scene with one of the {@link #grips} elsewhere in the picture. */
-    ClipScene moved(Grip grip, Place to);
+    ClipScene moved(ClipGrip grip, Place to);
 
     /** The scene with one corner or segment more, beside what the grip belongs to. */
-    ClipScene grown(Grip beside);
+    ClipScene grown(ClipGrip beside);
 
     /**
      * The scene without the corner or segment that the grip belongs to; the same where it is
      * needed.
      */
-    ClipScene without(Grip grip);
+    ClipScene without(ClipGrip grip);
 }

@@ -163,7 +163,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
         return points;
     }
 
-    private PlanePoint point(ClipScene scene, Grip grip, Place at) {
+    private PlanePoint point(ClipScene scene, ClipGrip grip, Place at) {
         String kind = "grip." + grip.kind().name().toLowerCase(Locale.ROOT);
         String said = texts.text(kind, grip.label()) + " " + said(scene, grip, at);
         return new PlanePoint(
@@ -175,7 +175,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 texts.text("grip.keys", said));
     }
 
-    private String said(ClipScene scene, Grip grip, Place at) {
+    private String said(ClipScene scene, ClipGrip grip, Place at) {
         if (!(scene instanceof VolumeScene volume))
             return Shown.point(at.x(), at.y(), texts.locale());
         SpacePoint p = volume.end(grip);
@@ -188,7 +188,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 + ")";
     }
 
-    private static PlanePoint.Form form(Grip grip) {
+    private static PlanePoint.Form form(ClipGrip grip) {
         return switch (grip.kind()) {
             case WINDOW -> PlanePoint.Form.SQUARE;
             case CORNER -> PlanePoint.Form.DIAMOND;
@@ -197,9 +197,9 @@ final class ClipStage extends JPanel implements AutoCloseable {
     }
 
     /** An end with its region code; corners are told apart by their place alone. */
-    private static String label(ClipScene scene, Grip grip) {
-        if (grip.kind() == Grip.Kind.WINDOW) return "";
-        if (grip.kind() == Grip.Kind.CORNER) return grip.label();
+    private static String label(ClipScene scene, ClipGrip grip) {
+        if (grip.kind() == ClipGrip.Kind.WINDOW) return "";
+        if (grip.kind() == ClipGrip.Kind.CORNER) return grip.label();
         if (scene instanceof VolumeScene volume)
             return grip.label() + " " + Codes.bits(ClipReadings.code(volume, volume.end(grip)), 6);
         var plane = (SegmentScene) scene;
@@ -246,7 +246,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
             return true;
         }
 
-        private Optional<Grip> grip(String name) {
+        private Optional<ClipGrip> grip(String name) {
             return model.state().choice().scene().grips().keySet().stream()
                     .filter(each -> each.componentName().equals(name))
                     .findFirst();

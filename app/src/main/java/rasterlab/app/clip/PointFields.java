@@ -46,7 +46,7 @@ final class PointFields extends JPanel {
     }
 
     private void entered(String axis, double value) {
-        Grip grip = model.state().selected();
+        ClipGrip grip = model.state().selected();
         ClipScene scene = model.state().choice().scene();
         if (scene instanceof VolumeScene volume) {
             model.volume(old -> old.withEnd(grip, changed(volume.end(grip), axis, value)));
@@ -66,7 +66,7 @@ final class PointFields extends JPanel {
 
     /** Shows the selected point's present place. */
     void refresh() {
-        Grip grip = model.state().selected();
+        ClipGrip grip = model.state().selected();
         ClipScene scene = model.state().choice().scene();
         if (scene instanceof VolumeScene volume) {
             SpacePoint at = volume.end(grip);

@@ -66,30 +66,30 @@ public record PolygonScene(
     }
 
     @Override
-    public Map<Grip, Place> grips() {
-        var grips = new LinkedHashMap<Grip, Place>();
-        for (int i = 0; i < subject.size(); i++) grips.put(Grip.corner(i), subject.get(i));
+    public Map<ClipGrip, Place> grips() {
+        var grips = new LinkedHashMap<ClipGrip, Place>();
+        for (int i = 0; i < subject.size(); i++) grips.put(ClipGrip.corner(i), subject.get(i));
         for (int i = 0; i < window.corners().size(); i++)
-            grips.put(Grip.window(i), window.corners().get(i));
+            grips.put(ClipGrip.window(i), window.corners().get(i));
         return grips;
     }
 
     @Override
-    public PolygonScene moved(Grip grip, Place to) {
-        return grip.kind() == Grip.Kind.WINDOW
+    public PolygonScene moved(ClipGrip grip, Place to) {
+        return grip.kind() == ClipGrip.Kind.WINDOW
                 ? with(window.moved(grip.index(), to))
                 : with(Lists.replaced(subject, grip.index(), to));
     }
 
     @Override
-    public PolygonScene grown(Grip beside) {
-        if (beside.kind() == Grip.Kind.WINDOW) return with(window.grown(beside.index()));
+    public PolygonScene grown(ClipGrip beside) {
+        if (beside.kind() == ClipGrip.Kind.WINDOW) return with(window.grown(beside.index()));
         return subject.size() >= MOST ? this : with(PlaneFigures.grown(subject, beside.index()));
     }
 
     @Override
-    public PolygonScene without(Grip grip) {
-        if (grip.kind() == Grip.Kind.WINDOW) return with(window.without(grip.index()));
+    public PolygonScene without(ClipGrip grip) {
+        if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.without(grip.index()));
         return subject.size() <= 3 ? this : with(Lists.removed(subject, grip.index()));
     }
 }

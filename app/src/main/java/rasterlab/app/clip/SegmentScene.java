@@ -73,25 +73,25 @@ public record SegmentScene(
     }
 
     @Override
-    public Map<Grip, Place> grips() {
-        var grips = new LinkedHashMap<Grip, Place>();
+    public Map<ClipGrip, Place> grips() {
+        var grips = new LinkedHashMap<ClipGrip, Place>();
         for (int i = 0; i < segments.size(); i++)
-            for (int end = 0; end < 2; end++) grips.put(Grip.end(i, end), segments.get(i).end(end));
+            for (int end = 0; end < 2; end++) grips.put(ClipGrip.end(i, end), segments.get(i).end(end));
         for (int i = 0; i < window.corners().size(); i++)
-            grips.put(Grip.window(i), window.corners().get(i));
+            grips.put(ClipGrip.window(i), window.corners().get(i));
         return grips;
     }
 
     @Override
-    public SegmentScene moved(Grip grip, Place to) {
-        if (grip.kind() == Grip.Kind.WINDOW) return with(window.moved(grip.index(), to));
+    public SegmentScene moved(ClipGrip grip, Place to) {
+        if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.moved(grip.index(), to));
         PlaneSegment moved = segments.get(grip.index()).moved(grip.end(), to);
         return with(Lists.replaced(segments, grip.index(), moved));
     }
 
     @Override
-    public SegmentScene grown(Grip beside) {
-        if (beside.kind() == Grip.Kind.WINDOW) return with(window.grown(beside.index()));
+    public SegmentScene grown(ClipGrip beside) {
+        if (beside.kind() == ClipGrip.Kind.WINDOW) return with(window.grown(beside.index()));
         if (segments.size() >= MOST) return this;
         ClipWindow sides = window.rectangle();
         double dx = (sides.xmax() - sides.xmin()) / 8;
@@ -104,8 +104,8 @@ public record SegmentScene(
     }
 
     @Override
-    public SegmentScene without(Grip grip) {
-        if (grip.kind() == Grip.Kind.WINDOW) return with(window.without(grip.index()));
+    public SegmentScene without(ClipGrip grip) {
+        if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.without(grip.index()));
         return segments.size() == 1 ? this : with(Lists.removed(segments, grip.index()));
     }
 }

@@ -91,34 +91,34 @@ public record VolumeScene(
         return new VolumeScene(zmin, others, method, comparison, screen, space, view);
     }
 
-    VolumeScene withEnd(Grip grip, SpacePoint to) {
+    VolumeScene withEnd(ClipGrip grip, SpacePoint to) {
         SpaceSegment moved = segments.get(grip.index()).moved(grip.end(), to);
         return with(Lists.replaced(segments, grip.index(), moved));
     }
 
-    SpacePoint end(Grip grip) {
+    SpacePoint end(ClipGrip grip) {
         return segments.get(grip.index()).end(grip.end());
     }
 
     /** The ends; none in the box after the division, where straight moves are bent. */
     @Override
-    public Map<Grip, Place> grips() {
-        var grips = new LinkedHashMap<Grip, Place>();
+    public Map<ClipGrip, Place> grips() {
+        var grips = new LinkedHashMap<ClipGrip, Place>();
         if (space == VolumeSpace.CANONICAL) return grips;
         var picture = new VolumePicture(this);
         for (int i = 0; i < segments.size(); i++)
             for (int end = 0; end < 2; end++)
-                grips.put(Grip.end(i, end), picture.of(segments.get(i).end(end)));
+                grips.put(ClipGrip.end(i, end), picture.of(segments.get(i).end(end)));
         return grips;
     }
 
     @Override
-    public VolumeScene moved(Grip grip, Place to) {
+    public VolumeScene moved(ClipGrip grip, Place to) {
         return withEnd(grip, new VolumePicture(this).lifted(end(grip), to));
     }
 
     @Override
-    public VolumeScene grown(Grip beside) {
+    public VolumeScene grown(ClipGrip beside) {
         if (segments.size() >= MOST) return this;
         SpaceSegment source = segments.get(beside.index());
         var copy = new SpaceSegment(higher(source.a()), higher(source.b()));
@@ -130,7 +130,7 @@ public record VolumeScene(
     }
 
     @Override
-    public VolumeScene without(Grip grip) {
+    public VolumeScene without(ClipGrip grip) {
         return segments.size() == 1 ? this : with(Lists.removed(segments, grip.index()));
     }
 }

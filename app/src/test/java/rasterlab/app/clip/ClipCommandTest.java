@@ -33,7 +33,7 @@ class ClipCommandTest {
                 model.shapeWindow(true);
                 commands.add("upright: " + ClipCommand.of(model.state().choice().scene()));
             }
-            model.move(Grip.end(0, 0), -0.0, 0.1);
+            model.move(ClipGrip.end(0, 0), -0.0, 0.1);
             commands.add("moved: " + ClipCommand.of(model.state().choice().scene()));
         }
         GoldenCommands.assertKept(mode.topic(), commands);

@@ -101,15 +101,15 @@ class ClipLabModelTest {
 
     @Test
     void draggedCornerMovesItsTwoSidesOnly() {
-        model.move(Grip.window(2), 8, 5);
+        model.move(ClipGrip.window(2), 8, 5);
         assertEquals(new ClipWindow(0, 0, 8, 5), window());
-        model.move(Grip.window(0), -1, 1);
+        model.move(ClipGrip.window(0), -1, 1);
         assertEquals(new ClipWindow(-1, 1, 8, 5), window());
     }
 
     @Test
     void cornerStopsAtTheOppositeOne() {
-        model.move(Grip.window(0), 50, 50);
+        model.move(ClipGrip.window(0), 50, 50);
         assertEquals(new ClipWindow(10, 6, 10, 6), window());
     }
 
@@ -117,7 +117,7 @@ class ClipLabModelTest {
     void dragIsOneChangeForUndo() {
         ClipChoice before = model.state().choice();
         model.beginDrag();
-        for (int x = 0; x < 9; x++) model.move(Grip.end(1, 1), x, 4);
+        for (int x = 0; x < 9; x++) model.move(ClipGrip.end(1, 1), x, 4);
         model.endDrag();
         assertEquals(new Place(8, 4), model.state().choice().segments().segments().get(1).b());
         model.history().undo();
@@ -127,9 +127,9 @@ class ClipLabModelTest {
 
     @Test
     void otherModeKeepsItsScene() {
-        model.move(Grip.end(0, 0), -2, -2);
+        model.move(ClipGrip.end(0, 0), -2, -2);
         model.chooseMode(ClipMode.POLYGON);
-        model.move(Grip.corner(0), -9, 1);
+        model.move(ClipGrip.corner(0), -9, 1);
         model.chooseMode(ClipMode.SEGMENTS);
         assertEquals(new Place(-2, -2), model.state().choice().segments().segments().get(0).a());
         assertEquals(new Place(-9, 1), model.state().choice().polygon().subject().get(0));
@@ -138,7 +138,7 @@ class ClipLabModelTest {
     @Test
     void resetLeavesTheOtherModesAlone() {
         model.chooseMode(ClipMode.POLYGON);
-        model.move(Grip.corner(0), -9, 1);
+        model.move(ClipGrip.corner(0), -9, 1);
         model.chooseMode(ClipMode.SEGMENTS);
         model.chooseMethod("midpoint");
         model.reset();
@@ -168,7 +168,7 @@ class ClipLabModelTest {
         model.chooseMethod("liang-barsky");
         settle();
         model.goTo(2);
-        model.move(Grip.end(0, 0), -3, -1);
+        model.move(ClipGrip.end(0, 0), -3, -1);
         settle();
         assertEquals(2, model.step());
     }
@@ -244,7 +244,7 @@ class ClipLabModelTest {
     @Test
     void hollowWindowIsRefusedAndNothingIsExact() {
         model.shapeWindow(false);
-        model.move(Grip.window(1), 4, 4);
+        model.move(ClipGrip.window(1), 4, 4);
         assertEquals(Clipping.Ending.REFUSED, clipping().ending());
         assertEquals(List.of(), model.state().results().exact());
     }
@@ -268,8 +268,8 @@ class ClipLabModelTest {
         model.chooseMode(ClipMode.VOLUME);
         for (VolumeSpace space : List.of(VolumeSpace.EYE, VolumeSpace.NORMALISED)) {
             model.volume(old -> old.withSpace(space).withView(new Viewpoint(-30, 25)));
-            model.move(Grip.end(0, 1), 0.3, -0.4);
-            Place seen = model.state().choice().volume().grips().get(Grip.end(0, 1));
+            model.move(ClipGrip.end(0, 1), 0.3, -0.4);
+            Place seen = model.state().choice().volume().grips().get(ClipGrip.end(0, 1));
             assertEquals(0.3, seen.x(), 1e-12, space.name());
             assertEquals(-0.4, seen.y(), 1e-12, space.name());
         }
@@ -277,12 +277,12 @@ class ClipLabModelTest {
 
     @Test
     void selectedSegmentIsRemovedAndTheLastOneStays() {
-        model.select(Grip.end(2, 1));
+        model.select(ClipGrip.end(2, 1));
         model.shrink();
         assertEquals(3, model.state().choice().segments().segments().size());
         for (int i = 0; i < 5; i++) model.shrink();
         assertEquals(1, model.state().choice().segments().segments().size());
-        assertEquals(Grip.end(0, 0), model.state().selected());
+        assertEquals(ClipGrip.end(0, 0), model.state().selected());
         model.grow();
         assertEquals(2, model.state().choice().segments().segments().size());
     }
@@ -290,9 +290,9 @@ class ClipLabModelTest {
     @Test
     void pointThatAnotherModeLacksIsNotSelectedThere() {
         model.chooseMode(ClipMode.POLYGON);
-        model.select(Grip.corner(7));
+        model.select(ClipGrip.corner(7));
         model.chooseMode(ClipMode.VOLUME);
-        assertEquals(Grip.end(0, 0), model.state().selected());
+        assertEquals(ClipGrip.end(0, 0), model.state().selected());
     }
 
     @Test
@@ -354,7 +354,7 @@ class ClipLabModelTest {
 
     @Test
     void commandKeepsEveryDigit() {
-        model.move(Grip.end(0, 0), -1.0 / 3, 2);
+        model.move(ClipGrip.end(0, 0), -1.0 / 3, 2);
         String command = ClipCommand.of(model.state().choice().scene());
         assertTrue(command.contains("[-0.3333333333333333, 2, 12, 8]"), command);
         assertTrue(command.contains("\"window\": [0, 0, 10, 6]"), command);

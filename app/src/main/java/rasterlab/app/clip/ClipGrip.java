@@ -6,7 +6,7 @@ package rasterlab.app.clip;
  * @param index counted from 0: a corner of the window or of the polygon, or a segment
  * @param end 0 or 1 for the first or second end of a segment, else 0
  */
-public record Grip(Kind kind, int index, int end) {
+public record ClipGrip(Kind kind, int index, int end) {
     /** What a grip belongs to. */
     public enum Kind {
         WINDOW,
@@ -14,16 +14,16 @@ public record Grip(Kind kind, int index, int end) {
         END
     }
 
-    static Grip window(int corner) {
-        return new Grip(Kind.WINDOW, corner, 0);
+    static ClipGrip window(int corner) {
+        return new ClipGrip(Kind.WINDOW, corner, 0);
     }
 
-    static Grip corner(int corner) {
-        return new Grip(Kind.CORNER, corner, 0);
+    static ClipGrip corner(int corner) {
+        return new ClipGrip(Kind.CORNER, corner, 0);
     }
 
-    static Grip end(int segment, int end) {
-        return new Grip(Kind.END, segment, end);
+    static ClipGrip end(int segment, int end) {
+        return new ClipGrip(Kind.END, segment, end);
     }
 
     /**
