@@ -20,12 +20,12 @@ import rasterlab.grader.storage.text
 @Serializable
 private data class HintsView(
     val steps: Int,
-    val taken: List<HintView>,
+    val taken: List<HintAnswer>,
     val next: NextView?,
 )
 
 @Serializable
-private data class HintView(
+private data class HintAnswer(
     val step: Int,
     val cost: Int,
     val text: String,
@@ -90,7 +90,7 @@ private fun Exercise.view(
         hints().size,
         taken.mapNotNull { one ->
             hints().getOrNull(one.step - 1)?.let {
-                HintView(one.step, one.cost, it.text(language), one.takenAt.text())
+                HintAnswer(one.step, one.cost, it.text(language), one.takenAt.text())
             }
         },
         hints().getOrNull(next - 1)?.let { NextView(next, it.cost()) },
