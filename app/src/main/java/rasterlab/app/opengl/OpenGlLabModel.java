@@ -22,7 +22,7 @@ import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.software.SoftwarePainter;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
-import rasterlab.app.opengl.state.Images;
+import rasterlab.app.opengl.state.LabImages;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.texture.Texture;
@@ -43,7 +43,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final History<GlChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, state().touched()));
     private final Listeners<OpenGlLabState> listeners = new Listeners<>();
-    private final Images images = new Images();
+    private final LabImages images = new LabImages();
     private final OffscreenGl offscreen = new OffscreenGl();
     private Optional<SoftwarePainter> painter = Optional.empty();
     private int windows;

@@ -9,7 +9,7 @@ import rasterlab.app.opengl.software.SoftwarePainter;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlChoice.ImageTexture;
 import rasterlab.app.opengl.state.GlFrame;
-import rasterlab.app.opengl.state.Images;
+import rasterlab.app.opengl.state.LabImages;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.raster.Raster;
@@ -27,7 +27,7 @@ public final class SoftwareHalf {
      */
     public static Raster of(GlChoice choice, int width, int height) {
         try (var painter = new SoftwarePainter()) {
-            var frame = new GlFrame(choice, width, height, new Images().of(choice));
+            var frame = new GlFrame(choice, width, height, new LabImages().of(choice));
             return painter.draw(frame, () -> false);
         }
     }

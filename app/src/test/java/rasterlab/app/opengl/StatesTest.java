@@ -20,7 +20,7 @@ import rasterlab.app.opengl.software.SoftwarePainter;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.Group;
-import rasterlab.app.opengl.state.Images;
+import rasterlab.app.opengl.state.LabImages;
 import rasterlab.app.opengl.state.Setting;
 
 /** Every state in both halves; skipped where OpenGL cannot draw without a window. */
@@ -37,14 +37,14 @@ class StatesTest {
 
     private static OffscreenGl openGl;
     private static SoftwarePainter software;
-    private static Images images;
+    private static LabImages images;
     private static String missing = "";
 
     @BeforeAll
     static void open() {
         openGl = new OffscreenGl();
         software = new SoftwarePainter();
-        images = new Images();
+        images = new LabImages();
         try {
             openGl.draw(new GlFrame(GlChoice.first(), 1, 1, images.of(GlChoice.first())));
         } catch (NoOpenGl e) {

@@ -5,7 +5,7 @@ import java.util.Optional;
 import rasterlab.engine.texture.Texture;
 
 /** The lab's own images for textures, made for each size and number of components. */
-public final class Images {
+public final class LabImages {
     private static final int CHECKERS = 8;
 
     private List<Object> made = List.of();
