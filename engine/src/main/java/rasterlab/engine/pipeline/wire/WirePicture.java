@@ -25,7 +25,7 @@ public final class WirePicture {
 
     private final ViewedMesh view;
     private final WireStyle style;
-    private final Ink ink;
+    private final LineColors ink;
     private final Optional<Veil> veil;
     private final Raster out;
     private final ScreenEdge screen;
@@ -40,7 +40,7 @@ public final class WirePicture {
         this.style = style;
         this.veil = veil;
         this.out = out;
-        ink = Ink.on(backgroundRgb);
+        ink = LineColors.on(backgroundRgb);
         screen = new ScreenEdge(view);
     }
 
