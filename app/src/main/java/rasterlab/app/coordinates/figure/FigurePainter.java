@@ -71,7 +71,7 @@ final class FigurePainter {
         else if (mark instanceof Mark.Beside beside) beside(beside);
     }
 
-    private Color colour(Ink ink) {
+    private Color colour(MarkInk ink) {
         return switch (ink.role()) {
             case OBJECT -> colours.ink();
             case GHOST, HELP -> colours.axis();
@@ -86,7 +86,7 @@ final class FigurePainter {
         };
     }
 
-    private static BasicStroke stroke(Ink.Role role) {
+    private static BasicStroke stroke(MarkInk.Role role) {
         return switch (role) {
             case GHOST -> dashed(1.4f, 2f, 4f);
             case HELP -> dashed(1f, 5f, 5f);

@@ -5,18 +5,18 @@ import rasterlab.engine.raster.PixelMark;
 
 /** One thing drawn in the plane of the stage. */
 public sealed interface Mark {
-    Ink ink();
+    MarkInk ink();
 
-    record Line(Spot from, Spot to, Ink ink) implements Mark {}
+    record Line(Spot from, Spot to, MarkInk ink) implements Mark {}
 
     /** Lines through all places. */
-    record Path(List<Spot> places, Ink ink) implements Mark {
+    record Path(List<Spot> places, MarkInk ink) implements Mark {
         public Path {
             places = List.copyOf(places);
         }
     }
 
-    record Area(List<Spot> corners, Ink ink) implements Mark {
+    record Area(List<Spot> corners, MarkInk ink) implements Mark {
         public Area {
             corners = List.copyOf(corners);
         }
@@ -25,27 +25,27 @@ public sealed interface Mark {
     /**
      * @param label at its tip, "" for none
      */
-    record Arrow(Spot from, Spot to, Ink ink, String label) implements Mark {}
+    record Arrow(Spot from, Spot to, MarkInk ink, String label) implements Mark {}
 
     /**
      * @param label beside it, "" for none
      */
-    record Dot(Spot at, Ink ink, String label) implements Mark {}
+    record Dot(Spot at, MarkInk ink, String label) implements Mark {}
 
     /** A cross for a place that is computed, such as a vanishing point. */
-    record Cross(Spot at, Ink ink, String label) implements Mark {}
+    record Cross(Spot at, MarkInk ink, String label) implements Mark {}
 
     /** A mark around a place where a point is missing, or over one where there should be none. */
     record Wrong(Spot at, PixelMark kind) implements Mark {
         @Override
-        public Ink ink() {
-            return Ink.WRONG;
+        public MarkInk ink() {
+            return MarkInk.WRONG;
         }
     }
 
     /** Words whose middle is there. */
-    record Words(Spot at, Ink ink, String label) implements Mark {}
+    record Words(Spot at, MarkInk ink, String label) implements Mark {}
 
     /** Words that begin there. */
-    record Beside(Spot at, Ink ink, String label) implements Mark {}
+    record Beside(Spot at, MarkInk ink, String label) implements Mark {}
 }

@@ -15,7 +15,7 @@ public final class MarkBounds {
     public static Rectangle2D around(List<Mark> marks) {
         Rectangle2D.Double box = null;
         for (Mark mark : marks) {
-            if (mark.ink().role() == Ink.Role.WRONG) continue;
+            if (mark.ink().role() == MarkInk.Role.WRONG) continue;
             for (Spot spot : spots(mark).filter(Spot::isFinite).toList())
                 if (box == null) box = new Rectangle2D.Double(spot.x(), spot.y(), 0, 0);
                 else box.add(spot.x(), spot.y());

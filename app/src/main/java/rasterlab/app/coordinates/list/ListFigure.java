@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.list;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.coordinates.figure.Wire;
@@ -30,7 +30,7 @@ final class ListFigure {
         var figure = new ListFigure(scene);
         if (dimensionOf(scene) == 3) figure.marks.addAll(figure.places.axes(figure.reach()));
         if (!scene.isRefused()) figure.draw(step);
-        else figure.wire(scene.choice().wire().numbers(), Ink.OBJECT);
+        else figure.wire(scene.choice().wire().numbers(), MarkInk.OBJECT);
         return new Figure(figure.marks, dimensionOf(scene) == 2);
     }
 
@@ -40,13 +40,13 @@ final class ListFigure {
 
     private void draw(int step) {
         for (int earlier = 0; earlier < step; earlier++)
-            wire(scene.images(earlier, false), Ink.GHOST);
-        if (scene.wrong()) wire(scene.images(step, true), Ink.OBJECT);
-        wire(scene.images(step, false), scene.wrong() ? Ink.PRINTED : Ink.OBJECT, scene.h(step));
+            wire(scene.images(earlier, false), MarkInk.GHOST);
+        if (scene.wrong()) wire(scene.images(step, true), MarkInk.OBJECT);
+        wire(scene.images(step, false), scene.wrong() ? MarkInk.PRINTED : MarkInk.OBJECT, scene.h(step));
         if (scene.choice().reading() == Reading.FRAME) frame(step);
     }
 
-    private void wire(double[] points, Ink ink) {
+    private void wire(double[] points, MarkInk ink) {
         wire(points, ink, new double[0]);
     }
 
@@ -54,20 +54,20 @@ final class ListFigure {
      * @param h of each point; an edge to one with H ≤ 0 is drawn wrong. None where all are before
      *     the eye
      */
-    private void wire(double[] points, Ink ink, double[] h) {
+    private void wire(double[] points, MarkInk ink, double[] h) {
         List<Spot> spots = places.of(points);
         if (scene.choice().subject().wire().edges().isEmpty()) dots(spots, ink, h);
         for (Wire.Edge edge : scene.choice().subject().wire().edges()) {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
             marks.add(
                     new Mark.Line(
-                            spots.get(edge.from()), spots.get(edge.to()), right ? ink : Ink.WRONG));
+                            spots.get(edge.from()), spots.get(edge.to()), right ? ink : MarkInk.WRONG));
         }
     }
 
-    private void dots(List<Spot> spots, Ink ink, double[] h) {
+    private void dots(List<Spot> spots, MarkInk ink, double[] h) {
         for (int i = 0; i < spots.size(); i++)
-            marks.add(new Mark.Dot(spots.get(i), h.length == 0 || h[i] > 0 ? ink : Ink.WRONG, ""));
+            marks.add(new Mark.Dot(spots.get(i), h.length == 0 || h[i] > 0 ? ink : MarkInk.WRONG, ""));
     }
 
     /** The largest coordinate of the subject, as far as it reaches. */
@@ -79,6 +79,6 @@ final class ListFigure {
     private void frame(int step) {
         List<Spot> ends = places.of(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
-            marks.add(new Mark.Arrow(ends.get(0), ends.get(axis + 1), Ink.axis(axis), MOVED[axis]));
+            marks.add(new Mark.Arrow(ends.get(0), ends.get(axis + 1), MarkInk.axis(axis), MOVED[axis]));
     }
 }

@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.list;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.coordinates.figure.Viewpoint;
@@ -56,7 +56,7 @@ final class ListPlaces {
             var ends = new double[6];
             ends[3 + axis] = reach;
             List<Spot> spots = of(ends);
-            marks.add(new Mark.Arrow(spots.get(0), spots.get(1), Ink.HELP, AXES[axis]));
+            marks.add(new Mark.Arrow(spots.get(0), spots.get(1), MarkInk.HELP, AXES[axis]));
         }
         return marks;
     }

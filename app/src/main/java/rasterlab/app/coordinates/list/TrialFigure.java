@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.language.Language;
@@ -38,7 +38,7 @@ final class TrialFigure {
         figure.given();
         scene.made().ifPresent(figure::made);
         for (Spot spot : figure.places.of(scene.exact().points()))
-            if (spot.isFinite()) figure.marks.add(new Mark.Cross(spot, Ink.OBJECT, ""));
+            if (spot.isFinite()) figure.marks.add(new Mark.Cross(spot, MarkInk.OBJECT, ""));
         return new Figure(figure.marks, false);
     }
 
@@ -48,15 +48,15 @@ final class TrialFigure {
         List<Spot> right = places.of(scene.exact().points());
         for (int i = 0; i < spots.size(); i++) {
             if (!scene.inReach(scene.given(), i)) continue;
-            marks.add(new Mark.Line(spots.get(i), right.get(i), Ink.GHOST));
-            marks.add(new Mark.Dot(spots.get(i), Ink.GHOST, ""));
+            marks.add(new Mark.Line(spots.get(i), right.get(i), MarkInk.GHOST));
+            marks.add(new Mark.Dot(spots.get(i), MarkInk.GHOST, ""));
         }
     }
 
     private void made(TrialScene.Placed made) {
         List<Spot> right = places.of(scene.exact().points());
         List<Spot> spots = places.of(made.points());
-        Ink ink = Ink.method(scene.trial().method());
+        MarkInk ink = MarkInk.method(scene.trial().method());
         boolean named = false;
         for (int i = 0; i < scene.fates().size(); i++) {
             TrialScene.Fate fate = scene.fates().get(i);
@@ -65,7 +65,7 @@ final class TrialFigure {
                 marks.add(new Mark.Wrong(right.get(i), PixelMark.MISSING));
             if (!shown) continue;
             if (fate == TrialScene.Fate.WRONG)
-                marks.add(new Mark.Line(right.get(i), spots.get(i), Ink.PRINTED));
+                marks.add(new Mark.Line(right.get(i), spots.get(i), MarkInk.PRINTED));
             boolean label = !named && fate != TrialScene.Fate.RIGHT;
             named |= label;
             marks.add(new Mark.Dot(spots.get(i), ink, label ? called : ""));

@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.meeting;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.engine.geometry.Line;
@@ -52,8 +52,8 @@ final class MeetingFigure {
         double reach = drawn(scene.exact()) ? scene.exact() : 0;
         double least = Math.min(0, reach) - BEYOND;
         double most = Math.max(1, reach) + BEYOND;
-        marks.add(new Mark.Line(at(least), at(most), Ink.HELP));
-        marks.add(new Mark.Arrow(at(0), at(1), Ink.OBJECT, ""));
+        marks.add(new Mark.Line(at(least), at(most), MarkInk.HELP));
+        marks.add(new Mark.Arrow(at(0), at(1), MarkInk.OBJECT, ""));
     }
 
     private void plane() {
@@ -63,16 +63,16 @@ final class MeetingFigure {
             least = Math.min(least, at(scene.exact()).x() - BEYOND);
             most = Math.max(most, at(scene.exact()).x() + BEYOND);
         }
-        marks.add(new Mark.Line(new Spot(least, 0), new Spot(most, 0), Ink.EDGE));
-        marks.add(new Mark.Arrow(new Spot(least, 0), new Spot(least, NORMAL), Ink.axis(2), "n"));
-        marks.add(new Mark.Words(new Spot(most, -NAME), Ink.EDGE, "n·p = c"));
+        marks.add(new Mark.Line(new Spot(least, 0), new Spot(most, 0), MarkInk.EDGE));
+        marks.add(new Mark.Arrow(new Spot(least, 0), new Spot(least, NORMAL), MarkInk.axis(2), "n"));
+        marks.add(new Mark.Words(new Spot(most, -NAME), MarkInk.EDGE, "n·p = c"));
     }
 
     /** The right place as a cross, the chosen method's as a dot of its colour. */
     private void meetings() {
-        if (drawn(scene.exact())) marks.add(new Mark.Cross(at(scene.exact()), Ink.OBJECT, ""));
+        if (drawn(scene.exact())) marks.add(new Mark.Cross(at(scene.exact()), MarkInk.OBJECT, ""));
         MeetingScene.Answer chosen = scene.chosen();
         if (Double.isFinite(chosen.mu()) && drawn(chosen.mu()))
-            marks.add(new Mark.Dot(at(chosen.mu()), Ink.method(chosen.method()), "μ"));
+            marks.add(new Mark.Dot(at(chosen.mu()), MarkInk.method(chosen.method()), "μ"));
     }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import org.joml.Matrix4d;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.coordinates.figure.Viewpoint;
@@ -64,13 +64,13 @@ final class StackFigure {
                     new Mark.Arrow(
                             ends.get(0),
                             ends.get(axis + 1),
-                            help ? Ink.HELP : Ink.axis(axis),
+                            help ? MarkInk.HELP : MarkInk.axis(axis),
                             names[axis]));
     }
 
     private void cube(Matrix4d frame) {
         List<Spot> places = places(frame, CUBE.numbers());
         for (Wire.Edge edge : CUBE.edges())
-            marks.add(new Mark.Line(places.get(edge.from()), places.get(edge.to()), Ink.OBJECT));
+            marks.add(new Mark.Line(places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
     }
 }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.language.Language;
@@ -22,17 +22,17 @@ final class TurnFigure {
     static Figure of(TurnScene scene, int step, Language language) {
         var marks = new ArrayList<Mark>();
         if (!scene.known()) return new Figure(marks, true);
-        marks.add(new Mark.Path(scene.circle(), Ink.HELP));
+        marks.add(new Mark.Path(scene.circle(), MarkInk.HELP));
         var origin = new Spot(0, 0);
-        Ink own = Ink.method(scene.choice().method());
+        MarkInk own = MarkInk.method(scene.choice().method());
         List<TurnScene.Step> done = scene.steps().subList(0, Math.min(step, scene.steps().size()));
         Spot start = new Spot(scene.choice().x(), scene.choice().y());
-        marks.add(new Mark.Line(origin, start, Ink.GHOST));
+        marks.add(new Mark.Line(origin, start, MarkInk.GHOST));
         if (done.size() <= DOTS) {
             var path = new ArrayList<Spot>();
             path.add(start);
             done.forEach(each -> path.add(each.at()));
-            marks.add(new Mark.Path(path, Ink.GHOST));
+            marks.add(new Mark.Path(path, MarkInk.GHOST));
             for (TurnScene.Step each : done) marks.add(new Mark.Dot(each.at(), own, ""));
         } else {
             for (TurnScene.Step each : done) marks.add(new Mark.Dot(each.at(), own, ""));
@@ -51,7 +51,7 @@ final class TurnFigure {
         for (TurnScene.Drift each : scene.drifts()) {
             boolean own = each.method().equals(scene.choice().method());
             if (each.refused() || !own && !(each.error() > SEEN)) continue;
-            Ink ink = Ink.method(each.method());
+            MarkInk ink = MarkInk.method(each.method());
             marks.add(new Mark.Line(new Spot(0, 0), each.end(), ink));
             marks.add(
                     new Mark.Dot(
@@ -61,6 +61,6 @@ final class TurnFigure {
                                     ? ""
                                     : OwnWords.called(each.method(), language)));
         }
-        marks.add(new Mark.Cross(scene.exact(), Ink.OBJECT, ""));
+        marks.add(new Mark.Cross(scene.exact(), MarkInk.OBJECT, ""));
     }
 }

@@ -9,7 +9,7 @@ import org.joml.Vector3d;
 import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.coordinates.figure.Viewpoint;
@@ -87,7 +87,7 @@ final class ViewFigure {
         axes(image);
         if (scene.stages().get(stage).space() == ViewStage.Space.EYE && choice.kind().central())
             new EyeSpace().draw(image);
-        wire(image, seen(image.numbers()), Ink.OBJECT, "");
+        wire(image, seen(image.numbers()), MarkInk.OBJECT, "");
     }
 
     /** Draws the axes from the origin, half as long again as the object reaches. */
@@ -104,18 +104,18 @@ final class ViewFigure {
             tip[axis] = 0.9 * reach;
             marks.add(
                     new Mark.Arrow(
-                            seen(0, 0, 0).get(0), seen(tip).get(0), Ink.axis(axis), AXES[axis]));
+                            seen(0, 0, 0).get(0), seen(tip).get(0), MarkInk.axis(axis), AXES[axis]));
         }
     }
 
-    private void wire(ViewScene.Image image, List<Spot> places, Ink ink, String label) {
+    private void wire(ViewScene.Image image, List<Spot> places, MarkInk ink, String label) {
         for (Wire.Edge edge : ViewScene.HOUSE.edges()) {
             boolean right = image.inFront(edge.from()) && image.inFront(edge.to());
             marks.add(
                     new Mark.Line(
                             places.get(edge.from()),
                             places.get(edge.to()),
-                            right ? ink : Ink.WRONG));
+                            right ? ink : MarkInk.WRONG));
         }
         if (!label.isEmpty())
             for (int v = 0; v < places.size(); v++)
@@ -131,7 +131,7 @@ final class ViewFigure {
         }
         if (choice.vanishing()) vanishing(image);
         // Far points make the house so small that its numbers would lie on each other.
-        wire(image, places(image), Ink.OBJECT, choice.vanishing() ? "" : "numbered");
+        wire(image, places(image), MarkInk.OBJECT, choice.vanishing() ? "" : "numbered");
     }
 
     /** The window's edge, and its middle where the picture plane's origin falls. */
@@ -145,15 +145,15 @@ final class ViewFigure {
                                 new Spot(width, 0),
                                 new Spot(width, height),
                                 new Spot(0, height)),
-                        Ink.PLANE));
+                        MarkInk.PLANE));
         var fit = ViewStages.fit(choice);
-        marks.add(new Mark.Cross(new Spot(fit.centreX(), fit.centreY()), Ink.HELP, ""));
+        marks.add(new Mark.Cross(new Spot(fit.centreX(), fit.centreY()), MarkInk.HELP, ""));
     }
 
     /** Left and right one over the other, or in the halves of a picture twice as wide. */
     private void twoEyes() {
         for (int eye = 0; eye < 2; eye++)
-            wire(image(eye), eye(eye), eye == 0 ? Ink.LEFT_EYE : Ink.RIGHT_EYE, "");
+            wire(image(eye), eye(eye), eye == 0 ? MarkInk.LEFT_EYE : MarkInk.RIGHT_EYE, "");
     }
 
     /**
@@ -186,11 +186,11 @@ final class ViewFigure {
     /** The box around all marks, but for vanishing points so far that the house would be a dot. */
     static Rectangle2D frame(List<Mark> marks) {
         Rectangle2D house =
-                MarkBounds.around(marks.stream().filter(mark -> mark.ink() == Ink.OBJECT).toList());
+                MarkBounds.around(marks.stream().filter(mark -> mark.ink() == MarkInk.OBJECT).toList());
         double most = FARTHEST * Math.max(house.getWidth(), house.getHeight());
         return MarkBounds.around(
                 marks.stream()
-                        .filter(mark -> !(mark instanceof Mark.Line line && line.ink() == Ink.HELP))
+                        .filter(mark -> !(mark instanceof Mark.Line line && line.ink() == MarkInk.HELP))
                         .filter(
                                 mark ->
                                         !(mark instanceof Mark.Cross cross
@@ -214,8 +214,8 @@ final class ViewFigure {
             if (Math.abs(point.x()) > 1e6 || Math.abs(point.y()) > 1e6) continue;
             for (int from : FROM)
                 if (image.inFront(from))
-                    marks.add(new Mark.Line(places(image).get(from), point, Ink.HELP));
-            marks.add(new Mark.Cross(point, Ink.EYE, AXES[axis] + "∞"));
+                    marks.add(new Mark.Line(places(image).get(from), point, MarkInk.HELP));
+            marks.add(new Mark.Cross(point, MarkInk.EYE, AXES[axis] + "∞"));
         }
     }
 
@@ -232,7 +232,7 @@ final class ViewFigure {
                 VanishingPoints.centre(projection, axis)
                         .ifPresent(at -> centres.add(back.transformPosition(at)));
             for (Vector3d centre : centres)
-                marks.add(new Mark.Cross(seen(centre.x, centre.y, centre.z).get(0), Ink.EYE, "E"));
+                marks.add(new Mark.Cross(seen(centre.x, centre.y, centre.z).get(0), MarkInk.EYE, "E"));
             if (centres.size() == 1) sight(image, centres.get(0));
         }
 
@@ -246,7 +246,7 @@ final class ViewFigure {
                             image.coordinate(vertex, 0),
                             image.coordinate(vertex, 1),
                             image.coordinate(vertex, 2));
-            marks.add(new Mark.Line(line.get(0), line.get(1), Ink.EYE));
+            marks.add(new Mark.Line(line.get(0), line.get(1), MarkInk.EYE));
             if (choice.kind() == ViewKind.LOOK_AT) return;
             double z = choice.kind().spherical() ? choice.number(ViewNumber.D) : 0;
             scene.image(ViewStage.Space.PICTURE.ordinal()).ifPresent(flat -> image(flat, z));
@@ -282,10 +282,10 @@ final class ViewFigure {
                 high + free,
                 z
             };
-            marks.add(new Mark.Area(inEyeSpace(edge), Ink.PLANE));
+            marks.add(new Mark.Area(inEyeSpace(edge), MarkInk.PLANE));
             List<Spot> places = inEyeSpace(points);
             for (Wire.Edge each : ViewScene.HOUSE.edges())
-                marks.add(new Mark.Line(places.get(each.from()), places.get(each.to()), Ink.PLANE));
+                marks.add(new Mark.Line(places.get(each.from()), places.get(each.to()), MarkInk.PLANE));
         }
 
         private List<Spot> inEyeSpace(double[] planePoints) {

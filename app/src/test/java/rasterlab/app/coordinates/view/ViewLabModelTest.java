@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -121,7 +121,7 @@ class ViewLabModelTest {
 
     private long wrongLines() {
         return ViewFigure.of(model.scene(), model.step()).marks().stream()
-                .filter(mark -> mark.ink().equals(Ink.WRONG))
+                .filter(mark -> mark.ink().equals(MarkInk.WRONG))
                 .count();
     }
 
