@@ -19,7 +19,7 @@ private data class CourseAnswer(
 )
 
 @Serializable
-private data class JoinAnswer(
+private data class JoinResponse(
     val student: String,
     val token: String,
 )
@@ -53,7 +53,7 @@ fun Route.courses(
         val student = call.parameters.getOrFail("student")
         val token =
             accounts.renewStudent(student, call.idempotencyKey()) ?: throw Rejection.UnknownStudent(student)
-        call.respondJson(JoinAnswer(student, token), Created)
+        call.respondJson(JoinResponse(student, token), Created)
     }
 }
 
@@ -65,6 +65,6 @@ fun Route.joining(courses: Courses) {
     post("/join") {
         val (code, name) = call.receiveJson("course", "name") { it.anyText("course") to it.anyText("name") }
         val student = courses.join(code, Name.of(name), call.idempotencyKey(secret = true))
-        call.respondJson(JoinAnswer(student.id, student.token), Created)
+        call.respondJson(JoinResponse(student.id, student.token), Created)
     }
 }
