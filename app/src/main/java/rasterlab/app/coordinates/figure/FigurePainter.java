@@ -30,7 +30,7 @@ final class FigurePainter {
     private final Graphics2D g;
     private final PlaneMap map;
     private final StageColours colours;
-    private final LabelPlaces places;
+    private final MarkLabelPlaces places;
 
     /**
      * @param marks all that will be painted
@@ -49,7 +49,7 @@ final class FigurePainter {
         for (Mark mark : marks)
             if (mark instanceof Mark.Line line) add(lines, line.from(), line.to());
             else if (mark instanceof Mark.Arrow arrow) add(lines, arrow.from(), arrow.to());
-        places = new LabelPlaces(g.getClipBounds(), lines, taken);
+        places = new MarkLabelPlaces(g.getClipBounds(), lines, taken);
     }
 
     private void add(List<Line2D> lines, Spot from, Spot to) {

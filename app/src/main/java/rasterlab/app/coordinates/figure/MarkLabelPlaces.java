@@ -9,7 +9,7 @@ import java.util.List;
  * Where labels stand beside their places: where they hide the fewest lines and other labels, to the
  * upper right if that is as good.
  */
-final class LabelPlaces {
+final class MarkLabelPlaces {
     /** View units from a place to its label, the nearest first. */
     private static final int[] AWAY = {7, 14, 22};
 
@@ -29,7 +29,7 @@ final class LabelPlaces {
      * @param lines should not be hidden
      * @param taken where labels and rings are already
      */
-    LabelPlaces(Rectangle view, List<Line2D> lines, List<Rectangle> taken) {
+    MarkLabelPlaces(Rectangle view, List<Line2D> lines, List<Rectangle> taken) {
         this.view = view;
         this.lines = List.copyOf(lines);
         this.taken = new ArrayList<>(taken);
