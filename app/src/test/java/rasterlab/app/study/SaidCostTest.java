@@ -26,7 +26,7 @@ import rasterlab.engine.transform.chain.Chain;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.Turns;
-import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTask;
 import rasterlab.engine.transform.view.ViewTopic;
 
 /** What students read about a method's cost is what the counters count. */
@@ -42,8 +42,8 @@ class SaidCostTest {
                                 "point"),
                         of(
                                 new ViewTopic(),
-                                new Look(20, 70, 400, new double[3]),
-                                new Look(20, 70, 400, new double[6]),
+                                new ViewTask(20, 70, 400, new double[3]),
+                                new ViewTask(20, 70, 400, new double[6]),
                                 "point"),
                         of(
                                 new RotateTopic(),

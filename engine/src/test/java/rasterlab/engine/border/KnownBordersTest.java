@@ -32,7 +32,7 @@ import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
-import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTask;
 import rasterlab.engine.transform.view.ViewTopic;
 
 /** Inputs that went wrong once, with answers found by hand. */
@@ -223,7 +223,7 @@ class KnownBordersTest {
     @Test
     void aViewOfTheSmallestDoublesMayRoundThem() {
         var topic = new ViewTopic();
-        var look = new Look(-10, -1, TINY, new double[] {0, 1.5E-323, 2.0E-323});
+        var look = new ViewTask(-10, -1, TINY, new double[] {0, 1.5E-323, 2.0E-323});
         for (var method : promising(topic.methods())) {
             var seen = topic.record(method.implementation(), look, 1);
             assertTrue(topic.correct(topic.compare(look, topic.exact(look, 1), seen)));

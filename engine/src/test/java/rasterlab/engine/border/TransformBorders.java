@@ -15,7 +15,7 @@ import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.Turns;
-import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTask;
 import rasterlab.engine.transform.view.ViewTopic;
 
 /** Points to move and the matrices, angles and axes that move them. */
@@ -90,8 +90,8 @@ final class TransformBorders {
         return cells;
     }
 
-    private static Look look(Draws draws) {
-        return new Look(
+    private static ViewTask look(Draws draws) {
+        return new ViewTask(
                 draws.number(),
                 draws.number(),
                 draws.number(Double.MIN_VALUE, LARGEST),

@@ -5,7 +5,7 @@ import java.util.Optional;
 import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.axis.AxisTurn;
 import rasterlab.engine.transform.rotate.Turns;
-import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTask;
 import rasterlab.exercises.property.Relation.Alike;
 import rasterlab.exercises.property.Relation.Answered;
 import rasterlab.exercises.property.Relation.Broken;
@@ -35,7 +35,7 @@ final class MotionProperties {
                                                     -turn.degrees(),
                                                     images.coordinates()),
                                     (turn, images) -> new Images(turn.points(), 3))),
-                    Property.<Look, Images>always("view", "orthogonality", new DistancesKept()));
+                    Property.<ViewTask, Images>always("view", "orthogonality", new DistancesKept()));
 
     private MotionProperties() {}
 
@@ -43,17 +43,17 @@ final class MotionProperties {
      * The relation that the images of two points are as far apart as these: so it is where the axes
      * have length 1 and are at right angles.
      */
-    private static final class DistancesKept implements Relation<Look, Images> {
+    private static final class DistancesKept implements Relation<ViewTask, Images> {
         @Override
-        public List<Look> beside(Look look, Images images) {
+        public List<ViewTask> beside(ViewTask look, Images images) {
             return List.of();
         }
 
         @Override
-        public Optional<Broken<Look, Images>> broken(
-                Answered<Look, Images> first,
-                List<Answered<Look, Images>> beside,
-                Alike<Look, Images> alike) {
+        public Optional<Broken<ViewTask, Images>> broken(
+                Answered<ViewTask, Images> first,
+                List<Answered<ViewTask, Images>> beside,
+                Alike<ViewTask, Images> alike) {
             double[] points = first.input().points();
             double[] images = first.output().coordinates();
             if (images.length != points.length) return Optional.empty();

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import rasterlab.engine.transform.axis.AxisTurn;
 import rasterlab.engine.transform.chain.Chain;
-import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTask;
 
 /**
  * Points of space and the matrices they go through: an input of a topic that has both.
@@ -49,7 +49,7 @@ record PointList(List<ListItem> items, List<Double> points) {
         return new PointList(items, list(chain.points()));
     }
 
-    static PointList of(Look look) {
+    static PointList of(ViewTask look) {
         ListItem view = ListItem.of(VIEW, look.theta(), look.phi(), look.rho());
         return new PointList(List.of(view), list(look.points()));
     }

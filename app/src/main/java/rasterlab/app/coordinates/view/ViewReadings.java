@@ -12,7 +12,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixCall;
-import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTask;
 import rasterlab.engine.transform.view.ViewTopic;
 
 /** The state of the lab in words, numbers and formulas of one language. */
@@ -64,7 +64,7 @@ final class ViewReadings {
     /** Multiplications and additions for one point, as one matrix and taken apart. */
     String operations() {
         var topic = new ViewTopic();
-        var look = new Look(30, 70, 400, new double[] {1, 2, 3});
+        var look = new ViewTask(30, 70, 400, new double[] {1, 2, 3});
         var counts = new ArrayList<Object>();
         for (var method : topic.methods()) {
             var counted = topic.operations(method.implementation(), look);

@@ -8,7 +8,7 @@ import rasterlab.engine.transform.exact.BigTrig;
 final class ExactView {
     private ExactView() {}
 
-    static Images images(Look look, int limit) {
+    static Images images(ViewTask look, int limit) {
         BigTrig theta = BigTrig.ofDegrees(look.theta());
         BigTrig phi = BigTrig.ofDegrees(look.phi());
         BigDecimal zero = BigDecimal.ZERO;

@@ -17,7 +17,7 @@ import rasterlab.engine.transform.Coordinates;
 import rasterlab.engine.transform.Images;
 
 /** Views from outside: {@code points} and the eye by its angles; {@code points} as seen out. */
-public final class ViewFormat extends Format<EyeView, Look, Images> {
+public final class ViewFormat extends Format<EyeView, ViewTask, Images> {
     /** The most points whose steps one answer has. */
     private static final int MOST_STEPPED = 100_000;
 
@@ -31,7 +31,7 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     private static final Field<?> SEEN =
             Field.required("points", Shape.list(Shape.numbersOrNull(3, 3)));
 
-    public ViewFormat(Topic<EyeView, Look, Images> topic) {
+    public ViewFormat(Topic<EyeView, ViewTask, Images> topic) {
         super(topic);
     }
 
@@ -58,12 +58,12 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     }
 
     @Override
-    public Look read(Given given) {
-        return new Look(given.get(THETA), given.get(PHI), given.get(RHO), given.get(POINTS));
+    public ViewTask read(Given given) {
+        return new ViewTask(given.get(THETA), given.get(PHI), given.get(RHO), given.get(POINTS));
     }
 
     @Override
-    protected Given given(Look look) {
+    protected Given given(ViewTask look) {
         return new Given()
                 .with(POINTS, look.points())
                 .with(THETA, look.theta())
@@ -72,12 +72,12 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     }
 
     @Override
-    public void write(Look input, Images images, ValueSink out) throws IOException {
+    public void write(ViewTask input, Images images, ValueSink out) throws IOException {
         out.points(SEEN.name(), images.coordinates(), 3);
     }
 
     @Override
-    protected void check(Call<EyeView> call, Look look) {
+    protected void check(Call<EyeView> call, ViewTask look) {
         if (!call.steps()) return;
         call.stepped(SteppedView.class);
         Steps.requireAtMost(MOST_STEPPED, "points", look.points().length / 3);
@@ -94,7 +94,7 @@ public final class ViewFormat extends Format<EyeView, Look, Images> {
     }
 
     @Override
-    protected Written steps(Call<EyeView> call, Look look) {
+    protected Written steps(Call<EyeView> call, ViewTask look) {
         SteppedView stepped = call.stepped(SteppedView.class);
         var steps = new ArrayList<List<Step>>();
         double[] p = look.points();

@@ -21,7 +21,7 @@ import rasterlab.engine.transform.Images;
  * <p>The error is the largest difference of a coordinate over the largest coordinate and ρ; up to
  * 16·2⁻⁵³ counts as exact: seven operations and two sines are rounded.
  */
-public final class ViewTopic implements Topic<EyeView, Look, Images> {
+public final class ViewTopic implements Topic<EyeView, ViewTask, Images> {
     private static final double CORRECT = 16 * 0x1p-53;
     private static final long SEED = 400;
     private static final List<Method<EyeView>> METHODS =
@@ -50,7 +50,7 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
-    public List<Hazard<Look>> hazards() {
+    public List<Hazard<ViewTask>> hazards() {
         return List.of(
                 hazard("pole", 30, 0, 10, 1, 2, 3),
                 hazard("origin", 30, 60, 400, 0, 0, 0),
@@ -62,13 +62,13 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
                 hazard("far-eye", 20, 70, 1e12, 1, 2, 3));
     }
 
-    private static Hazard<Look> hazard(
+    private static Hazard<ViewTask> hazard(
             String name, double theta, double phi, double rho, double... points) {
-        return Hazard.allExactBut(Map.of(), METHODS, name, new Look(theta, phi, rho, points));
+        return Hazard.allExactBut(Map.of(), METHODS, name, new ViewTask(theta, phi, rho, points));
     }
 
     @Override
-    public List<Workload<Look>> workloads() {
+    public List<Workload<ViewTask>> workloads() {
         return List.of(points(1), points(16), points(256), points(4_096));
     }
 
@@ -77,12 +77,12 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
         return ViewMutants.all();
     }
 
-    private static Workload<Look> points(int count) {
+    private static Workload<ViewTask> points(int count) {
         var random = new Random(SEED + count);
-        var looks = new ArrayList<Look>();
+        var looks = new ArrayList<ViewTask>();
         for (int i = 0; i < 4_096 / Math.max(count, 64); i++)
             looks.add(
-                    new Look(
+                    new ViewTask(
                             random.nextDouble(-180, 180),
                             random.nextDouble(0, 180),
                             random.nextDouble(200, 900),
@@ -91,24 +91,24 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
-    public Images run(EyeView method, Look look, int limit) {
+    public Images run(EyeView method, ViewTask look, int limit) {
         double[] points = look.points().clone();
         method.view(look.theta(), look.phi(), look.rho(), points);
         return new Images(points, 3).first(limit);
     }
 
     @Override
-    public long spend(EyeView method, Look look) {
+    public long spend(EyeView method, ViewTask look) {
         return run(method, look, Integer.MAX_VALUE).size();
     }
 
     @Override
-    public Images exact(Look look, int limit) {
+    public Images exact(ViewTask look, int limit) {
         return ExactView.images(look, limit);
     }
 
     @Override
-    public Deviation compare(Look look, Images exact, Images actual) {
+    public Deviation compare(ViewTask look, Images exact, Images actual) {
         var scales = new double[exact.size()];
         for (int i = 0; i < scales.length; i++) {
             // Below the normal numbers rounding does not shrink with what is rounded.
@@ -125,7 +125,7 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
-    public Map<String, Long> operations(EyeView method, Look look) {
+    public Map<String, Long> operations(EyeView method, ViewTask look) {
         if (!(method instanceof CheckedView counted)) return Map.of();
         var counting = new CountingArithmetic();
         counted.count(counting, look.theta(), look.phi(), look.rho(), look.points().clone());
@@ -143,7 +143,7 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
     }
 
     @Override
-    public Format<EyeView, Look, Images> format() {
+    public Format<EyeView, ViewTask, Images> format() {
         return new ViewFormat(this);
     }
 }

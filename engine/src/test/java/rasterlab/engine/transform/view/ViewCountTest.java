@@ -57,7 +57,7 @@ class ViewCountTest {
     }
 
     private static Map<String, Long> count(String method, int points) {
-        var look = new Look(20, 70, 400, new double[3 * points]);
+        var look = new ViewTask(20, 70, 400, new double[3 * points]);
         return TOPIC.operations(TOPIC.method(method).implementation(), look);
     }
 
@@ -79,7 +79,7 @@ class ViewCountTest {
         var random = new Random(seed);
         for (int i = 0; i < 300; i++) {
             var look =
-                    new Look(
+                    new ViewTask(
                             random.nextDouble(-720, 720),
                             random.nextDouble(-720, 720),
                             random.nextDouble(0.1, 1000),

@@ -8,8 +8,8 @@ package rasterlab.engine.transform.view;
  * @param rho distance from the origin
  * @param points x, y, z one after the other
  */
-public record Look(double theta, double phi, double rho, double[] points) {
-    public Look {
+public record ViewTask(double theta, double phi, double rho, double[] points) {
+    public ViewTask {
         points = points.clone();
     }
 }
