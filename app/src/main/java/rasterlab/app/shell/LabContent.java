@@ -70,7 +70,7 @@ public final class LabContent extends JPanel {
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
         pane.putClientProperty(
                 "JTabbedPane.trailingComponent",
-                new LookControls(
+                new WindowLookControls(
                         texts, look, keys, onLook, onLanguage, () -> help(labs.language())));
         pane.bindSteps(keys);
         player.bind(keys);

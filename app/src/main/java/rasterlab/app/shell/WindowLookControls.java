@@ -17,7 +17,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** The choice of language, theme and size of type, at the end of the strip of tabs. */
-final class LookControls extends JPanel {
+final class WindowLookControls extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient Texts texts;
@@ -31,7 +31,7 @@ final class LookControls extends JPanel {
      * @param keys given the keys of the choice
      * @param onHelp asked what can be done in the tab
      */
-    LookControls(
+    WindowLookControls(
             Texts texts,
             LabLook look,
             WindowKeys keys,
