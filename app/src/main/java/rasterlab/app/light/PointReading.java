@@ -8,7 +8,7 @@ import rasterlab.contract.Reflection;
 import rasterlab.engine.light.Light;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Material;
-import rasterlab.engine.light.Mirror;
+import rasterlab.engine.light.SpecularCosine;
 import rasterlab.engine.light.shade.FormulaShader;
 import rasterlab.engine.light.shade.Terms;
 import rasterlab.engine.transform.ViewTransform;
@@ -136,7 +136,7 @@ record PointReading(
         double mirrored =
                 diffuse <= 0
                         ? 0
-                        : Mirror.cosine(
+                        : SpecularCosine.cosine(
                                 reflection,
                                 normal[0],
                                 normal[1],

@@ -83,7 +83,7 @@ final class PlacedLight {
         if (cosine <= 0) return;
         add(source.diffuse(), strength * cosine, fallen, 3);
         if (reflection == Reflection.LAMBERT) return;
-        double mirrored = Mirror.cosine(reflection, nx, ny, nz, lx, ly, lz, vx, vy, vz);
+        double mirrored = SpecularCosine.cosine(reflection, nx, ny, nz, lx, ly, lz, vx, vy, vz);
         add(source.specular(), strength * Powers.of(mirrored, shininess), fallen, 6);
     }
 

@@ -10,11 +10,11 @@ import rasterlab.contract.Reflection;
  * 18(6), 1975 (r·v); J. F. Blinn, Models of light reflection for computer synthesized pictures,
  * SIGGRAPH 1977 (n·h).
  */
-public final class Mirror {
+public final class SpecularCosine {
     /** The length of l + v below which the eye is taken to look straight at the light's back. */
     private static final double OPPOSITE = 0x1p-40;
 
-    private Mirror() {}
+    private SpecularCosine() {}
 
     /**
      * r·v with r = 2·(n·l)·n − l, or n·h with h = (l + v)/|l + v|; 0 where it is negative, where l
