@@ -15,6 +15,6 @@ final class DepthOption implements ITypeConverter<DepthOption.Limit> {
     @Override
     public Limit convert(String text) {
         if (text.equals(LookOptions.NONE)) return new Limit(Optional.empty());
-        return new Limit(Optional.of(NumberText.number(text)));
+        return new Limit(Optional.of(OptionNumbers.number(text)));
     }
 }

@@ -146,8 +146,8 @@ public final class Lab {
     static CommandLine configured(CommandLine lab, Console console) {
         var failures = new Failures(console.err(), console.language());
         console.language().help().ifPresent(lab::setResourceBundle);
-        ITypeConverter<Double> number = NumberText::number;
-        ITypeConverter<Integer> whole = NumberText::whole;
+        ITypeConverter<Double> number = OptionNumbers::number;
+        ITypeConverter<Integer> whole = OptionNumbers::whole;
         return lab.setOut(new PrintWriter(console.out(), true))
                 .setErr(new PrintWriter(console.err(), true))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))

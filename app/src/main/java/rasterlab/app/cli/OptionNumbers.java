@@ -3,8 +3,8 @@ package rasterlab.app.cli;
 import picocli.CommandLine.TypeConversionException;
 
 /** Numbers as options take them. */
-final class NumberText {
-    private NumberText() {}
+final class OptionNumbers {
+    private OptionNumbers() {}
 
     /** Decimal, also with an exponent; Infinity too, where an option allows it. */
     static Double number(String text) {
