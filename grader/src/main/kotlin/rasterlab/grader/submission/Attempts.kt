@@ -18,7 +18,7 @@ import java.util.concurrent.TimeUnit
 import java.util.function.Consumer
 
 /** Whether the queue is done with a submission. */
-enum class Outcome {
+enum class AttemptOutcome {
     SETTLED,
     TRY_AGAIN,
 }
@@ -45,8 +45,8 @@ class Attempts(
      *
      * @throws InterruptedException when the server stops; the submission is back in the queue then
      */
-    fun attemptNext(): Outcome {
-        if (!database.hasRoom()) return Outcome.TRY_AGAIN
+    fun attemptNext(): AttemptOutcome {
+        if (!database.hasRoom()) return AttemptOutcome.TRY_AGAIN
         val lease = leases.claimNext() ?: return measureNext()
         live.announce()
         held += lease
@@ -62,8 +62,8 @@ class Attempts(
     }
 
     /** Measures a speed again, if one is due. What else the same source is given now changes nothing. */
-    private fun measureNext(): Outcome {
-        val lease = leases.measurements.claimNext() ?: return Outcome.SETTLED
+    private fun measureNext(): AttemptOutcome {
+        val lease = leases.measurements.claimNext() ?: return AttemptOutcome.SETTLED
         held += lease
         try {
             val submission = lease.submission
@@ -78,7 +78,7 @@ class Attempts(
             held -= lease
             live.announce()
         }
-        return Outcome.SETTLED
+        return AttemptOutcome.SETTLED
     }
 
     /** Keeps the leases of the attempts that run here. */
@@ -87,7 +87,7 @@ class Attempts(
     private fun settle(
         lease: Lease,
         submission: Submission,
-    ): Outcome {
+    ): AttemptOutcome {
         val exercise = exercises.at(submission.exercise, submission.revision)
         val report =
             when {
@@ -111,7 +111,7 @@ class Attempts(
             }
         if (report.verdict() == GradingVerdict.INTERNAL && (submission.tries < TRIES || stopping())) {
             stored { leases.giveUp(lease, counts = !stopping()) }
-            return Outcome.TRY_AGAIN
+            return AttemptOutcome.TRY_AGAIN
         }
         val written = stored { leases.finish(lease, exercise?.revision() ?: submission.revision, report) }
         if (written) {
@@ -119,7 +119,7 @@ class Attempts(
         } else {
             log.warn("submission {} was given to another worker; this result is dropped", submission.id)
         }
-        return Outcome.SETTLED
+        return AttemptOutcome.SETTLED
     }
 
     /** Keeps at it while the disk is full or another process locks the database: a result is not lost by that. */

@@ -130,13 +130,13 @@ class GradingQueue(
         log.warn("the system's clock was set by {}; nothing in the queue is moved by that", step)
     }
 
-    private fun completion(outcome: Outcome): CompletionHandler<Void> =
+    private fun completion(outcome: AttemptOutcome): CompletionHandler<Void> =
         when (outcome) {
-            Outcome.SETTLED -> {
+            AttemptOutcome.SETTLED -> {
                 CompletionHandler { _, operations -> operations.remove() }
             }
 
-            Outcome.TRY_AGAIN -> {
+            AttemptOutcome.TRY_AGAIN -> {
                 CompletionHandler { done, operations ->
                     operations.reschedule(
                         done,

@@ -54,7 +54,7 @@ class AttemptsTest {
         var calls = 0
         val attempts = attempts { _, _, _, _ -> right.also { calls++ } }
         val id = submission()
-        repeat(3) { assertEquals(Outcome.SETTLED, attempts.attemptNext()) }
+        repeat(3) { assertEquals(AttemptOutcome.SETTLED, attempts.attemptNext()) }
         assertEquals(1, calls)
         assertEquals(GradingVerdict.OK, reports.of(id)?.report?.verdict())
     }
@@ -111,12 +111,12 @@ class AttemptsTest {
             }
         val id = submission()
         assertEquals(
-            listOf(Outcome.TRY_AGAIN, Outcome.TRY_AGAIN, Outcome.SETTLED),
+            listOf(AttemptOutcome.TRY_AGAIN, AttemptOutcome.TRY_AGAIN, AttemptOutcome.SETTLED),
             List(3) { attempts.attemptNext().also { now += Leases.PAUSE } },
         )
         assertEquals(3, calls)
         assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
-        assertEquals(Outcome.SETTLED, attempts.attemptNext())
+        assertEquals(AttemptOutcome.SETTLED, attempts.attemptNext())
         assertEquals(3, calls, "tried again although a person has it")
     }
 
@@ -128,7 +128,7 @@ class AttemptsTest {
             leases.releaseAll()
         }
         var calls = 0
-        assertEquals(Outcome.SETTLED, attempts { _, _, _, _ -> right.also { calls++ } }.attemptNext())
+        assertEquals(AttemptOutcome.SETTLED, attempts { _, _, _, _ -> right.also { calls++ } }.attemptNext())
         assertEquals(0, calls)
         assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
     }
@@ -155,7 +155,7 @@ class AttemptsTest {
         stopping = true
         val id = submission()
         repeat(Attempts.TRIES + 1) {
-            assertEquals(Outcome.TRY_AGAIN, attempts { _, _, _, _ -> ours }.attemptNext())
+            assertEquals(AttemptOutcome.TRY_AGAIN, attempts { _, _, _, _ -> ours }.attemptNext())
             now += Leases.PAUSE
         }
         assertEquals(0, submissions.find(id)?.tries)
