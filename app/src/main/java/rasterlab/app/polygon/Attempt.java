@@ -4,24 +4,24 @@ import rasterlab.engine.study.LimitReached;
 
 /** Runs a method and takes down how it ended. */
 final class Attempt {
-    private Outcome.Ending ending = Outcome.Ending.ENDED;
+    private MethodOutcome.Ending ending = MethodOutcome.Ending.ENDED;
     private String message = "";
 
     Attempt(Runnable method) {
         try {
             method.run();
         } catch (LimitReached endless) {
-            ending = Outcome.Ending.ENDLESS;
+            ending = MethodOutcome.Ending.ENDLESS;
         } catch (IllegalArgumentException refused) {
-            ending = Outcome.Ending.REFUSED;
+            ending = MethodOutcome.Ending.REFUSED;
             message = String.valueOf(refused.getMessage());
         } catch (RuntimeException | StackOverflowError crashed) {
-            ending = Outcome.Ending.CRASHED;
+            ending = MethodOutcome.Ending.CRASHED;
             message = crashed.toString();
         }
     }
 
-    Outcome.Ending ending() {
+    MethodOutcome.Ending ending() {
         return ending;
     }
 

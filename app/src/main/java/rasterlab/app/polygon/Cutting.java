@@ -28,7 +28,7 @@ final class Cutting {
         exact = new ExactTriangulation(corners);
     }
 
-    static Outcome of(
+    static MethodOutcome of(
             Topic<Triangulator, Points, Triangles> topic, CutFigure figure, String method) {
         Points corners = CornerList.points(figure.corners());
         var cutting = new Cutting(corners);
@@ -46,10 +46,10 @@ final class Cutting {
                         });
         Triangles right = topic.exact(corners, topic.mostItems());
         Deviation deviation =
-                attempt.ending() == Outcome.Ending.REFUSED
+                attempt.ending() == MethodOutcome.Ending.REFUSED
                         ? Deviation.NONE
                         : topic.compare(corners, right, triangles(cuts));
-        return new Outcome(
+        return new MethodOutcome(
                 method,
                 attempt.ending(),
                 attempt.message(),

@@ -18,7 +18,7 @@ import rasterlab.engine.study.Deviation;
 final class Judging {
     private Judging() {}
 
-    static Outcome of(PolygonTopics topics, PolygonMode mode, InsideFigure figure, String method) {
+    static MethodOutcome of(PolygonTopics topics, PolygonMode mode, InsideFigure figure, String method) {
         ShapeAndPoints input = figure.input();
         Points corners = input.corners();
         Points points = input.points();
@@ -44,7 +44,7 @@ final class Judging {
                         ? Deviation.NONE
                         : MembershipComparison.compare(input, exact, judged.get(0));
         List<Boolean> inside = judged.isEmpty() ? List.of() : listed(judged.get(0));
-        return new Outcome(
+        return new MethodOutcome(
                 method,
                 attempt.ending(),
                 attempt.message(),

@@ -202,7 +202,7 @@ final class PolygonInspector {
         formulas.show(readings.formulas());
         formulas.setVisible(!readings.formulas().isEmpty());
         waiting.setVisible(shown == PolygonMode.SEED);
-        Outcome outcome = state.results().outcome();
+        MethodOutcome outcome = state.results().outcome();
         if (shown == PolygonMode.SEED && outcome.answer() instanceof PixelAnswer answer)
             waiting.show(answer.runs(), outcome.method(), state.step());
         missing.setText(readings.missing());
@@ -231,8 +231,8 @@ final class PolygonInspector {
 
     /** Why the method refused: in its own words where those are the window's language. */
     private String refusal(PolygonLabState state) {
-        Outcome outcome = state.results().outcome();
-        if (outcome.ending() != Outcome.Ending.REFUSED) return "";
+        MethodOutcome outcome = state.results().outcome();
+        if (outcome.ending() != MethodOutcome.Ending.REFUSED) return "";
         if (outcome.method().equals(OwnMethods.NAME))
             return OwnWords.reason(OwnMethods.NAME, outcome.message(), texts.language());
         return texts.language() == Language.ENGLISH

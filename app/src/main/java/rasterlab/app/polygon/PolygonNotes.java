@@ -9,7 +9,7 @@ final class PolygonNotes {
     private PolygonNotes() {}
 
     /** "" where there is nothing to say. */
-    static String about(PolygonFigure figure, Outcome outcome, Texts texts) {
+    static String about(PolygonFigure figure, MethodOutcome outcome, Texts texts) {
         String method = OwnWords.called(outcome.method(), texts.language());
         return switch (outcome.ending()) {
             case ENDLESS ->
@@ -27,7 +27,7 @@ final class PolygonNotes {
         };
     }
 
-    private static String crashed(Outcome outcome, Texts texts) {
+    private static String crashed(MethodOutcome outcome, Texts texts) {
         if (outcome.message().contains("StackOverflowError"))
             return texts.text(
                     "note.overflow",
@@ -39,7 +39,7 @@ final class PolygonNotes {
                 outcome.message());
     }
 
-    private static String ended(PolygonFigure figure, Outcome outcome, Texts texts) {
+    private static String ended(PolygonFigure figure, MethodOutcome outcome, Texts texts) {
         if (figure instanceof SeedFigure seed && seed.same())
             return texts.text("note.same", OwnWords.called(outcome.method(), texts.language()));
         if (outcome.isRight()) return "";
@@ -54,11 +54,11 @@ final class PolygonNotes {
     }
 
     /** Why a method refuses the figure, in the window's language. */
-    static String reason(PolygonFigure figure, Outcome outcome, Texts texts) {
+    static String reason(PolygonFigure figure, MethodOutcome outcome, Texts texts) {
         return texts.text("refusal." + reasonKey(figure, outcome));
     }
 
-    private static String reasonKey(PolygonFigure figure, Outcome outcome) {
+    private static String reasonKey(PolygonFigure figure, MethodOutcome outcome) {
         if (figure instanceof InsideFigure)
             return switch (outcome.method()) {
                 case "sign-int" -> "whole";

@@ -9,7 +9,7 @@ import rasterlab.engine.raster.PixelRecording;
 /** The pictures of outcomes. */
 record PolygonPictures(PolygonTopics topics, Texts texts) {
     /** A method beside the exact answer. */
-    PlanePicture of(PolygonScene scene, Outcome outcome, int step) {
+    PlanePicture of(PolygonScene scene, MethodOutcome outcome, int step) {
         PolygonFigure figure = scene.figure();
         if (outcome.answer() instanceof InsideAnswer inside)
             return judged(scene, outcome.method(), inside, "", step);
@@ -27,8 +27,8 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
 
     /** Both methods in one picture, with where they differ. */
     PlanePicture difference(PolygonResults results, int step) {
-        Outcome first = results.outcome();
-        Outcome second = results.other().orElseThrow();
+        MethodOutcome first = results.outcome();
+        MethodOutcome second = results.other().orElseThrow();
         PolygonFigure figure = results.scene().figure();
         if (first.answer() instanceof InsideAnswer inside)
             return judged(results.scene(), first.method(), inside, second.method(), step);

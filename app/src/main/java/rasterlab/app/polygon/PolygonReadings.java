@@ -22,7 +22,7 @@ final class PolygonReadings {
 
     private final PolygonLabState state;
     private final PolygonScene scene;
-    private final Outcome outcome;
+    private final MethodOutcome outcome;
     private final Texts texts;
 
     PolygonReadings(PolygonLabState state, Texts texts) {
@@ -190,7 +190,7 @@ final class PolygonReadings {
     }
 
     private String count(long items) {
-        if (outcome.ending() != Outcome.Ending.ENDED) return NONE;
+        if (outcome.ending() != MethodOutcome.Ending.ENDED) return NONE;
         if (!state.finished()) return texts.text("known.later");
         if (outcome.answer() instanceof InsideAnswer answer)
             return judged("items.at", "items.points", items, answer);
@@ -204,7 +204,7 @@ final class PolygonReadings {
     }
 
     String worst() {
-        if (outcome.ending() != Outcome.Ending.ENDED) return NONE;
+        if (outcome.ending() != MethodOutcome.Ending.ENDED) return NONE;
         if (!state.finished()) return texts.text("known.later");
         return texts.text(
                 "worst." + scene.mode().code(),
@@ -217,8 +217,8 @@ final class PolygonReadings {
         return state.results().other().map(this::other).orElse("");
     }
 
-    private String other(Outcome second) {
-        if (second.ending() != Outcome.Ending.ENDED)
+    private String other(MethodOutcome second) {
+        if (second.ending() != MethodOutcome.Ending.ENDED)
             return OwnWords.without(
                     second.method(),
                     texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT)),

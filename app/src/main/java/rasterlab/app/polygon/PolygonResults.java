@@ -8,16 +8,16 @@ import java.util.Optional;
  * @param outcome of the chosen method
  * @param other of the second method, if one is compared
  */
-public record PolygonResults(PolygonScene scene, Outcome outcome, Optional<Outcome> other) {
+public record PolygonResults(PolygonScene scene, MethodOutcome outcome, Optional<MethodOutcome> other) {
     static PolygonResults of(PolygonTopics topics, PolygonScene scene) {
-        Optional<Outcome> other =
+        Optional<MethodOutcome> other =
                 scene.comparison().isEmpty()
                         ? Optional.empty()
                         : Optional.of(outcome(topics, scene.withMethod(scene.comparison())));
         return new PolygonResults(scene, outcome(topics, scene), other);
     }
 
-    private static Outcome outcome(PolygonTopics topics, PolygonScene scene) {
+    private static MethodOutcome outcome(PolygonTopics topics, PolygonScene scene) {
         PolygonFigure figure = scene.figure();
         if (figure instanceof InsideFigure inside)
             return Judging.of(topics, scene.mode(), inside, scene.method());

@@ -95,7 +95,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         PicturePair pair = shown();
         cards.show(this, pair == pixels ? PIXELS : PLANE);
         boolean together = state.choice().difference();
-        Optional<Outcome> second = together ? Optional.empty() : results.other();
+        Optional<MethodOutcome> second = together ? Optional.empty() : results.other();
         PolygonFigure chosen = state.choice().scene().figure();
         Rectangle2D all = PolygonFraming.of(chosen);
         pair.arrange(all, second.isPresent());
@@ -114,7 +114,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         second.ifPresent(outcome -> showOther(pair, outcome, all));
     }
 
-    private void showOther(PicturePair pair, Outcome outcome, Rectangle2D all) {
+    private void showOther(PicturePair pair, MethodOutcome outcome, Rectangle2D all) {
         PolygonLabState state = model.state();
         int step = state.finished() ? outcome.steps() + 1 : state.step();
         pair.other()
@@ -127,7 +127,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
     }
 
     /** What the picture alone would not tell; of two pictures also whose each is. */
-    private String note(Outcome outcome, boolean finished, boolean named) {
+    private String note(MethodOutcome outcome, boolean finished, boolean named) {
         PolygonFigure figure = model.state().results().scene().figure();
         String note = finished ? PolygonNotes.about(figure, outcome, texts) : "";
         return note.isEmpty() && named ? OwnWords.called(outcome.method(), texts.language()) : note;

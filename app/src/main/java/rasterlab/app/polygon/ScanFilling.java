@@ -16,7 +16,7 @@ import rasterlab.engine.study.Topic;
 final class ScanFilling {
     private ScanFilling() {}
 
-    static Outcome of(
+    static MethodOutcome of(
             Topic<PolygonFiller, PolygonTask, PixelRecording> topic,
             FillFigure figure,
             String method) {
@@ -33,9 +33,9 @@ final class ScanFilling {
                                 drain(stepped, task, filled, runs, crossings);
                             else take(filler, task, filled, runs);
                         });
-        boolean refused = attempt.ending() == Outcome.Ending.REFUSED;
+        boolean refused = attempt.ending() == MethodOutcome.Ending.REFUSED;
         PixelDifference difference = PixelDifference.of(refused ? filled : exact, filled);
-        return new Outcome(
+        return new MethodOutcome(
                 method,
                 attempt.ending(),
                 attempt.message(),

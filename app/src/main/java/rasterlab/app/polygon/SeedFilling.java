@@ -14,7 +14,7 @@ import rasterlab.engine.study.Topic;
 final class SeedFilling {
     private SeedFilling() {}
 
-    static Outcome of(
+    static MethodOutcome of(
             Topic<SeedFiller, FillTask, PixelRecording> topic, SeedFigure figure, String method) {
         FillTask task = figure.task();
         PixelRecording exact = topic.exact(task, topic.mostItems());
@@ -39,9 +39,9 @@ final class SeedFilling {
         if (runs.size() == 0)
             for (int i = 0; i < written.size(); i++)
                 runs.add(written.y(i), written.x(i), written.x(i) + 1, 0);
-        boolean refused = attempt.ending() == Outcome.Ending.REFUSED;
+        boolean refused = attempt.ending() == MethodOutcome.Ending.REFUSED;
         PixelDifference difference = PixelDifference.of(refused ? written : exact, written);
-        return new Outcome(
+        return new MethodOutcome(
                 method,
                 attempt.ending(),
                 attempt.message(),

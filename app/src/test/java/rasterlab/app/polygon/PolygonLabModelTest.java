@@ -43,7 +43,7 @@ class PolygonLabModelTest {
         thread.settle(model::settle);
     }
 
-    private Outcome outcome() {
+    private MethodOutcome outcome() {
         settle();
         return model.state().results().outcome();
     }
@@ -60,8 +60,8 @@ class PolygonLabModelTest {
     @EnumSource
     void opensWithStepsToLookAt(PolygonMode mode) {
         model.chooseMode(mode);
-        Outcome opened = outcome();
-        assertEquals(Outcome.Ending.ENDED, opened.ending());
+        MethodOutcome opened = outcome();
+        assertEquals(MethodOutcome.Ending.ENDED, opened.ending());
         assertTrue(opened.steps() > 1);
         assertTrue(model.state().finished());
         assertEquals(opened.steps() + 1, model.last());
@@ -105,8 +105,8 @@ class PolygonLabModelTest {
         };
     }
 
-    private static String said(Outcome outcome) {
-        if (outcome.ending() != Outcome.Ending.ENDED) return outcome.ending().name();
+    private static String said(MethodOutcome outcome) {
+        if (outcome.ending() != MethodOutcome.Ending.ENDED) return outcome.ending().name();
         return outcome.isRight() ? "right" : "wrong";
     }
 
@@ -337,7 +337,7 @@ class PolygonLabModelTest {
         model.chooseMethod("sign-double");
         model.compareWith("robust");
         settle();
-        Outcome other = model.state().results().other().orElseThrow();
+        MethodOutcome other = model.state().results().other().orElseThrow();
         assertEquals("robust", other.method());
         assertTrue(other.isRight());
         assertFalse(model.state().results().outcome().isRight());

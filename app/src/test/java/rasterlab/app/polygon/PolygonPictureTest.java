@@ -91,7 +91,7 @@ class PolygonPictureTest {
     @EnumSource(names = {"TRIANGLE", "POLYGON", "FILL"})
     void labelsKeepOffTheSides(PolygonMode mode) {
         PolygonScene scene = PolygonScene.first(mode);
-        Outcome outcome = PolygonResults.of(topics, scene).outcome();
+        MethodOutcome outcome = PolygonResults.of(topics, scene).outcome();
         var view = new Rectangle(0, 0, WIDTH, HEIGHT);
         PlaneAxes axes = mode.raster() ? PlaneAxes.RASTER : PlaneAxes.GEOMETRY;
         PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, axes);

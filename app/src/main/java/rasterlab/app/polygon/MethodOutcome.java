@@ -8,7 +8,7 @@ import rasterlab.engine.study.Deviation;
  * @param message what it said when it refused or crashed, in English; "" otherwise
  * @param deviation from the exact answer
  */
-public record Outcome(
+public record MethodOutcome(
         String method, Ending ending, String message, Deviation deviation, PolygonAnswer answer) {
     /** How it came to its end. */
     public enum Ending {
