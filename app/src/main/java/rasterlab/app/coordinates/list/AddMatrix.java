@@ -5,7 +5,7 @@ import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.language.Texts;
 
 /** A list of all matrices that fit the subject, and the button that adds the chosen one. */
@@ -22,7 +22,7 @@ final class AddMatrix extends JPanel {
         super(new MigLayout("insets 0, gap 6", "[grow,fill,0::][]"));
         this.model = model;
         this.texts = texts;
-        button = new Parts(null, texts).button("add", this::add);
+        button = new NamedControls(null, texts).button("add", this::add);
         refresh();
     }
 

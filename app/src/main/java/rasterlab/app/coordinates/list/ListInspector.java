@@ -17,7 +17,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
-import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.language.Texts;
 
 /** The list with its controls, the matrices and the coordinate table. */
@@ -58,7 +58,7 @@ final class ListInspector {
         this.texts = texts;
         explanations = TopicTexts.of("matrix", texts.language()).texts();
         column = new Inspector(texts);
-        var parts = new Parts(column, texts);
+        var parts = new NamedControls(column, texts);
         mode.accept(column);
         addExamples();
         subject =

@@ -7,7 +7,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
-import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -39,7 +39,7 @@ final class MeetingInspector {
         explanations = TopicTexts.of("line-plane", texts.language()).texts();
         readings = new MeetingReadings(model, texts);
         column = new Inspector(texts);
-        var parts = new Parts(column, texts);
+        var parts = new NamedControls(column, texts);
         mode.accept(column);
         method = parts.method(model.methods(), model::chooseMethod);
         column.heading("heading.plane");

@@ -18,7 +18,7 @@ import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.transform.MatrixMode;
 
@@ -46,7 +46,7 @@ final class StackInspector {
         this.model = model;
         this.texts = texts;
         column = new Inspector(texts);
-        var parts = new Parts(column, texts);
+        var parts = new NamedControls(column, texts);
         mode.accept(column);
         column.heading("heading.commands");
         column.wide(

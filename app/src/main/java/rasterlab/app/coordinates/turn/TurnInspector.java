@@ -19,7 +19,7 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.MatrixFormulas;
 import rasterlab.app.coordinates.figure.NumberTable;
-import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.coordinates.figure.SliderField;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.language.Texts;
@@ -58,7 +58,7 @@ final class TurnInspector {
         this.texts = texts;
         explanations = TopicTexts.of("rotate", texts.language()).texts();
         column = new Inspector(texts);
-        var parts = new Parts(column, texts);
+        var parts = new NamedControls(column, texts);
         mode.accept(column);
         method =
                 parts.method(model.methods(), model::chooseMethod)

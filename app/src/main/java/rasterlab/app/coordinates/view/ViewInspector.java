@@ -17,7 +17,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NumberTable;
-import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.coordinates.figure.SliderField;
 import rasterlab.app.language.Texts;
 
@@ -27,7 +27,7 @@ final class ViewInspector {
     private final Texts texts;
     private final Texts explanations;
     private final Inspector column;
-    private final Parts parts;
+    private final NamedControls parts;
     private final Consumer<Inspector> mode;
     private NameChooser kind;
     private final Map<ViewNumber, SliderField> numbers = new EnumMap<>(ViewNumber.class);
@@ -55,7 +55,7 @@ final class ViewInspector {
         this.texts = texts;
         explanations = TopicTexts.of("transform", texts.language()).texts();
         column = new Inspector(texts);
-        parts = new Parts(column, texts);
+        parts = new NamedControls(column, texts);
         this.mode = mode;
     }
 

@@ -13,11 +13,11 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
 
 /** Controls of an inspector, named and said by their key. */
-public final class Parts {
+public final class NamedControls {
     private final Inspector column;
     private final Texts texts;
 
-    public Parts(Inspector column, Texts texts) {
+    public NamedControls(Inspector column, Texts texts) {
         this.column = column;
         this.texts = texts;
     }
