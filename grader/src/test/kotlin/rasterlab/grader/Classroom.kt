@@ -23,7 +23,7 @@ import rasterlab.engine.raster.Pixel
 import rasterlab.engine.raster.PixelWindow
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
-import rasterlab.exercises.Picture
+import rasterlab.exercises.StatementPicture
 import rasterlab.exercises.runner.Isolation
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
@@ -106,7 +106,7 @@ class Classroom(
                         "![one pixel](dot.svg)\n\n\$\\includegraphics{/etc/hostname}\$\n",
                     "ru" to "Зажгите **один** пиксель.",
                 ),
-                mapOf("dot.svg" to Picture.of("dot.svg", DOT.toByteArray())),
+                mapOf("dot.svg" to StatementPicture.of("dot.svg", DOT.toByteArray())),
                 "public class Dot {}\n",
                 "r1",
                 Exercise.Tolerance(true),

@@ -16,7 +16,7 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 
 /**
  * A statement's picture on a white plate, since its author knows of no dark theme; not wider than a
@@ -35,11 +35,11 @@ final class PicturePlate {
     private PicturePlate() {}
 
     /** The image; empty where the file is broken or too large. */
-    static Optional<Image> of(Picture picture) {
-        return picture.form() == Picture.Form.SVG ? svg(picture) : png(picture);
+    static Optional<Image> of(StatementPicture picture) {
+        return picture.form() == StatementPicture.Form.SVG ? svg(picture) : png(picture);
     }
 
-    private static Optional<Image> svg(Picture picture) {
+    private static Optional<Image> svg(StatementPicture picture) {
         LoaderContext closed =
                 LoaderContext.builder().externalResourcePolicy(ResourcePolicy.DENY_ALL).build();
         SVGDocument document =
@@ -54,7 +54,7 @@ final class PicturePlate {
                 });
     }
 
-    private static Optional<Image> png(Picture picture) {
+    private static Optional<Image> png(StatementPicture picture) {
         try {
             BufferedImage image = ImageIO.read(new ByteArrayInputStream(picture.content()));
             if (image == null) return Optional.empty();

@@ -16,7 +16,7 @@ import javax.swing.JEditorPane;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
 import rasterlab.exercises.formula.Typeset;
@@ -127,7 +127,7 @@ final class StatementPane extends JEditorPane implements Settling {
         }
     }
 
-    private record Pictures(Map<String, Picture> named, Formulas formulas)
+    private record Pictures(Map<String, StatementPicture> named, Formulas formulas)
             implements Statement.Painter {
         @Override
         public Optional<Typeset> formula(TexFormula formula) {

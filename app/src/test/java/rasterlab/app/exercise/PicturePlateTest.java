@@ -13,18 +13,18 @@ import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.catalogue.Catalogue;
 
 class PicturePlateTest {
     private static final int RED = Color.RED.getRGB();
 
-    private static BufferedImage plate(Picture picture) {
+    private static BufferedImage plate(StatementPicture picture) {
         return (BufferedImage) PicturePlate.of(picture).orElseThrow();
     }
 
-    private static Picture svg(String text) {
-        return Picture.of("a.svg", text.getBytes(StandardCharsets.UTF_8));
+    private static StatementPicture svg(String text) {
+        return StatementPicture.of("a.svg", text.getBytes(StandardCharsets.UTF_8));
     }
 
     private static byte[] png(int width, int height) throws IOException {
@@ -51,8 +51,8 @@ class PicturePlateTest {
 
     @Test
     void pictureIsMadeSmallerWhereItIsTooWide() throws IOException {
-        BufferedImage small = plate(Picture.of("a.png", png(30, 10)));
-        BufferedImage wide = plate(Picture.of("a.png", png(3000, 1000)));
+        BufferedImage small = plate(StatementPicture.of("a.png", png(30, 10)));
+        BufferedImage wide = plate(StatementPicture.of("a.png", png(3000, 1000)));
         assertEquals(RED, wide.getRGB(wide.getWidth() / 2, wide.getHeight() / 2));
         assertTrue(wide.getWidth() < 1000, wide.getWidth() + " pixels");
         assertTrue(small.getWidth() < wide.getWidth());
@@ -61,7 +61,7 @@ class PicturePlateTest {
     @Test
     void brokenFilesAreNoPictures() throws IOException {
         byte[] cut = Arrays.copyOf(png(30, 10), 20);
-        assertEquals(Optional.empty(), PicturePlate.of(Picture.of("a.png", cut)));
+        assertEquals(Optional.empty(), PicturePlate.of(StatementPicture.of("a.png", cut)));
         assertEquals(Optional.empty(), PicturePlate.of(svg("<svg")));
         assertEquals(
                 Optional.empty(),

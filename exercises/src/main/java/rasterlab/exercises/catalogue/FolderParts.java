@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise.Form;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.json.JsonFields;
 
 /**
@@ -19,7 +19,7 @@ import rasterlab.exercises.json.JsonFields;
  */
 public record FolderParts(
         Map<String, String> texts,
-        List<Picture> pictures,
+        List<StatementPicture> pictures,
         Map<String, String> sources,
         Optional<Class<?>> contract) {
     static final FolderParts NONE =

@@ -14,7 +14,7 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.Tolerance;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.graded.RightPicture;
@@ -53,8 +53,8 @@ final class StatementPictures {
      * @param statements language code to Markdown text
      * @param faults takes statement and picture, where one cannot be shown
      */
-    Map<String, Picture> read(Map<String, String> statements, Faults faults) {
-        Map<String, Picture> pictures = new LinkedHashMap<>();
+    Map<String, StatementPicture> read(Map<String, String> statements, Faults faults) {
+        Map<String, StatementPicture> pictures = new LinkedHashMap<>();
         Set<String> seen = new HashSet<>();
         statements.forEach(
                 (language, text) -> {
@@ -70,14 +70,14 @@ final class StatementPictures {
     }
 
     /** A picture; empty where no topic is known to draw it. */
-    private Optional<Picture> picture(String statement, String name) {
+    private Optional<StatementPicture> picture(String statement, String name) {
         try {
             if (name.contains("/"))
                 throw new CatalogueException(Phrase.of("picture.elsewhere", name));
             String source = name.replaceFirst("\\.png$", ".json");
             return !name.equals(source) && !folder.has(name) && folder.has(source)
                     ? topic.map(one -> drawn(one, source))
-                    : Optional.of(Picture.of(name, folder.content(name)));
+                    : Optional.of(StatementPicture.of(name, folder.content(name)));
         } catch (CatalogueException e) {
             throw new CatalogueException(
                     Phrase.of("folder.at", folder.place(statement), e.said()), e);
@@ -93,12 +93,12 @@ final class StatementPictures {
     /**
      * The right answer to the one input of a file, which is read now and drawn when it is shown.
      */
-    private Picture drawn(String topic, String source) {
+    private StatementPicture drawn(String topic, String source) {
         byte[] content = folder.content(source);
         var input = new String(content, StandardCharsets.UTF_8);
         var shown = new Case(source, Map.of(), Kind.ACCURACY, Disclosure.OPEN, 0, input, false);
         List<Call> calls = grading(topic).calls(shown, new Tolerance(false), 0);
-        return Picture.drawn(source, content, () -> drawn(topic, calls.get(0)));
+        return StatementPicture.drawn(source, content, () -> drawn(topic, calls.get(0)));
     }
 
     private static byte[] drawn(String topic, Call one) {

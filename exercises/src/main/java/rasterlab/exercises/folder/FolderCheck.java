@@ -7,7 +7,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.catalogue.FolderParts;
 import rasterlab.exercises.formula.FormulaFaults;
@@ -56,8 +56,8 @@ public final class FolderCheck {
     }
 
     /** Draws the pictures that are drawn, for an input may have no right answer. */
-    private void checkPictures(List<Picture> pictures) {
-        for (Picture one : pictures)
+    private void checkPictures(List<StatementPicture> pictures) {
+        for (StatementPicture one : pictures)
             try {
                 one.content();
             } catch (IllegalArgumentException refused) {

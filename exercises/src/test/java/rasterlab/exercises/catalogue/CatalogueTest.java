@@ -33,7 +33,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Caps;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Grading;
-import rasterlab.exercises.Picture;
+import rasterlab.exercises.StatementPicture;
 
 /** An instructor's folder is read, or its mistake is named with file and field. */
 class CatalogueTest {
@@ -146,7 +146,7 @@ class CatalogueTest {
     void picturesAreReadWithTheStatementAndChangeNoGrade() throws IOException {
         Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
         assertEquals(Set.of("segment.svg"), before.pictures().keySet());
-        assertEquals(Picture.Form.SVG, before.pictures().get("segment.svg").form());
+        assertEquals(StatementPicture.Form.SVG, before.pictures().get("segment.svg").form());
         change("segment.svg", "#d55e00", "#0072b2");
         Exercise after = Catalogue.builtIn().withFolder(folder).named("my-line");
         assertEquals(before.revision(), after.revision());
@@ -162,8 +162,8 @@ class CatalogueTest {
         Files.writeString(input, "{\"given\": {\"from\": [0, 0], \"to\": [5, 3]}}");
         change("statement.en.md", "segment.svg", "window.png");
         Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
-        Picture drawn = before.pictures().get("window.png");
-        assertEquals(Picture.Form.PNG, drawn.form());
+        StatementPicture drawn = before.pictures().get("window.png");
+        assertEquals(StatementPicture.Form.PNG, drawn.form());
         assertTrue(drawn.content().length > 100, "a picture of a segment");
         Exercise kept =
                 Catalogue.kept("my-line", Catalogue.builtIn().withFolder(folder).files("my-line"));

@@ -9,7 +9,7 @@ import java.util.stream.Stream;
 import rasterlab.exercises.score.Phrase;
 
 /** A picture of a statement: a file as it is, or one that is drawn by what a file tells. */
-public final class Picture {
+public final class StatementPicture {
     /** What a picture's file can be. */
     public enum Form {
         PNG("image/png"),
@@ -52,7 +52,7 @@ public final class Picture {
     private final byte[] kept;
     private final Supplier<byte[]> content;
 
-    private Picture(Form form, String file, byte[] kept, Supplier<byte[]> content) {
+    private StatementPicture(Form form, String file, byte[] kept, Supplier<byte[]> content) {
         this.form = form;
         this.file = file;
         this.kept = kept;
@@ -66,8 +66,8 @@ public final class Picture {
      * @param kept its content
      * @param png draws it
      */
-    public static Picture drawn(String file, byte[] kept, Supplier<byte[]> png) {
-        return new Picture(Form.PNG, file, kept.clone(), new Once(png));
+    public static StatementPicture drawn(String file, byte[] kept, Supplier<byte[]> png) {
+        return new StatementPicture(Form.PNG, file, kept.clone(), new Once(png));
     }
 
     /** The endings of files that can be pictures. */
@@ -79,7 +79,7 @@ public final class Picture {
      * @param file its name, which tells its form
      * @throws CatalogueException if the name or the content is of no known form
      */
-    public static Picture of(String file, byte[] content) {
+    public static StatementPicture of(String file, byte[] content) {
         Form form =
                 Form.of(file)
                         .orElseThrow(
@@ -92,7 +92,7 @@ public final class Picture {
         if (!form.begins(content))
             throw new CatalogueException(Phrase.of("picture.form", file, form));
         byte[] own = content.clone();
-        return new Picture(form, file, own, () -> own);
+        return new StatementPicture(form, file, own, () -> own);
     }
 
     public Form form() {
