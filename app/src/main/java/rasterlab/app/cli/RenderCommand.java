@@ -13,7 +13,7 @@ import picocli.CommandLine.Option;
 import rasterlab.app.model.EmptyPicture;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
-import rasterlab.app.outcome.PixelLevels;
+import rasterlab.app.outcome.FileLevels;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.pipeline.DrawnDepths;
@@ -236,7 +236,7 @@ final class RenderCommand implements Callable<Integer> {
     private static Raster copied(BufferedImage image) {
         var raster = new Raster(image.getWidth(), image.getHeight());
         for (int y = 0; y < image.getHeight(); y++)
-            PixelLevels.row(image, y, raster.argb(), y * image.getWidth());
+            FileLevels.row(image, y, raster.argb(), y * image.getWidth());
         return raster;
     }
 }

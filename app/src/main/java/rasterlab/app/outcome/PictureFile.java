@@ -30,13 +30,13 @@ public final class PictureFile {
     /**
      * Reads a picture; one that is too large is refused before its pixels are read.
      *
-     * @return with the components of {@link PixelLevels#components}
+     * @return with the components of {@link FileLevels#components}
      * @throws Complaint naming the file, if there is no such file, or it is no picture, broken or
      *     too large
      */
     public static Texture texture(Path file) {
         BufferedImage image = read(file, Texture.LARGEST);
-        return texture(image, PixelLevels.components(image));
+        return texture(image, FileLevels.components(image));
     }
 
     /**
@@ -53,7 +53,7 @@ public final class PictureFile {
         int height = image.getHeight();
         var texels = new int[width * height];
         for (int y = 0; y < height; y++)
-            PixelLevels.row(image, y, texels, (height - 1 - y) * width);
+            FileLevels.row(image, y, texels, (height - 1 - y) * width);
         return Texture.of(width, height, components, texels);
     }
 

@@ -11,8 +11,8 @@ import java.awt.image.Raster;
  * <p>{@link BufferedImage#getRGB} takes the levels of a grey picture for amounts of light and makes
  * 188 of 128; a file's grey levels are meant as its colours' levels are.
  */
-public final class PixelLevels {
-    private PixelLevels() {}
+public final class FileLevels {
+    private FileLevels() {}
 
     /**
      * Luminance (1), luminance and alpha (2), colour (3) or colour and alpha (4).
