@@ -13,26 +13,26 @@ import rasterlab.exercises.scene.MethodCase.Pixel;
 final class CaseJson {
     private CaseJson() {}
 
-    static MethodCase read(Place file) {
+    static MethodCase read(SceneJsonPlace file) {
         file.object("version", "topic", "method", "input", "drawn", "drawnCut");
         file.at("version").integer(SceneFile.VERSION, SceneFile.VERSION);
         return new MethodCase(
                 file.at("topic").text(),
-                file.optional("method").map(Place::text),
+                file.optional("method").map(SceneJsonPlace::text),
                 file.at("input").json(),
                 drawn(file));
     }
 
-    private static Optional<Drawn> drawn(Place file) {
-        Optional<Place> cut = file.optional("drawnCut");
+    private static Optional<Drawn> drawn(SceneJsonPlace file) {
+        Optional<SceneJsonPlace> cut = file.optional("drawnCut");
         if (cut.isPresent() && !file.has("drawn"))
             throw cut.get().wrong("must stand beside \"drawn\", which there is not");
         return file.optional("drawn")
-                .map(pixels -> new Drawn(pixels(pixels), cut.map(Place::flag).orElse(false)));
+                .map(pixels -> new Drawn(pixels(pixels), cut.map(SceneJsonPlace::flag).orElse(false)));
     }
 
-    private static List<Pixel> pixels(Place drawn) {
-        List<Place> members = drawn.members();
+    private static List<Pixel> pixels(SceneJsonPlace drawn) {
+        List<SceneJsonPlace> members = drawn.members();
         if (members.size() > MethodCase.MOST_DRAWN)
             throw drawn.wrong(
                     "must have at most %d pixels, got %d"
@@ -40,14 +40,14 @@ final class CaseJson {
         return members.stream().map(CaseJson::pixel).toList();
     }
 
-    private static Pixel pixel(Place one) {
-        List<Place> members = one.members();
+    private static Pixel pixel(SceneJsonPlace one) {
+        List<SceneJsonPlace> members = one.members();
         if (members.size() != 2)
             throw one.wrong("must be a pixel [x, y], got %d members".formatted(members.size()));
         return new Pixel(coordinate(members.get(0)), coordinate(members.get(1)));
     }
 
-    private static int coordinate(Place one) {
+    private static int coordinate(SceneJsonPlace one) {
         return one.integer(Integer.MIN_VALUE, Integer.MAX_VALUE);
     }
 

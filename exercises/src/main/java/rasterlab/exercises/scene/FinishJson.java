@@ -11,14 +11,14 @@ import rasterlab.engine.scene.Finish;
 final class FinishJson {
     private FinishJson() {}
 
-    static Finish read(Place finish) {
+    static Finish read(SceneJsonPlace finish) {
         if (!finish.has("front")) return Finish.of(material(finish));
         finish.object("front", "back");
         return new Finish(
                 material(finish.at("front")), material(finish.at("back")), Optional.empty());
     }
 
-    private static Material material(Place of) {
+    private static Material material(SceneJsonPlace of) {
         of.object("ambient", "diffuse", "specular", "emission", "shininess", "alpha");
         double[] diffuse = of.at("diffuse").numbers(3, 0, 1);
         var surface =
@@ -33,7 +33,7 @@ final class FinishJson {
         return new Material(surface, of.optional("alpha").map(p -> p.number(0, 1)).orElse(1.0));
     }
 
-    private static double[] shares(Place colour) {
+    private static double[] shares(SceneJsonPlace colour) {
         return colour.numbers(3, 0, 1);
     }
 

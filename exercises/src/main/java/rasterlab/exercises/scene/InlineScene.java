@@ -19,10 +19,10 @@ final class InlineScene {
 
     private InlineScene() {}
 
-    static Scene read(Place scene) {
+    static Scene read(SceneJsonPlace scene) {
         scene.object(
                 "name", "vertices", "faces", "finishes", "light", "background", "pictureScale");
-        List<Place> faces = scene.at("faces").members();
+        List<SceneJsonPlace> faces = scene.at("faces").members();
         List<Finish> finishes =
                 scene.at("finishes").members().stream().map(FinishJson::read).toList();
         if (finishes.isEmpty() && !faces.isEmpty())
@@ -51,7 +51,7 @@ final class InlineScene {
                                 place.at("pictureScale").number(1e-30, LARGEST)));
     }
 
-    private static Mesh mesh(Place scene, List<Place> faces) {
+    private static Mesh mesh(SceneJsonPlace scene, List<SceneJsonPlace> faces) {
         double[] xyz =
                 scene.at("vertices").members().stream()
                         .map(vertex -> vertex.numbers(3, -LARGEST, LARGEST))
@@ -78,7 +78,7 @@ final class InlineScene {
                 : textured;
     }
 
-    private static boolean has(Place scene, List<Place> faces, String field) {
+    private static boolean has(SceneJsonPlace scene, List<SceneJsonPlace> faces, String field) {
         long with = faces.stream().filter(face -> face.has(field)).count();
         if (with != 0 && with != faces.size())
             throw scene.at("faces")
@@ -89,17 +89,17 @@ final class InlineScene {
     }
 
     /** The numbers of all corners. */
-    private static double[] all(List<Place> faces, String field, int each, int[][] corners) {
+    private static double[] all(List<SceneJsonPlace> faces, String field, int each, int[][] corners) {
         var numbers = DoubleStream.builder();
         for (int f = 0; f < corners.length; f++) {
-            List<Place> of = faces.get(f).at(field).members();
+            List<SceneJsonPlace> of = faces.get(f).at(field).members();
             if (of.size() != corners[f].length)
                 throw faces.get(f)
                         .at(field)
                         .wrong(
                                 "must have one for each of %d corners, got %d"
                                         .formatted(corners[f].length, of.size()));
-            for (Place one : of)
+            for (SceneJsonPlace one : of)
                 for (double number : one.numbers(each, -LARGEST, LARGEST)) numbers.add(number);
         }
         return numbers.build().toArray();

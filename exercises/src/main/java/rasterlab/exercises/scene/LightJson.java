@@ -20,10 +20,10 @@ final class LightJson {
 
     private LightJson() {}
 
-    static SceneLight read(Place light) {
+    static SceneLight read(SceneJsonPlace light) {
         light.object("ambient", "localViewer", "twoSided", "reflection", "lights", "atEye");
         List<Light> lights = new ArrayList<>();
-        for (Place one : light.at("lights").members()) lights.add(one.made(LightJson::light));
+        for (SceneJsonPlace one : light.at("lights").members()) lights.add(one.made(LightJson::light));
         var model =
                 new LightModel(
                         light.at("ambient").numbers(3, 0, 1),
@@ -34,7 +34,7 @@ final class LightJson {
         return new SceneLight(model, light.optional("atEye").map(LightJson::source));
     }
 
-    private static Reflection reflection(Place name) {
+    private static Reflection reflection(SceneJsonPlace name) {
         return Named.find("reflection", name.text(), List.of(Reflection.values()), LightJson::code);
     }
 
@@ -42,7 +42,7 @@ final class LightJson {
         return reflection.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    private static Light light(Place one) {
+    private static Light light(SceneJsonPlace one) {
         one.object("at", "from", "source");
         if (one.has("at") == one.has("from"))
             throw one.wrong("must have either 'at' or 'from', the direction to a far light");
@@ -51,7 +51,7 @@ final class LightJson {
         return new Light(source(one.at("source")), place[0], place[1], place[2], far);
     }
 
-    private static LightSource source(Place of) {
+    private static LightSource source(SceneJsonPlace of) {
         of.object("ambient", "diffuse", "specular", "attenuation", "cone");
         return new LightSource(
                 shares(of.at("ambient")),
@@ -65,16 +65,16 @@ final class LightJson {
                         .orElse(SpotCone.none()));
     }
 
-    private static double[] shares(Place colour) {
+    private static double[] shares(SceneJsonPlace colour) {
         return colour.numbers(3, 0, LightSource.BRIGHTEST);
     }
 
-    private static Attenuation attenuation(Place of) {
+    private static Attenuation attenuation(SceneJsonPlace of) {
         double[] factors = of.numbers(3, 0, LARGEST);
         return new Attenuation(factors[0], factors[1], factors[2]);
     }
 
-    private static SpotCone cone(Place of) {
+    private static SpotCone cone(SceneJsonPlace of) {
         of.object("direction", "cutoff", "exponent");
         return new SpotCone(
                 of.at("direction").numbers(3, -LARGEST, LARGEST),

@@ -55,7 +55,7 @@ public record MethodCase(String topic, Optional<String> method, String input, Op
     }
 
     public MethodCase {
-        Place.root(input).object();
+        SceneJsonPlace.root(input).object();
     }
 
     /** An input without anything drawn for it. */

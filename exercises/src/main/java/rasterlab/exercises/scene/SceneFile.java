@@ -32,7 +32,7 @@ public sealed interface SceneFile permits MethodCase, SceneView {
         String text = json.startsWith(BYTE_ORDER_MARK) ? json.substring(1) : json;
         if (text.isBlank())
             throw new IllegalArgumentException("the file is empty; a scene file is an object {…}");
-        Place file = Place.root(text);
+        SceneJsonPlace file = SceneJsonPlace.root(text);
         return file.has("topic") ? CaseJson.read(file) : ViewJson.read(file);
     }
 

@@ -75,7 +75,7 @@ public final class Setting<T> {
      * A PNG, JPEG, GIF or BMP picture to lay on all faces, by its name in the scene file's folder.
      */
     public static final Setting<String> TEXTURE_IMAGE =
-            new Setting<>("textureImage", Place::text, JSON::textNode);
+            new Setting<>("textureImage", SceneJsonPlace::text, JSON::textNode);
 
     public static final Setting<Wrap> WRAP = named("wrap", List.of(Wrap.values()), Setting::code);
     public static final Setting<TextureEnvironment.Mode> ENVIRONMENT =
@@ -126,10 +126,10 @@ public final class Setting<T> {
                     EYES);
 
     private final String field;
-    private final Function<Place, T> reader;
+    private final Function<SceneJsonPlace, T> reader;
     private final Function<T, JsonNode> writer;
 
-    private Setting(String field, Function<Place, T> reader, Function<T, JsonNode> writer) {
+    private Setting(String field, Function<SceneJsonPlace, T> reader, Function<T, JsonNode> writer) {
         this.field = field;
         this.reader = reader;
         this.writer = writer;
@@ -147,7 +147,7 @@ public final class Setting<T> {
     }
 
     private static Setting<Boolean> flag(String field) {
-        return new Setting<>(field, Place::flag, JSON::booleanNode);
+        return new Setting<>(field, SceneJsonPlace::flag, JSON::booleanNode);
     }
 
     /** All that a file can say. */
@@ -165,7 +165,7 @@ public final class Setting<T> {
         return (OF_LOOK.contains(this) ? "$.look." : "$.") + field;
     }
 
-    T read(Place place) {
+    T read(SceneJsonPlace place) {
         return reader.apply(place);
     }
 
@@ -178,7 +178,7 @@ public final class Setting<T> {
         return field;
     }
 
-    private static SphericalView camera(Place place) {
+    private static SphericalView camera(SceneJsonPlace place) {
         place.object("theta", "phi", "rho");
         double theta = place.at("theta").number(-MOST_RADIANS, MOST_RADIANS);
         double phi = place.at("phi").number(-MOST_RADIANS, MOST_RADIANS);
@@ -193,12 +193,12 @@ public final class Setting<T> {
                 .put("rho", camera.rho());
     }
 
-    private static List<ClipPlane> planes(Place place) {
+    private static List<ClipPlane> planes(SceneJsonPlace place) {
         return ClipPlane.checked(
                 place.members().stream().map(member -> member.made(Setting::plane)).toList());
     }
 
-    private static ClipPlane plane(Place place) {
+    private static ClipPlane plane(SceneJsonPlace place) {
         double[] p = place.numbers(4, -ClipPlane.LARGEST, ClipPlane.LARGEST);
         return new ClipPlane(p[0], p[1], p[2], p[3]);
     }
@@ -210,9 +210,9 @@ public final class Setting<T> {
         return array;
     }
 
-    private static Set<LightTerm> terms(Place place) {
+    private static Set<LightTerm> terms(SceneJsonPlace place) {
         Set<LightTerm> terms = new TreeSet<>();
-        for (Place member : place.members()) {
+        for (SceneJsonPlace member : place.members()) {
             LightTerm term = member.made(p -> LightTerm.named(p.text()));
             if (!terms.add(term)) throw member.wrong("names '" + term.code() + "' twice");
         }

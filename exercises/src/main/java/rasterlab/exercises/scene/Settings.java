@@ -38,7 +38,7 @@ public final class Settings {
                         .objectNode()
                         .set(setting.field(), setting.written(value))
                         .toString();
-        return put(setting, setting.read(Place.root(json).at(setting.field())));
+        return put(setting, setting.read(SceneJsonPlace.root(json).at(setting.field())));
     }
 
     /** The same, if there is a value. */
@@ -63,9 +63,9 @@ public final class Settings {
         return settings.stream().map(Setting::field);
     }
 
-    static Settings read(Place file) {
+    static Settings read(SceneJsonPlace file) {
         Settings read = NONE.reading(file, Setting.OF_VIEW);
-        Optional<Place> look = file.optional(LOOK);
+        Optional<SceneJsonPlace> look = file.optional(LOOK);
         if (look.isPresent())
             read =
                     read.reading(
@@ -79,10 +79,10 @@ public final class Settings {
         return read;
     }
 
-    private Settings reading(Place from, List<Setting<?>> settings) {
+    private Settings reading(SceneJsonPlace from, List<Setting<?>> settings) {
         Settings read = this;
         for (Setting<?> setting : settings) {
-            Optional<Place> place = from.optional(setting.field());
+            Optional<SceneJsonPlace> place = from.optional(setting.field());
             if (place.isPresent()) read = read.put(setting, setting.read(place.get()));
         }
         return read;

@@ -10,15 +10,15 @@ import rasterlab.engine.scene.catalogue.Scenes;
 final class ViewJson {
     private ViewJson() {}
 
-    static SceneView read(Place file) {
+    static SceneView read(SceneJsonPlace file) {
         file.object(Settings.fields("version", "scene", "detail"));
         file.at("version").integer(SceneFile.VERSION, SceneFile.VERSION);
         return new SceneView(source(file), Settings.read(file));
     }
 
-    private static SceneSource source(Place file) {
-        Place scene = file.at("scene");
-        Optional<Place> detail = file.optional("detail");
+    private static SceneSource source(SceneJsonPlace file) {
+        SceneJsonPlace scene = file.at("scene");
+        Optional<SceneJsonPlace> detail = file.optional("detail");
         if (!scene.isText()) {
             detail.ifPresent(
                     place -> {

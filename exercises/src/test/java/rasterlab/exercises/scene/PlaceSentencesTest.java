@@ -39,13 +39,13 @@ class PlaceSentencesTest {
                     "{\"z\": [1, {\"y\": 1e999}]}",
                     "\"" + "x".repeat(80) + "\"");
 
-    private static final Map<String, Function<Place, Object>> READERS = readers();
+    private static final Map<String, Function<SceneJsonPlace, Object>> READERS = readers();
 
-    private static Map<String, Function<Place, Object>> readers() {
-        var readers = new TreeMap<String, Function<Place, Object>>();
-        readers.put("flag", Place::flag);
+    private static Map<String, Function<SceneJsonPlace, Object>> readers() {
+        var readers = new TreeMap<String, Function<SceneJsonPlace, Object>>();
+        readers.put("flag", SceneJsonPlace::flag);
         readers.put("integer", place -> place.integer(0, 9));
-        readers.put("json", Place::json);
+        readers.put("json", SceneJsonPlace::json);
         readers.put("made", place -> place.made(PlaceSentencesTest::refuse));
         readers.put("members", place -> place.members().size());
         readers.put("name or object", place -> place.nameOrObject().has("z"));
@@ -54,12 +54,12 @@ class PlaceSentencesTest {
         readers.put("object", place -> place.object("a", "b").has("a"));
         readers.put("object of any", place -> place.object().has("a"));
         readers.put("one", place -> place.integer(1, 1));
-        readers.put("optional", place -> place.optional("z").map(Place::text));
-        readers.put("text", Place::text);
+        readers.put("optional", place -> place.optional("z").map(SceneJsonPlace::text));
+        readers.put("text", SceneJsonPlace::text);
         return readers;
     }
 
-    private static Object refuse(Place place) {
+    private static Object refuse(SceneJsonPlace place) {
         if (place.isText()) throw new IllegalArgumentException("texts are refused");
         return place.at("z").flag();
     }
@@ -72,9 +72,9 @@ class PlaceSentencesTest {
         assertEquals(SentencesFile.read("places.txt", said), said);
     }
 
-    private static String said(Function<Place, Object> reader, String json) {
+    private static String said(Function<SceneJsonPlace, Object> reader, String json) {
         try {
-            return "" + reader.apply(Place.root(json).at("f"));
+            return "" + reader.apply(SceneJsonPlace.root(json).at("f"));
         } catch (IllegalArgumentException e) {
             return e.getMessage();
         }

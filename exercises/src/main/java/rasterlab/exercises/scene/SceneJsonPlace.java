@@ -9,38 +9,38 @@ import rasterlab.exercises.json.NotJson;
 import rasterlab.exercises.score.Phrase;
 
 /** A place of a JSON text that knows its path; whatever is wrong there is refused with it. */
-final class Place extends JsonPlace<Place> {
+final class SceneJsonPlace extends JsonPlace<SceneJsonPlace> {
     /** The whole text. */
     private final String json;
 
     private final String path;
 
-    private Place(String json, String path, JsonNode node) {
+    private SceneJsonPlace(String json, String path, JsonNode node) {
         super(node);
         this.json = json;
         this.path = path;
     }
 
-    static Place root(String json) {
+    static SceneJsonPlace root(String json) {
         try {
-            return new Place(json, "$", JsonText.treeWithEndlessNumbers(json));
+            return new SceneJsonPlace(json, "$", JsonText.treeWithEndlessNumbers(json));
         } catch (NotJson e) {
             throw new IllegalArgumentException("not JSON: " + e.said(), e);
         }
     }
 
     @Override
-    protected Place field(String name, JsonNode value) {
-        return new Place(json, path + "." + name, value);
+    protected SceneJsonPlace field(String name, JsonNode value) {
+        return new SceneJsonPlace(json, path + "." + name, value);
     }
 
     @Override
-    protected Place member(int index, JsonNode value) {
-        return new Place(json, path + "[" + index + "]", value);
+    protected SceneJsonPlace member(int index, JsonNode value) {
+        return new SceneJsonPlace(json, path + "[" + index + "]", value);
     }
 
     @Override
-    protected Place unknown(String name) {
+    protected SceneJsonPlace unknown(String name) {
         return at(cut(name));
     }
 
@@ -55,20 +55,20 @@ final class Place extends JsonPlace<Place> {
     }
 
     /** This object, in which only the known fields may occur; none given: any. */
-    Place object(String... known) {
+    SceneJsonPlace object(String... known) {
         requireObject(known);
         return this;
     }
 
     /** This place, which holds an object or could have held a scene's name. */
-    Place nameOrObject() {
+    SceneJsonPlace nameOrObject() {
         if (!isObject()) throw wrong("must be a scene's name or an object {…}, got " + shown());
         return this;
     }
 
     /** Reads so many numbers. */
     double[] numbers(int count, double least, double most) {
-        List<Place> members = members();
+        List<SceneJsonPlace> members = members();
         if (members.size() != count)
             throw wrong("must have %d numbers, got %d".formatted(count, members.size()));
         return members.stream().mapToDouble(member -> member.number(least, most)).toArray();
@@ -83,12 +83,12 @@ final class Place extends JsonPlace<Place> {
 
     private void requireFinite() {
         if (isEndless()) throw wrong("must be a finite number, got " + shown());
-        if (isArray()) members().forEach(Place::requireFinite);
+        if (isArray()) members().forEach(SceneJsonPlace::requireFinite);
         names().forEach(name -> at(name).requireFinite());
     }
 
     /** What {@code make} makes of this place; what it refuses is refused with the path. */
-    <T> T made(Function<Place, T> make) {
+    <T> T made(Function<SceneJsonPlace, T> make) {
         try {
             return make.apply(this);
         } catch (WrongPlace e) {
