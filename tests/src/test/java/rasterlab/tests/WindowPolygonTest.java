@@ -18,7 +18,7 @@ import rasterlab.app.polygon.BrushKind;
 import rasterlab.app.polygon.CutFigure;
 import rasterlab.app.polygon.FillFigure;
 import rasterlab.app.polygon.InsideFigure;
-import rasterlab.app.polygon.Place;
+import rasterlab.app.polygon.PolygonPoint;
 import rasterlab.app.polygon.PolygonChoice;
 import rasterlab.app.polygon.PolygonLabState;
 import rasterlab.app.polygon.PolygonMode;
@@ -68,7 +68,7 @@ class WindowPolygonTest extends WindowHarness {
     void draggedCornerChangesTheFieldAndUndoBringsItBack() {
         PolygonChoice before = choice();
         drag("corner.1", -120, -60);
-        Place corner = figure(InsideFigure.class).corners().get(1);
+        PolygonPoint corner = figure(InsideFigure.class).corners().get(1);
         assertTrue(corner.x() < 10 && corner.y() > 1, corner.toString());
         await(
                 "the answer is that of the new triangle",
@@ -90,14 +90,14 @@ class WindowPolygonTest extends WindowHarness {
     @Test
     void arrowKeysMoveThePointAndWholeNumbersMakeItSnap() {
         focus("point");
-        Place before = figure(InsideFigure.class).points().get(0);
+        PolygonPoint before = figure(InsideFigure.class).points().get(0);
         press(KeyEvent.VK_RIGHT);
-        Place moved = figure(InsideFigure.class).points().get(0);
+        PolygonPoint moved = figure(InsideFigure.class).points().get(0);
         assertTrue(moved.x() > before.x() && moved.x() < before.x() + 1, moved.toString());
         window.checkBox("whole").click();
         focus("point");
         press(KeyEvent.VK_RIGHT);
-        Place whole = figure(InsideFigure.class).points().get(0);
+        PolygonPoint whole = figure(InsideFigure.class).points().get(0);
         assertEquals(Math.rint(whole.x()), whole.x());
         assertTrue(whole.x() > moved.x(), whole.toString());
     }
@@ -164,10 +164,10 @@ class WindowPolygonTest extends WindowHarness {
     void wallsSeedAndNeighboursChangeWhatIsFilled() {
         choose(PolygonMode.SEED);
         focus("seed");
-        Place before = figure(SeedFigure.class).seed();
+        PolygonPoint before = figure(SeedFigure.class).seed();
         press(KeyEvent.VK_RIGHT);
-        assertEquals(new Place(before.x() + 1, before.y()), figure(SeedFigure.class).seed());
-        Place pen = figure(SeedFigure.class).pen();
+        assertEquals(new PolygonPoint(before.x() + 1, before.y()), figure(SeedFigure.class).seed());
+        PolygonPoint pen = figure(SeedFigure.class).pen();
         int row = (int) pen.y();
         window.button("wall").click();
         robot.waitForIdle();
@@ -187,7 +187,7 @@ class WindowPolygonTest extends WindowHarness {
         window.button("chip.covered-twice").click();
         await("the star", () -> figure(InsideFigure.class).corners().size() == 5);
         assertFalse(frameHas("chip.minus-zero"), "a chip of another mode");
-        Place first = figure(InsideFigure.class).points().get(0);
+        PolygonPoint first = figure(InsideFigure.class).points().get(0);
         window.button("next").click();
         robot.waitForIdle();
         assertNotEquals(first, figure(InsideFigure.class).points().get(0));

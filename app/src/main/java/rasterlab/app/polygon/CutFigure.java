@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 
 /** A polygon to be cut into triangles. */
-public record CutFigure(List<Place> corners) implements PolygonFigure {
+public record CutFigure(List<PolygonPoint> corners) implements PolygonFigure {
     public CutFigure {
         corners = List.copyOf(corners);
     }
@@ -18,12 +18,12 @@ public record CutFigure(List<Place> corners) implements PolygonFigure {
     }
 
     @Override
-    public Map<Grip, Place> grips() {
+    public Map<Grip, PolygonPoint> grips() {
         return CornerList.grips(corners);
     }
 
     @Override
-    public CutFigure moved(Grip grip, Place to) {
+    public CutFigure moved(Grip grip, PolygonPoint to) {
         return new CutFigure(CornerList.replaced(corners, grip.index(), to));
     }
 
@@ -38,7 +38,7 @@ public record CutFigure(List<Place> corners) implements PolygonFigure {
     }
 
     @Override
-    public CutFigure clicked(Place at) {
+    public CutFigure clicked(PolygonPoint at) {
         return new CutFigure(CornerList.joined(corners, at));
     }
 

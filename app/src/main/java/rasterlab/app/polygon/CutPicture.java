@@ -79,19 +79,19 @@ record CutPicture(
         return MethodColours.edgeOn(colours.ground(), colour);
     }
 
-    private List<Place> corners(Cut cut) {
-        List<Place> corners = figure.corners();
+    private List<PolygonPoint> corners(Cut cut) {
+        List<PolygonPoint> corners = figure.corners();
         return List.of(corners.get(cut.a()), corners.get(cut.b()), corners.get(cut.c()));
     }
 
     private void paintStep(Strokes strokes, Cut cut, StageColours colours) {
-        List<Place> corners = corners(cut);
+        List<PolygonPoint> corners = corners(cut);
         strokes.line(corners.get(0), corners.get(2), colours.focus(), 4);
     }
 
     /** Marks the middle of the triangle, shared with its number: the number stands above. */
     private void mark(Graphics2D g, PlaneMap map, Cut cut) {
-        Place middle = middle(cut);
+        PolygonPoint middle = middle(cut);
         PixelMark.EXTRA.paint(
                 g, map.viewX(middle.x()) - MARK / 2, map.viewY(middle.y()) - MARK / 2, MARK);
     }
@@ -103,7 +103,7 @@ record CutPicture(
             Cut cut = made.get(i);
             String number = String.valueOf(i + 1);
             double down = cut.fault() == Fault.NONE ? 0 : MARK;
-            Place at =
+            PolygonPoint at =
                     places(cut)
                             .filter(
                                     place ->
@@ -122,13 +122,13 @@ record CutPicture(
      * The places in the triangle: its middle first, then towards its sides, then towards its
      * corners.
      */
-    private Stream<Place> places(Cut cut) {
-        List<Place> corners = corners(cut);
-        Place middle = middle(cut);
-        Stream<Place> sides =
+    private Stream<PolygonPoint> places(Cut cut) {
+        List<PolygonPoint> corners = corners(cut);
+        PolygonPoint middle = middle(cut);
+        Stream<PolygonPoint> sides =
                 IntStream.range(0, 3)
                         .mapToObj(i -> between(corners.get(i), corners.get((i + 1) % 3), 0.5));
-        List<Place> ends = Stream.concat(sides, corners.stream()).toList();
+        List<PolygonPoint> ends = Stream.concat(sides, corners.stream()).toList();
         return Stream.concat(
                 Stream.of(middle),
                 DoubleStream.of(PARTS)
@@ -136,13 +136,13 @@ record CutPicture(
                         .flatMap(part -> ends.stream().map(end -> between(middle, end, part))));
     }
 
-    private static Place between(Place from, Place to, double part) {
-        return new Place(
+    private static PolygonPoint between(PolygonPoint from, PolygonPoint to, double part) {
+        return new PolygonPoint(
                 from.x() + part * (to.x() - from.x()), from.y() + part * (to.y() - from.y()));
     }
 
-    private Place middle(Cut cut) {
-        List<Place> corners = corners(cut);
+    private PolygonPoint middle(Cut cut) {
+        List<PolygonPoint> corners = corners(cut);
         return between(corners.get(0), between(corners.get(1), corners.get(2), 0.5), 2 / 3.0);
     }
 }

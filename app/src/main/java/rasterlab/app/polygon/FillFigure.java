@@ -12,7 +12,7 @@ import rasterlab.engine.polygon.scan.PolygonTask;
  * @param width of the picture, in pixels
  * @param height of the picture, in pixels
  */
-public record FillFigure(List<Place> corners, FillRule rule, int width, int height, BrushKind brush)
+public record FillFigure(List<PolygonPoint> corners, FillRule rule, int width, int height, BrushKind brush)
         implements PolygonFigure {
     public FillFigure {
         corners = List.copyOf(corners);
@@ -20,11 +20,11 @@ public record FillFigure(List<Place> corners, FillRule rule, int width, int heig
 
     /** A star drawn in one stroke, whose middle tells the rules apart. */
     static FillFigure first() {
-        var corners = new ArrayList<Place>();
+        var corners = new ArrayList<PolygonPoint>();
         for (int i = 0; i < 5; i++) {
             double angle = 2 * i * 2 * Math.PI / 5;
             corners.add(
-                    new Place(
+                    new PolygonPoint(
                             rounded(21 + 18 * Math.sin(angle)),
                             rounded(19 - 18 * Math.cos(angle))));
         }
@@ -36,16 +36,16 @@ public record FillFigure(List<Place> corners, FillRule rule, int width, int heig
     }
 
     FillFigure showing(PolygonTask input) {
-        var places = new ArrayList<Place>();
+        var places = new ArrayList<PolygonPoint>();
         for (int i = 0; i < input.x().length; i++)
-            places.add(new Place(input.x()[i], input.y()[i]));
+            places.add(new PolygonPoint(input.x()[i], input.y()[i]));
         return new FillFigure(places, input.rule(), input.width(), input.height(), brush);
     }
 
     PolygonTask task() {
         return new PolygonTask(
-                corners.stream().mapToDouble(Place::x).toArray(),
-                corners.stream().mapToDouble(Place::y).toArray(),
+                corners.stream().mapToDouble(PolygonPoint::x).toArray(),
+                corners.stream().mapToDouble(PolygonPoint::y).toArray(),
                 rule,
                 width,
                 height);
@@ -59,17 +59,17 @@ public record FillFigure(List<Place> corners, FillRule rule, int width, int heig
         return new FillFigure(corners, rule, width, height, other);
     }
 
-    private FillFigure with(List<Place> others) {
+    private FillFigure with(List<PolygonPoint> others) {
         return new FillFigure(others, rule, width, height, brush);
     }
 
     @Override
-    public Map<Grip, Place> grips() {
+    public Map<Grip, PolygonPoint> grips() {
         return CornerList.grips(corners);
     }
 
     @Override
-    public FillFigure moved(Grip grip, Place to) {
+    public FillFigure moved(Grip grip, PolygonPoint to) {
         return with(CornerList.replaced(corners, grip.index(), to));
     }
 
@@ -84,7 +84,7 @@ public record FillFigure(List<Place> corners, FillRule rule, int width, int heig
     }
 
     @Override
-    public FillFigure clicked(Place at) {
+    public FillFigure clicked(PolygonPoint at) {
         return with(CornerList.joined(corners, at));
     }
 

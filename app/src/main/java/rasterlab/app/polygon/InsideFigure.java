@@ -12,7 +12,7 @@ import rasterlab.engine.polygon.ShapeAndPoints;
  * @param points the first one is judged step by step
  * @param whole whether only points with whole coordinates are looked at
  */
-public record InsideFigure(boolean triangle, List<Place> corners, List<Place> points, boolean whole)
+public record InsideFigure(boolean triangle, List<PolygonPoint> corners, List<PolygonPoint> points, boolean whole)
         implements PolygonFigure {
     public InsideFigure {
         corners = List.copyOf(corners);
@@ -53,20 +53,20 @@ public record InsideFigure(boolean triangle, List<Place> corners, List<Place> po
         return new InsideFigure(triangle, corners, turned, whole);
     }
 
-    private InsideFigure with(List<Place> others) {
+    private InsideFigure with(List<PolygonPoint> others) {
         return new InsideFigure(triangle, others, points, whole);
     }
 
     @Override
-    public Map<Grip, Place> grips() {
-        Map<Grip, Place> grips = CornerList.grips(corners);
+    public Map<Grip, PolygonPoint> grips() {
+        Map<Grip, PolygonPoint> grips = CornerList.grips(corners);
         grips.put(Grip.POINT, points.get(0));
         return grips;
     }
 
     @Override
-    public InsideFigure moved(Grip grip, Place to) {
-        Place place = whole ? to.whole() : to;
+    public InsideFigure moved(Grip grip, PolygonPoint to) {
+        PolygonPoint place = whole ? to.whole() : to;
         return grip.kind() == Grip.Kind.CORNER
                 ? with(CornerList.replaced(corners, grip.index(), place))
                 : new InsideFigure(triangle, corners, CornerList.replaced(points, 0, place), whole);
@@ -88,8 +88,8 @@ public record InsideFigure(boolean triangle, List<Place> corners, List<Place> po
     }
 
     @Override
-    public InsideFigure clicked(Place at) {
-        Place place = whole ? at.whole() : at;
+    public InsideFigure clicked(PolygonPoint at) {
+        PolygonPoint place = whole ? at.whole() : at;
         return triangle ? moved(Grip.POINT, at) : with(CornerList.joined(corners, place));
     }
 

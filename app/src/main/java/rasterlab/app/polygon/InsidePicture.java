@@ -117,7 +117,7 @@ record InsidePicture(
     }
 
     private void paintPoints(Graphics2D g, PlaneMap map, StageColours colours) {
-        List<Place> points = figure.points();
+        List<PolygonPoint> points = figure.points();
         for (int i = 0; i < points.size(); i++) {
             double x = map.viewX(points.get(i).x());
             double y = map.viewY(points.get(i).y());
@@ -142,7 +142,7 @@ record InsidePicture(
 
     /** A ring round the point that the step is about, with what is said of it. */
     private void paintAnswer(Graphics2D g, PlaneMap map, Strokes strokes, StageColours colours) {
-        Place point = figure.points().get(step - 1);
+        PolygonPoint point = figure.points().get(step - 1);
         double x = map.viewX(point.x());
         double y = map.viewY(point.y());
         if (!g.getClipBounds().contains(x, y)) return;
@@ -155,21 +155,21 @@ record InsidePicture(
 
     private void paintSide(Strokes strokes, StageColours colours) {
         InsideAnswer.AskedSide side = answer.sides().get(step - 1);
-        Place point = figure.points().get(0);
-        Place from = figure.corners().get(side.from());
-        Place to = figure.corners().get(side.to());
+        PolygonPoint point = figure.points().get(0);
+        PolygonPoint from = figure.corners().get(side.from());
+        PolygonPoint to = figure.corners().get(side.to());
         if (mode == PolygonMode.POLYGON)
-            strokes.dashed(point, new Place(reach(point), point.y()), colours.focus());
+            strokes.dashed(point, new PolygonPoint(reach(point), point.y()), colours.focus());
         if (side.from() == side.to()) strokes.dashed(point, from, colours.focus());
         else strokes.line(from, to, colours.focus(), 4);
-        var middle = new Place((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+        var middle = new PolygonPoint((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
         strokes.words(PolygonReadings.value(side.value(), texts.locale()), middle, 0, 0);
     }
 
     /** Where the ray to the right is beyond all corners. */
-    private double reach(Place point) {
+    private double reach(PolygonPoint point) {
         double most = point.x();
-        for (Place corner : figure.corners()) most = Math.max(most, corner.x());
+        for (PolygonPoint corner : figure.corners()) most = Math.max(most, corner.x());
         return most + (most - point.x()) / 4;
     }
 }

@@ -179,7 +179,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
         int y = answer.runs().y(run);
         if (figure instanceof FillFigure)
             strokes.dashed(
-                    new Place(-0.5, y), new Place(image.getWidth() - 0.5, y), colours.focus());
+                    new PolygonPoint(-0.5, y), new PolygonPoint(image.getWidth() - 0.5, y), colours.focus());
         g.setColor(colours.focus());
         g.setStroke(new BasicStroke(2.5f));
         g.draw(frame(map, run));
@@ -189,7 +189,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
                         crossing ->
                                 strokes.words(
                                         crossing.winding() > 0 ? "+1" : "−1",
-                                        new Place(crossing.x(), y),
+                                        new PolygonPoint(crossing.x(), y),
                                         0,
                                         -map.scaleY() - 6));
     }

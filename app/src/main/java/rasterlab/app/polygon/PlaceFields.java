@@ -41,13 +41,13 @@ final class PlaceFields extends JPanel {
         refresh();
     }
 
-    private Place place() {
+    private PolygonPoint place() {
         PolygonLabState state = model.state();
         return state.choice()
                 .scene()
                 .figure()
                 .grips()
-                .getOrDefault(state.selected(), new Place(0, 0));
+                .getOrDefault(state.selected(), new PolygonPoint(0, 0));
     }
 
     /** Shows the selected point's present place. */

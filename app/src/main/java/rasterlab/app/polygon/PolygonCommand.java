@@ -22,7 +22,7 @@ final class PolygonCommand {
     static Optional<String> of(PolygonScene scene) {
         if (scene.figure() instanceof SeedFigure seed && seed.width() * seed.height() > MOST_PIXELS)
             return Optional.empty();
-        if (!scene.figure().grips().values().stream().allMatch(Place::isFinite))
+        if (!scene.figure().grips().values().stream().allMatch(PolygonPoint::isFinite))
             return Optional.empty();
         return Optional.of(
                 "echo '%s' | ./lab run %s %s"

@@ -14,9 +14,9 @@ import java.util.Map;
 })
 public sealed interface PolygonFigure permits InsideFigure, CutFigure, FillFigure, SeedFigure {
     /** What can be moved, by name and place. */
-    Map<Grip, Place> grips();
+    Map<Grip, PolygonPoint> grips();
 
-    PolygonFigure moved(Grip grip, Place to);
+    PolygonFigure moved(Grip grip, PolygonPoint to);
 
     /** One corner more behind that one, or a wall at the pen. */
     PolygonFigure grown(Grip beside);
@@ -28,7 +28,7 @@ public sealed interface PolygonFigure permits InsideFigure, CutFigure, FillFigur
      * The figure after two clicks on the ground: a corner more there, the point there, or a wall
      * there.
      */
-    PolygonFigure clicked(Place at);
+    PolygonFigure clicked(PolygonPoint at);
 
     /** The least way that a key moves a point, in the plane's units; 0 for any. */
     double leastStep();

@@ -15,7 +15,7 @@ final class PolygonFraming {
         if (figure instanceof SeedFigure seed) return pixels(seed.width(), seed.height());
         if (figure instanceof CutFigure cut) return around(cut.corners());
         Rectangle2D box = around(((InsideFigure) figure).corners());
-        for (Place point : ((InsideFigure) figure).points()) box.add(point.x(), point.y());
+        for (PolygonPoint point : ((InsideFigure) figure).points()) box.add(point.x(), point.y());
         double more = AROUND * Math.max(box.getWidth(), box.getHeight());
         return new Rectangle2D.Double(
                 box.getX() - more,
@@ -34,7 +34,7 @@ final class PolygonFraming {
                 height * (1 - 2 * less));
     }
 
-    private static Rectangle2D around(List<Place> places) {
+    private static Rectangle2D around(List<PolygonPoint> places) {
         var box = new Rectangle2D.Double(places.get(0).x(), places.get(0).y(), 0, 0);
         places.forEach(place -> box.add(place.x(), place.y()));
         return box;

@@ -130,7 +130,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
      * moves are one for undo.
      */
     public void move(Grip grip, double planeX, double planeY) {
-        edit(figure().moved(grip, new Place(planeX, planeY)));
+        edit(figure().moved(grip, new PolygonPoint(planeX, planeY)));
     }
 
     public void beginDrag() {
@@ -159,7 +159,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
 
     /** A corner more there, the point there, or a wall put up or taken away there. */
     public void click(double planeX, double planeY) {
-        edit(figure().clicked(new Place(planeX, planeY)));
+        edit(figure().clicked(new PolygonPoint(planeX, planeY)));
     }
 
     /** Judges the next of the figure's points step by step. */

@@ -99,7 +99,7 @@ final class PolygonReadings {
     }
 
     private String tested(JudgedPoint point) {
-        Place at = ((InsideFigure) scene.figure()).points().get(point.number());
+        PolygonPoint at = ((InsideFigure) scene.figure()).points().get(point.number());
         return texts.text(
                 "step.point",
                 point.number() + 1,
@@ -119,8 +119,8 @@ final class PolygonReadings {
         if (side().isPresent()) return value(side().get().value(), texts.locale());
         if (judged().isPresent()) return verdict(judged().get().answer(), judged().get().number());
         if (cut().isPresent()) {
-            Place a = ((CutFigure) scene.figure()).corners().get(cut().get().a());
-            Place c = ((CutFigure) scene.figure()).corners().get(cut().get().c());
+            PolygonPoint a = ((CutFigure) scene.figure()).corners().get(cut().get().a());
+            PolygonPoint c = ((CutFigure) scene.figure()).corners().get(cut().get().c());
             double dx = c.x() - a.x();
             double dy = c.y() - a.y();
             return "|ac|² = " + Shown.number(dx * dx + dy * dy, texts.locale());
@@ -250,9 +250,9 @@ final class PolygonReadings {
 
     private Formula determinant(AskedSide side) {
         var figure = (InsideFigure) scene.figure();
-        Place p = figure.corners().get(side.from());
-        Place q = figure.corners().get(side.to());
-        Place at = figure.points().get(0);
+        PolygonPoint p = figure.corners().get(side.from());
+        PolygonPoint q = figure.corners().get(side.to());
+        PolygonPoint at = figure.points().get(0);
         return Formula.of(
                 new Words("det"),
                 new Matrix(
@@ -263,10 +263,10 @@ final class PolygonReadings {
     }
 
     private Formula doubledArea(Cut cut) {
-        List<Place> corners = ((CutFigure) scene.figure()).corners();
-        Place a = corners.get(cut.a());
-        Place b = corners.get(cut.b());
-        Place c = corners.get(cut.c());
+        List<PolygonPoint> corners = ((CutFigure) scene.figure()).corners();
+        PolygonPoint a = corners.get(cut.a());
+        PolygonPoint b = corners.get(cut.b());
+        PolygonPoint c = corners.get(cut.c());
         double ux = b.x() - a.x();
         double uy = b.y() - a.y();
         double vx = c.x() - a.x();

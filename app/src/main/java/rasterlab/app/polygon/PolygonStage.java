@@ -147,7 +147,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         return points;
     }
 
-    private PlanePoint point(PolygonMode mode, Grip grip, Place at) {
+    private PlanePoint point(PolygonMode mode, Grip grip, PolygonPoint at) {
         String said =
                 PolygonReadings.named(mode, grip, texts)
                         + " "

@@ -14,7 +14,7 @@ import rasterlab.engine.fill.FillTask;
  * @param pen where a wall is put up or taken away
  * @param same whether the new colour is the one that the seed has already
  */
-public record SeedFigure(List<String> rows, Place seed, Place pen, int connectivity, boolean same)
+public record SeedFigure(List<String> rows, PolygonPoint seed, PolygonPoint pen, int connectivity, boolean same)
         implements PolygonFigure {
     static final char WALL = '#';
     static final char FREE = '.';
@@ -44,7 +44,7 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
                         ".#..........#............#..",
                         ".#########################..",
                         "............................");
-        return new SeedFigure(rows, new Place(3, 3), new Place(12, 5), 4, false);
+        return new SeedFigure(rows, new PolygonPoint(3, 3), new PolygonPoint(12, 5), 4, false);
     }
 
     SeedFigure showing(FillTask input) {
@@ -56,8 +56,8 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
         boolean old = inside && input.rows().get(input.y()).charAt(input.x()) == input.with();
         return new SeedFigure(
                 input.rows(),
-                new Place(input.x(), input.y()),
-                new Place(input.rows().get(0).length() - 1.0, input.rows().size() - 1.0),
+                new PolygonPoint(input.x(), input.y()),
+                new PolygonPoint(input.rows().get(0).length() - 1.0, input.rows().size() - 1.0),
                 input.connectivity(),
                 old);
     }
@@ -75,16 +75,16 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
         return rows.size();
     }
 
-    private boolean isInside(Place pixel) {
+    private boolean isInside(PolygonPoint pixel) {
         return pixel.x() >= 0 && pixel.x() < width() && pixel.y() >= 0 && pixel.y() < height();
     }
 
-    private char at(Place pixel) {
+    private char at(PolygonPoint pixel) {
         return rows.get((int) pixel.y()).charAt((int) pixel.x());
     }
 
-    private Place clamped(Place place) {
-        return new Place(
+    private PolygonPoint clamped(PolygonPoint place) {
+        return new PolygonPoint(
                 Math.max(0, Math.min(width() - 1, Math.rint(place.x()))),
                 Math.max(0, Math.min(height() - 1, Math.rint(place.y()))));
     }
@@ -97,7 +97,7 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
         return new SeedFigure(rows, seed, pen, connectivity, old);
     }
 
-    private SeedFigure walled(Place at, char cell) {
+    private SeedFigure walled(PolygonPoint at, char cell) {
         var changed = new ArrayList<>(rows);
         var row = new StringBuilder(rows.get((int) at.y()));
         row.setCharAt((int) at.x(), cell);
@@ -106,16 +106,16 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
     }
 
     @Override
-    public Map<Grip, Place> grips() {
-        var grips = new LinkedHashMap<Grip, Place>();
+    public Map<Grip, PolygonPoint> grips() {
+        var grips = new LinkedHashMap<Grip, PolygonPoint>();
         grips.put(Grip.SEED, seed);
         grips.put(Grip.PEN, pen);
         return grips;
     }
 
     @Override
-    public SeedFigure moved(Grip grip, Place to) {
-        Place pixel = clamped(to);
+    public SeedFigure moved(Grip grip, PolygonPoint to) {
+        PolygonPoint pixel = clamped(to);
         return grip.kind() == Grip.Kind.SEED
                 ? new SeedFigure(rows, pixel, pen, connectivity, same)
                 : new SeedFigure(rows, seed, pixel, connectivity, same);
@@ -132,7 +132,7 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
     }
 
     @Override
-    public SeedFigure clicked(Place at) {
+    public SeedFigure clicked(PolygonPoint at) {
         if (!isInside(at.whole())) return this;
         return walled(clamped(at), at(clamped(at)) == WALL ? FREE : WALL);
     }

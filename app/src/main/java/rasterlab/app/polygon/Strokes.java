@@ -28,11 +28,11 @@ final class Strokes {
         this.colours = colours;
     }
 
-    private double x(Place place) {
+    private double x(PolygonPoint place) {
         return near(map.viewX(place.x()));
     }
 
-    private double y(Place place) {
+    private double y(PolygonPoint place) {
         return near(map.viewY(place.y()));
     }
 
@@ -40,7 +40,7 @@ final class Strokes {
         return Math.max(-FAR, Math.min(FAR, view));
     }
 
-    Path2D closed(List<Place> places) {
+    Path2D closed(List<PolygonPoint> places) {
         return ring(places, map);
     }
 
@@ -48,9 +48,9 @@ final class Strokes {
      * The path through the places in turn and back to the first one; those that are nowhere left
      * out.
      */
-    static Path2D ring(List<Place> places, PlaneMap map) {
+    static Path2D ring(List<PolygonPoint> places, PlaneMap map) {
         var path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
-        for (Place place : places) {
+        for (PolygonPoint place : places) {
             if (!place.isFinite()) continue;
             double x = near(map.viewX(place.x()));
             double y = near(map.viewY(place.y()));
@@ -61,19 +61,19 @@ final class Strokes {
         return path;
     }
 
-    void outline(List<Place> places, Color colour, float width) {
+    void outline(List<PolygonPoint> places, Color colour, float width) {
         g.setColor(colour);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(closed(places));
     }
 
-    void line(Place from, Place to, Color colour, float width) {
+    void line(PolygonPoint from, PolygonPoint to, Color colour, float width) {
         g.setColor(colour);
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
     }
 
-    void dashed(Place from, Place to, Color colour) {
+    void dashed(PolygonPoint from, PolygonPoint to, Color colour) {
         g.setColor(colour);
         g.setStroke(
                 new BasicStroke(
@@ -86,13 +86,13 @@ final class Strokes {
         g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
     }
 
-    void area(List<Place> places, Color colour, int alpha) {
+    void area(List<PolygonPoint> places, Color colour, int alpha) {
         g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha));
         g.fill(closed(places));
     }
 
     /** Where the plate of such words lies, in view units. */
-    Rectangle plate(String words, Place at, double right, double down) {
+    Rectangle plate(String words, PolygonPoint at, double right, double down) {
         FontMetrics metrics = g.getFontMetrics();
         int wide = metrics.stringWidth(words) + 8;
         int high = metrics.getHeight() + 1;
@@ -104,7 +104,7 @@ final class Strokes {
     }
 
     /** Words with their middle at a place, moved by so many view units. */
-    void words(String words, Place at, double right, double down) {
+    void words(String words, PolygonPoint at, double right, double down) {
         Color ground = colours.ground();
         int wide = g.getFontMetrics().stringWidth(words);
         Plates.plate(

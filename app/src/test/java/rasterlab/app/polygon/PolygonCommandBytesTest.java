@@ -8,7 +8,7 @@ import rasterlab.app.canvas.GoldenCommands;
 import rasterlab.engine.study.Hazard;
 
 class PolygonCommandBytesTest {
-    private static final Place SIGNED_ZERO = new Place(-0.0, 2.5);
+    private static final PolygonPoint SIGNED_ZERO = new PolygonPoint(-0.0, 2.5);
 
     @ParameterizedTest(name = "the copied commands have changed: {0}")
     @EnumSource(PolygonMode.class)

@@ -116,7 +116,7 @@ class PolygonLabModelTest {
         model.beginDrag();
         for (int x = 0; x < 9; x++) model.move(Grip.corner(1), x, 4);
         model.endDrag();
-        assertEquals(new Place(8, 4), inside().corners().get(1));
+        assertEquals(new PolygonPoint(8, 4), inside().corners().get(1));
         model.history().undo();
         assertEquals(before, model.state().choice());
         assertFalse(model.history().undoable());
@@ -130,7 +130,7 @@ class PolygonLabModelTest {
         model.reset();
         assertEquals(SeedFigure.first(), seed());
         model.chooseMode(PolygonMode.TRIANGLE);
-        assertEquals(new Place(3, 3), inside().points().get(0));
+        assertEquals(new PolygonPoint(3, 3), inside().points().get(0));
     }
 
     @Test
@@ -139,7 +139,7 @@ class PolygonLabModelTest {
         int corners = inside().corners().size();
         model.click(6.2, 6);
         assertEquals(corners + 1, inside().corners().size());
-        assertEquals(new Place(6.2, 6), inside().corners().get(5));
+        assertEquals(new PolygonPoint(6.2, 6), inside().corners().get(5));
         model.select(Grip.corner(5));
         model.shrink();
         assertEquals(corners, inside().corners().size());
@@ -152,23 +152,23 @@ class PolygonLabModelTest {
         model.grow();
         model.click(5, 2);
         assertEquals(3, inside().corners().size());
-        assertEquals(new Place(5, 2), inside().points().get(0));
+        assertEquals(new PolygonPoint(5, 2), inside().points().get(0));
     }
 
     @Test
     void pointsOfWholeNumbersSnap() {
         model.inside(old -> old.withWhole(true));
         model.move(Grip.POINT, 3.4, 2.6);
-        assertEquals(new Place(3, 3), inside().points().get(0));
+        assertEquals(new PolygonPoint(3, 3), inside().points().get(0));
     }
 
     @Test
     void seedStaysInThePictureAndOnAPixel() {
         model.chooseMode(PolygonMode.SEED);
         model.move(Grip.SEED, -7, 3.3);
-        assertEquals(new Place(0, 3), seed().seed());
+        assertEquals(new PolygonPoint(0, 3), seed().seed());
         model.move(Grip.SEED, 1e9, 1e9);
-        assertEquals(new Place(seed().width() - 1, seed().height() - 1), seed().seed());
+        assertEquals(new PolygonPoint(seed().width() - 1, seed().height() - 1), seed().seed());
     }
 
     @Test
@@ -352,7 +352,7 @@ class PolygonLabModelTest {
     @Test
     void nextPointOfAHazardIsJudgedStepByStep() {
         model.show(PolygonMode.TRIANGLE, "past-2-15");
-        Place second = inside().points().get(1);
+        PolygonPoint second = inside().points().get(1);
         int points = inside().points().size();
         model.nextPoint();
         assertEquals(second, inside().points().get(0));

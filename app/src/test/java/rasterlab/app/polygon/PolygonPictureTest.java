@@ -96,14 +96,14 @@ class PolygonPictureTest {
         PlaneAxes axes = mode.raster() ? PlaneAxes.RASTER : PlaneAxes.GEOMETRY;
         PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, axes);
         List<Line2D> lines = pictures.of(scene, outcome, 1).lines(map, view);
-        List<Place> corners =
+        List<PolygonPoint> corners =
                 scene.figure().grips().entrySet().stream()
                         .filter(each -> each.getKey().kind() == Grip.Kind.CORNER)
                         .map(Map.Entry::getValue)
                         .toList();
         for (int i = 0; i < corners.size(); i++) {
-            Place from = corners.get(i);
-            Place to = corners.get((i + 1) % corners.size());
+            PolygonPoint from = corners.get(i);
+            PolygonPoint to = corners.get((i + 1) % corners.size());
             double x = map.viewX((from.x() + to.x()) / 2);
             double y = map.viewY((from.y() + to.y()) / 2);
             assertTrue(lines.stream().anyMatch(line -> line.ptSegDist(x, y) < 1), "side " + i);
