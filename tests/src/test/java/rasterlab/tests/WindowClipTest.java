@@ -17,7 +17,7 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.clip.ClipChoice;
 import rasterlab.app.clip.ClipLabState;
 import rasterlab.app.clip.ClipMode;
-import rasterlab.app.clip.Place;
+import rasterlab.app.clip.ClipPoint;
 import rasterlab.app.clip.SpacePoint;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
@@ -37,7 +37,7 @@ class WindowClipTest extends WindowHarness {
         return state().choice();
     }
 
-    private Place end(int segment, int end) {
+    private ClipPoint end(int segment, int end) {
         var found = choice().segments().segments().get(segment);
         return end == 0 ? found.a() : found.b();
     }
@@ -60,9 +60,9 @@ class WindowClipTest extends WindowHarness {
     void draggedCornerOfTheWindowChangesWhatIsLeft() {
         ClipChoice before = choice();
         drag("window.3", -80, 60);
-        Place corner = choice().segments().window().corners().get(2);
+        ClipPoint corner = choice().segments().window().corners().get(2);
         assertTrue(corner.x() < 10 && corner.y() < 6, corner.toString());
-        assertEquals(new Place(0, 0), choice().segments().window().corners().get(0));
+        assertEquals(new ClipPoint(0, 0), choice().segments().window().corners().get(0));
         await(
                 "the answer is that of the new window",
                 () -> state().results().scene().equals(choice().scene()));
@@ -72,8 +72,8 @@ class WindowClipTest extends WindowHarness {
 
     @Test
     void draggedEndMovesAlone() {
-        Place other = end(0, 1);
-        Place before = end(0, 0);
+        ClipPoint other = end(0, 1);
+        ClipPoint before = end(0, 0);
         drag("end.A1", 40, -40);
         assertNotEquals(before, end(0, 0));
         assertEquals(other, end(0, 1));
@@ -82,7 +82,7 @@ class WindowClipTest extends WindowHarness {
     @Test
     void arrowKeysMoveThePointThatHasTheKeyboard() {
         focus("end.B2");
-        Place before = end(1, 1);
+        ClipPoint before = end(1, 1);
         press(KeyEvent.VK_LEFT);
         assertTrue(end(1, 1).x() < before.x());
         assertEquals(before.y(), end(1, 1).y());

@@ -22,15 +22,15 @@ final class ClipFraming {
                         ? segments.window().rectangle()
                         : ((PolygonScene) scene).window().rectangle();
         double size = window.unit() > 0 ? window.unit() : 1;
-        var shown = new ArrayList<Place>();
-        shown.add(new Place(window.xmin() - AROUND * size, window.ymin() - AROUND * size));
-        shown.add(new Place(window.xmax() + AROUND * size, window.ymax() + AROUND * size));
-        for (Place place : scene.grips().values())
+        var shown = new ArrayList<ClipPoint>();
+        shown.add(new ClipPoint(window.xmin() - AROUND * size, window.ymin() - AROUND * size));
+        shown.add(new ClipPoint(window.xmax() + AROUND * size, window.ymax() + AROUND * size));
+        for (ClipPoint place : scene.grips().values())
             if (isNear(place, window, FARTHEST * size)) shown.add(place);
         return around(shown);
     }
 
-    private static boolean isNear(Place place, ClipWindow window, double far) {
+    private static boolean isNear(ClipPoint place, ClipWindow window, double far) {
         return place.x() >= window.xmin() - far
                 && place.x() <= window.xmax() + far
                 && place.y() >= window.ymin() - far
@@ -39,7 +39,7 @@ final class ClipFraming {
 
     private static Rectangle2D of(VolumeScene scene) {
         var picture = new VolumePicture(scene);
-        var shown = new ArrayList<Place>();
+        var shown = new ArrayList<ClipPoint>();
         for (double z : new double[] {scene.zmin(), 1})
             for (int corner = 0; corner < 4; corner++)
                 shown.add(
@@ -48,13 +48,13 @@ final class ClipFraming {
         if (scene.space() != VolumeSpace.CANONICAL) shown.add(picture.of(new SpacePoint(0, 0, 0)));
         Rectangle2D volume = around(shown);
         double far = FARTHEST / 3 * Math.max(volume.getWidth(), volume.getHeight());
-        for (Place place : scene.grips().values())
+        for (ClipPoint place : scene.grips().values())
             if (Math.abs(place.x() - volume.getCenterX()) < far
                     && Math.abs(place.y() - volume.getCenterY()) < far) shown.add(place);
         return around(shown);
     }
 
-    private static Rectangle2D around(List<Place> places) {
+    private static Rectangle2D around(List<ClipPoint> places) {
         var rectangle = new Rectangle2D.Double(places.get(0).x(), places.get(0).y(), 0, 0);
         places.forEach(place -> rectangle.add(place.x(), place.y()));
         return rectangle;

@@ -129,7 +129,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
      * moves are one for undo.
      */
     public void move(ClipGrip grip, double planeX, double planeY) {
-        edit(state.choice().scene().moved(grip, new Place(planeX, planeY)));
+        edit(state.choice().scene().moved(grip, new ClipPoint(planeX, planeY)));
     }
 
     public void beginDrag() {

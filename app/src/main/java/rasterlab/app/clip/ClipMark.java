@@ -43,14 +43,14 @@ sealed interface ClipMark {
     }
 
     /** A line through points in turn, and back to the first one if it is closed. */
-    record Line(List<Place> points, boolean closed, Ink ink) implements ClipMark {
+    record Line(List<ClipPoint> points, boolean closed, Ink ink) implements ClipMark {
         static Line of(double[] ends, Ink ink) {
             return new Line(PlaneFigures.points(ends), false, ink);
         }
     }
 
     /** The inside of a closed line. */
-    record Area(List<Place> corners, Ink ink) implements ClipMark {}
+    record Area(List<ClipPoint> corners, Ink ink) implements ClipMark {}
 
     /**
      * A sign.
@@ -58,7 +58,7 @@ sealed interface ClipMark {
      * @param dx the way an arrow head points, with dy
      * @param words beside it, "" for none
      */
-    record Sign(Place at, double dx, double dy, Shape shape, String words) implements ClipMark {}
+    record Sign(ClipPoint at, double dx, double dy, Shape shape, String words) implements ClipMark {}
 
     /** Words in the middle of what is seen of a region, whose ends may be infinite. */
     record Region(double xmin, double ymin, double xmax, double ymax, String words)

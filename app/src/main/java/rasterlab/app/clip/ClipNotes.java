@@ -53,6 +53,6 @@ final class ClipNotes {
             return plane.segments().stream().allMatch(s -> s.a().isFinite() && s.b().isFinite());
         if (scene instanceof VolumeScene space)
             return space.segments().stream().allMatch(s -> s.a().isFinite() && s.b().isFinite());
-        return List.copyOf(((PolygonScene) scene).subject()).stream().allMatch(Place::isFinite);
+        return List.copyOf(((PolygonScene) scene).subject()).stream().allMatch(ClipPoint::isFinite);
     }
 }

@@ -152,8 +152,8 @@ final class ClipPainter {
             stroke(path, colours.ground(), 5f);
             dashed(path, colour, 3.2f, 7);
         } else stroke(path, colour, 2.4f);
-        Place from = line.points().get(0);
-        Place to = line.points().get(line.points().size() - 1);
+        ClipPoint from = line.points().get(0);
+        ClipPoint to = line.points().get(line.points().size() - 1);
         double right = map.viewX(to.x()) - map.viewX(from.x());
         double down = map.viewY(to.y()) - map.viewY(from.y());
         boolean roomy = Math.hypot(right, down) >= ROOMY;

@@ -17,10 +17,10 @@ public sealed interface ClipScene permits SegmentScene, PolygonScene, VolumeScen
     ClipScene withComparison(String other);
 
     /** Where the points that can be moved are in the picture; none may be finite. */
-    Map<ClipGrip, Place> grips();
+    Map<ClipGrip, ClipPoint> grips();
 
     /** The scene with one of the {@link #grips} elsewhere in the picture. */
-    ClipScene moved(ClipGrip grip, Place to);
+    ClipScene moved(ClipGrip grip, ClipPoint to);
 
     /** The scene with one corner or segment more, beside what the grip belongs to. */
     ClipScene grown(ClipGrip beside);

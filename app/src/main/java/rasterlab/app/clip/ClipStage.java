@@ -163,7 +163,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
         return points;
     }
 
-    private PlanePoint point(ClipScene scene, ClipGrip grip, Place at) {
+    private PlanePoint point(ClipScene scene, ClipGrip grip, ClipPoint at) {
         String kind = "grip." + grip.kind().name().toLowerCase(Locale.ROOT);
         String said = texts.text(kind, grip.label()) + " " + said(scene, grip, at);
         return new PlanePoint(
@@ -175,7 +175,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 texts.text("grip.keys", said));
     }
 
-    private String said(ClipScene scene, ClipGrip grip, Place at) {
+    private String said(ClipScene scene, ClipGrip grip, ClipPoint at) {
         if (!(scene instanceof VolumeScene volume))
             return Shown.point(at.x(), at.y(), texts.locale());
         SpacePoint p = volume.end(grip);

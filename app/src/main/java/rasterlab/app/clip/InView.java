@@ -31,14 +31,14 @@ final class InView {
         bottom = view.getMaxY() + MARGIN;
     }
 
-    boolean holds(Place place) {
+    boolean holds(ClipPoint place) {
         double x = map.viewX(place.x());
         double y = map.viewY(place.y());
         return x >= left && x <= right && y >= top && y <= bottom;
     }
 
     /** The part of a line in view; places that are not finite are left out with their edges. */
-    Path2D line(List<Place> points, boolean closed) {
+    Path2D line(List<ClipPoint> points, boolean closed) {
         var path = new Path2D.Double();
         if (points.stream().allMatch(this::holds)) {
             join(path, points, closed);
@@ -50,7 +50,7 @@ final class InView {
         return path;
     }
 
-    private void join(Path2D path, List<Place> points, boolean closed) {
+    private void join(Path2D path, List<ClipPoint> points, boolean closed) {
         for (int i = 0; i < points.size(); i++) {
             double x = map.viewX(points.get(i).x());
             double y = map.viewY(points.get(i).y());
@@ -60,7 +60,7 @@ final class InView {
         if (closed) path.closePath();
     }
 
-    private void edge(Path2D path, Place from, Place to) {
+    private void edge(Path2D path, ClipPoint from, ClipPoint to) {
         double x0 = map.viewX(from.x());
         double y0 = map.viewY(from.y());
         double x1 = map.viewX(to.x());
@@ -83,8 +83,8 @@ final class InView {
     }
 
     /** The inside of a closed line; nothing of one that reaches far and crosses itself. */
-    Optional<Path2D> area(List<Place> corners) {
-        if (corners.size() < 3 || !corners.stream().allMatch(Place::isFinite))
+    Optional<Path2D> area(List<ClipPoint> corners) {
+        if (corners.size() < 3 || !corners.stream().allMatch(ClipPoint::isFinite))
             return Optional.empty();
         var path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
         if (corners.stream().allMatch(this::isNear)) {
@@ -108,7 +108,7 @@ final class InView {
         }
     }
 
-    private boolean isNear(Place place) {
+    private boolean isNear(ClipPoint place) {
         return Math.abs(map.viewX(place.x())) <= FAR && Math.abs(map.viewY(place.y())) <= FAR;
     }
 

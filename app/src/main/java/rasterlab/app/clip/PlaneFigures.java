@@ -11,22 +11,22 @@ final class PlaneFigures {
     /**
      * @param xy x and y of each point in turn
      */
-    static List<Place> points(double[] xy) {
+    static List<ClipPoint> points(double[] xy) {
         return IntStream.range(0, xy.length / 2)
-                .mapToObj(i -> new Place(xy[2 * i], xy[2 * i + 1]))
+                .mapToObj(i -> new ClipPoint(xy[2 * i], xy[2 * i + 1]))
                 .toList();
     }
 
     /** x and y of each point in turn. */
-    static double[] xy(List<Place> points) {
+    static double[] xy(List<ClipPoint> points) {
         return points.stream().flatMapToDouble(p -> DoubleStream.of(p.x(), p.y())).toArray();
     }
 
     /** A closed polygon with one corner more, in the middle of the edge behind that corner. */
-    static List<Place> grown(List<Place> corners, int corner) {
-        Place from = corners.get(corner);
-        Place to = corners.get((corner + 1) % corners.size());
-        var middle = new Place((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+    static List<ClipPoint> grown(List<ClipPoint> corners, int corner) {
+        ClipPoint from = corners.get(corner);
+        ClipPoint to = corners.get((corner + 1) % corners.size());
+        var middle = new ClipPoint((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
         return Lists.inserted(corners, corner + 1, middle);
     }
 }

@@ -52,7 +52,7 @@ final class PointFields extends JPanel {
             model.volume(old -> old.withEnd(grip, changed(volume.end(grip), axis, value)));
             return;
         }
-        Place at = scene.grips().get(grip);
+        ClipPoint at = scene.grips().get(grip);
         model.move(grip, axis.equals("x") ? value : at.x(), axis.equals("y") ? value : at.y());
     }
 
@@ -74,7 +74,7 @@ final class PointFields extends JPanel {
             y.show(at.y());
             z.show(at.z());
         } else if (scene.grips().containsKey(grip)) {
-            Place at = scene.grips().get(grip);
+            ClipPoint at = scene.grips().get(grip);
             x.show(at.x());
             y.show(at.y());
         }

@@ -39,14 +39,14 @@ final class PolygonDrawing {
 
     private void pieces(Clipping clipping) {
         for (Clipping.Part part : clipping.parts()) {
-            List<Place> corners = PlaneFigures.points(part.coordinates());
+            List<ClipPoint> corners = PlaneFigures.points(part.coordinates());
             add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
             add(new ClipMark.Line(corners, true, ClipMark.Ink.LEFT));
         }
     }
 
     private void step(ClipStep step) {
-        List<Place> corners = PlaneFigures.points(step.left());
+        List<ClipPoint> corners = PlaneFigures.points(step.left());
         boolean open = step.border() < 0;
         if (!open) add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
         if (!open)
@@ -61,14 +61,14 @@ final class PolygonDrawing {
     }
 
     private void sign(double[] places, int at, ClipMark.Shape shape) {
-        var place = new Place(places[at], places[at + 1]);
+        var place = new ClipPoint(places[at], places[at + 1]);
         double[] way = inward(place);
         double sense = shape == ClipMark.Shape.ENTERING ? 1 : -1;
         add(new ClipMark.Sign(place, sense * way[0], sense * way[1], shape, ""));
     }
 
     /** The direction from a place on the rim towards the middle of the window. */
-    private double[] inward(Place place) {
+    private double[] inward(ClipPoint place) {
         double[] xy = scene.window().xy();
         double x = 0;
         double y = 0;

@@ -8,7 +8,7 @@ import rasterlab.engine.clip.segment.ClipWindow;
 
 /** A polygon, the subject, clipped by a window. */
 public record PolygonScene(
-        ShownWindow window, List<Place> subject, String method, String comparison)
+        ShownWindow window, List<ClipPoint> subject, String method, String comparison)
         implements ClipScene {
     /** Corners the lab can show at once. */
     static final int MOST = 40;
@@ -61,13 +61,13 @@ public record PolygonScene(
         return new PolygonScene(other, subject, method, comparison);
     }
 
-    private PolygonScene with(List<Place> other) {
+    private PolygonScene with(List<ClipPoint> other) {
         return new PolygonScene(window, other, method, comparison);
     }
 
     @Override
-    public Map<ClipGrip, Place> grips() {
-        var grips = new LinkedHashMap<ClipGrip, Place>();
+    public Map<ClipGrip, ClipPoint> grips() {
+        var grips = new LinkedHashMap<ClipGrip, ClipPoint>();
         for (int i = 0; i < subject.size(); i++) grips.put(ClipGrip.corner(i), subject.get(i));
         for (int i = 0; i < window.corners().size(); i++)
             grips.put(ClipGrip.window(i), window.corners().get(i));
@@ -75,7 +75,7 @@ public record PolygonScene(
     }
 
     @Override
-    public PolygonScene moved(ClipGrip grip, Place to) {
+    public PolygonScene moved(ClipGrip grip, ClipPoint to) {
         return grip.kind() == ClipGrip.Kind.WINDOW
                 ? with(window.moved(grip.index(), to))
                 : with(Lists.replaced(subject, grip.index(), to));

@@ -94,7 +94,7 @@ final class SegmentDrawing {
         if (step.places().length > 0)
             add(
                     new ClipMark.Sign(
-                            new Place(step.places()[0], step.places()[1]),
+                            new ClipPoint(step.places()[0], step.places()[1]),
                             ends[2] - ends[0],
                             ends[3] - ends[1],
                             shape(step.passing()),

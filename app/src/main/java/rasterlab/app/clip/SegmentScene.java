@@ -73,8 +73,8 @@ public record SegmentScene(
     }
 
     @Override
-    public Map<ClipGrip, Place> grips() {
-        var grips = new LinkedHashMap<ClipGrip, Place>();
+    public Map<ClipGrip, ClipPoint> grips() {
+        var grips = new LinkedHashMap<ClipGrip, ClipPoint>();
         for (int i = 0; i < segments.size(); i++)
             for (int end = 0; end < 2; end++) grips.put(ClipGrip.end(i, end), segments.get(i).end(end));
         for (int i = 0; i < window.corners().size(); i++)
@@ -83,7 +83,7 @@ public record SegmentScene(
     }
 
     @Override
-    public SegmentScene moved(ClipGrip grip, Place to) {
+    public SegmentScene moved(ClipGrip grip, ClipPoint to) {
         if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.moved(grip.index(), to));
         PlaneSegment moved = segments.get(grip.index()).moved(grip.end(), to);
         return with(Lists.replaced(segments, grip.index(), moved));
@@ -98,8 +98,8 @@ public record SegmentScene(
         PlaneSegment source = segments.get(beside.index());
         var copy =
                 new PlaneSegment(
-                        new Place(source.a().x() + dx, source.a().y()),
-                        new Place(source.b().x() + dx, source.b().y()));
+                        new ClipPoint(source.a().x() + dx, source.a().y()),
+                        new ClipPoint(source.b().x() + dx, source.b().y()));
         return with(Lists.inserted(segments, segments.size(), copy));
     }
 

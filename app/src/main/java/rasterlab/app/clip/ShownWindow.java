@@ -9,7 +9,7 @@ import rasterlab.engine.clip.segment.ClipWindow;
  *
  * @param corners of a rectangle (xmin, ymin), (xmax, ymin), (xmax, ymax), (xmin, ymax)
  */
-public record ShownWindow(List<Place> corners, boolean upright) {
+public record ShownWindow(List<ClipPoint> corners, boolean upright) {
     /** Corners of a convex polygon as shares of a rectangle's width and height. */
     private static final double[] HEXAGON = {
         0.25, 0, 0.8, 0.05, 1, 0.5, 0.7, 1, 0.15, 0.9, 0, 0.35
@@ -34,7 +34,7 @@ public record ShownWindow(List<Place> corners, boolean upright) {
      * @param xy x and y of each corner in turn
      */
     static ShownWindow of(double[] xy) {
-        List<Place> corners = PlaneFigures.points(xy);
+        List<ClipPoint> corners = PlaneFigures.points(xy);
         ShownWindow around = of(around(corners));
         return corners.equals(around.corners) ? around : new ShownWindow(corners, false);
     }
@@ -44,12 +44,12 @@ public record ShownWindow(List<Place> corners, boolean upright) {
         return around(corners);
     }
 
-    private static ClipWindow around(List<Place> corners) {
+    private static ClipWindow around(List<ClipPoint> corners) {
         return new ClipWindow(
-                corners.stream().mapToDouble(Place::x).min().orElseThrow(),
-                corners.stream().mapToDouble(Place::y).min().orElseThrow(),
-                corners.stream().mapToDouble(Place::x).max().orElseThrow(),
-                corners.stream().mapToDouble(Place::y).max().orElseThrow());
+                corners.stream().mapToDouble(ClipPoint::x).min().orElseThrow(),
+                corners.stream().mapToDouble(ClipPoint::y).min().orElseThrow(),
+                corners.stream().mapToDouble(ClipPoint::x).max().orElseThrow(),
+                corners.stream().mapToDouble(ClipPoint::y).max().orElseThrow());
     }
 
     double[] xy() {
@@ -57,7 +57,7 @@ public record ShownWindow(List<Place> corners, boolean upright) {
     }
 
     /** The window with a corner elsewhere; that of a rectangle stops at the sides it is not on. */
-    ShownWindow moved(int corner, Place to) {
+    ShownWindow moved(int corner, ClipPoint to) {
         if (!upright) return new ShownWindow(Lists.replaced(corners, corner, to), false);
         ClipWindow now = rectangle();
         boolean left = corner == 0 || corner == 3;

@@ -32,17 +32,17 @@ public record Viewpoint(double alphaDegrees, double betaDegrees) {
     }
 
     /** Where a point is in the picture. */
-    Place picture(SpacePoint p) {
+    ClipPoint picture(SpacePoint p) {
         Matrix4d m = matrix();
-        return new Place(
+        return new ClipPoint(
                 p.x() * m.m00() + p.y() * m.m10() + p.z() * m.m20(),
                 p.x() * m.m01() + p.y() * m.m11() + p.z() * m.m21());
     }
 
     /** The point moved parallel to the picture so that it is seen at that place. */
-    SpacePoint lifted(SpacePoint p, Place picture) {
+    SpacePoint lifted(SpacePoint p, ClipPoint picture) {
         Matrix4d m = matrix();
-        Place now = picture(p);
+        ClipPoint now = picture(p);
         double right = picture.x() - now.x();
         double up = picture.y() - now.y();
         return new SpacePoint(

@@ -53,7 +53,7 @@ final class VolumeDrawing {
                 .toList();
     }
 
-    private static double[] pair(Place a, Place b) {
+    private static double[] pair(ClipPoint a, ClipPoint b) {
         return new double[] {a.x(), a.y(), b.x(), b.y()};
     }
 
@@ -91,11 +91,11 @@ final class VolumeDrawing {
                         .filter(corner -> Arrays.stream(FACES[other]).anyMatch(c -> c == corner))
                         .toArray();
         if (shared.length != 2) return;
-        List<Place> ends = List.of(picture.of(corner(shared[0])), picture.of(corner(shared[1])));
+        List<ClipPoint> ends = List.of(picture.of(corner(shared[0])), picture.of(corner(shared[1])));
         add(new ClipMark.Line(ends, false, seen ? ClipMark.Ink.WINDOW : ClipMark.Ink.HIDDEN));
     }
 
-    private List<Place> face(int face) {
+    private List<ClipPoint> face(int face) {
         return Arrays.stream(FACES[face]).mapToObj(this::corner).map(picture::of).toList();
     }
 
@@ -119,10 +119,10 @@ final class VolumeDrawing {
 
     /** The eye, and the rays from it to the nearest corners. */
     private void eye() {
-        Place at = picture.of(new SpacePoint(0, 0, 0));
+        ClipPoint at = picture.of(new SpacePoint(0, 0, 0));
         for (int i = 0; i < 4; i++)
             add(new ClipMark.Line(List.of(at, picture.of(corner(i))), false, ClipMark.Ink.HELP));
-        Place ahead = picture.of(new SpacePoint(0, 0, 1));
+        ClipPoint ahead = picture.of(new SpacePoint(0, 0, 1));
         add(new ClipMark.Sign(at, ahead.x() - at.x(), ahead.y() - at.y(), ClipMark.Shape.EYE, ""));
     }
 
@@ -164,8 +164,8 @@ final class VolumeDrawing {
         line(step.left(), ClipMark.Ink.STEP);
         if (step.places().length == 0) return;
         double[] ends = scene.segments().get(step.item()).ends();
-        Place from = picture.of(first(ends));
-        Place to = picture.of(second(ends));
+        ClipPoint from = picture.of(first(ends));
+        ClipPoint to = picture.of(second(ends));
         var at = new SpacePoint(step.places()[0], step.places()[1], step.places()[2]);
         if (picture.inFront(at))
             add(

@@ -22,7 +22,7 @@ final class VolumePicture {
     }
 
     /** The picture of a point; after the division not finite for one at the eye. */
-    Place of(SpacePoint normalised) {
+    ClipPoint of(SpacePoint normalised) {
         return view.picture(shown(normalised));
     }
 
@@ -37,7 +37,7 @@ final class VolumePicture {
     }
 
     /** The point moved parallel to the picture so that it is seen at that place. */
-    SpacePoint lifted(SpacePoint normalised, Place picture) {
+    SpacePoint lifted(SpacePoint normalised, ClipPoint picture) {
         return image(toNormalised, view.lifted(shown(normalised), picture));
     }
 

@@ -102,8 +102,8 @@ public record VolumeScene(
 
     /** The ends; none in the box after the division, where straight moves are bent. */
     @Override
-    public Map<ClipGrip, Place> grips() {
-        var grips = new LinkedHashMap<ClipGrip, Place>();
+    public Map<ClipGrip, ClipPoint> grips() {
+        var grips = new LinkedHashMap<ClipGrip, ClipPoint>();
         if (space == VolumeSpace.CANONICAL) return grips;
         var picture = new VolumePicture(this);
         for (int i = 0; i < segments.size(); i++)
@@ -113,7 +113,7 @@ public record VolumeScene(
     }
 
     @Override
-    public VolumeScene moved(ClipGrip grip, Place to) {
+    public VolumeScene moved(ClipGrip grip, ClipPoint to) {
         return withEnd(grip, new VolumePicture(this).lifted(end(grip), to));
     }
 

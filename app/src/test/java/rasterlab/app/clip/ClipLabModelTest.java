@@ -119,7 +119,7 @@ class ClipLabModelTest {
         model.beginDrag();
         for (int x = 0; x < 9; x++) model.move(ClipGrip.end(1, 1), x, 4);
         model.endDrag();
-        assertEquals(new Place(8, 4), model.state().choice().segments().segments().get(1).b());
+        assertEquals(new ClipPoint(8, 4), model.state().choice().segments().segments().get(1).b());
         model.history().undo();
         assertEquals(before, model.state().choice());
         assertFalse(model.history().undoable());
@@ -131,8 +131,8 @@ class ClipLabModelTest {
         model.chooseMode(ClipMode.POLYGON);
         model.move(ClipGrip.corner(0), -9, 1);
         model.chooseMode(ClipMode.SEGMENTS);
-        assertEquals(new Place(-2, -2), model.state().choice().segments().segments().get(0).a());
-        assertEquals(new Place(-9, 1), model.state().choice().polygon().subject().get(0));
+        assertEquals(new ClipPoint(-2, -2), model.state().choice().segments().segments().get(0).a());
+        assertEquals(new ClipPoint(-9, 1), model.state().choice().polygon().subject().get(0));
     }
 
     @Test
@@ -143,7 +143,7 @@ class ClipLabModelTest {
         model.chooseMethod("midpoint");
         model.reset();
         assertEquals(SegmentScene.first(), model.state().choice().segments());
-        assertEquals(new Place(-9, 1), model.state().choice().polygon().subject().get(0));
+        assertEquals(new ClipPoint(-9, 1), model.state().choice().polygon().subject().get(0));
         model.history().undo();
         assertEquals("midpoint", model.state().choice().segments().method());
     }
@@ -269,7 +269,7 @@ class ClipLabModelTest {
         for (VolumeSpace space : List.of(VolumeSpace.EYE, VolumeSpace.NORMALISED)) {
             model.volume(old -> old.withSpace(space).withView(new Viewpoint(-30, 25)));
             model.move(ClipGrip.end(0, 1), 0.3, -0.4);
-            Place seen = model.state().choice().volume().grips().get(ClipGrip.end(0, 1));
+            ClipPoint seen = model.state().choice().volume().grips().get(ClipGrip.end(0, 1));
             assertEquals(0.3, seen.x(), 1e-12, space.name());
             assertEquals(-0.4, seen.y(), 1e-12, space.name());
         }

@@ -92,9 +92,9 @@ class ClipPictureTest {
     void weilerAthertonShowsWhereTheBoundaryEntersAndLeaves() {
         PolygonScene scene = PolygonScene.first().withMethod("weiler-atherton");
         List<ClipMark> drawn = drawn(scene, 1);
-        Place enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow().at();
-        Place leaves = signs(drawn, ClipMark.Shape.LEAVING).findFirst().orElseThrow().at();
-        for (Place place : List.of(enters, leaves))
+        ClipPoint enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow().at();
+        ClipPoint leaves = signs(drawn, ClipMark.Shape.LEAVING).findFirst().orElseThrow().at();
+        for (ClipPoint place : List.of(enters, leaves))
             assertTrue(place.x() == 0 || place.x() == 10 || place.y() == 6, place.toString());
     }
 
@@ -129,7 +129,7 @@ class ClipPictureTest {
         VolumeScene scene =
                 VolumeScene.first().withSpace(VolumeSpace.CANONICAL).withView(new Viewpoint(0, 0));
         for (ClipMark.Line edge : lines(drawn(scene, 0), ClipMark.Ink.WINDOW).toList())
-            for (Place corner : edge.points()) {
+            for (ClipPoint corner : edge.points()) {
                 assertEquals(1, Math.abs(corner.x()), 1e-12);
                 assertEquals(1, Math.abs(corner.y()), 1e-12);
             }
