@@ -23,7 +23,7 @@ public final class PlanePictures {
     private final List<PlaneFigure> expected;
     private final List<PlaneFigure> actual;
     private final double tolerance;
-    private final PlaneAxes axes;
+    private final PlotAxes axes;
     private final PlaneView view;
 
     private PlanePictures(
@@ -37,7 +37,7 @@ public final class PlanePictures {
         this.actual = first(actual);
         this.tolerance = tolerance;
         PlaneBox box = PlaneBox.around(this.given, this.expected, this.actual);
-        axes = new PlaneAxes(box, axis == YAxis.UP);
+        axes = new PlotAxes(box, axis == YAxis.UP);
         view = axes.view();
     }
 

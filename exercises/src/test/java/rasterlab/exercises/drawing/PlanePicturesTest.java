@@ -251,7 +251,7 @@ class PlanePicturesTest {
     }
 
     private static PlaneView view(List<PlaneFigure> expected, List<PlaneFigure> actual) {
-        return new PlaneAxes(PlaneBox.around(WINDOW, expected, actual), true).view();
+        return new PlotAxes(PlaneBox.around(WINDOW, expected, actual), true).view();
     }
 
     /** The pixels around a part of the plane. */

@@ -10,7 +10,7 @@ import java.awt.geom.Rectangle2D;
 import rasterlab.exercises.drawing.AxisTicks.Tick;
 
 /** Draws the plot's border, a pale grid, and the labels of both axes around it. */
-final class PlaneAxes {
+final class PlotAxes {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
     private static final Font NAME = new Font(Font.SERIF, Font.ITALIC, 15);
     private static final Font TAG = new Font(Font.SANS_SERIF, Font.BOLD, 13);
@@ -36,7 +36,7 @@ final class PlaneAxes {
     /**
      * @param up whether y grows upwards
      */
-    PlaneAxes(PlaneBox box, boolean up) {
+    PlotAxes(PlaneBox box, boolean up) {
         y = AxisTicks.of(box.y(), Math.max(FEWEST, PlaneView.height(box) / Y_DISTANCE));
         int left = NARROWEST_LEFT;
         for (Tick tick : y.ticks())
