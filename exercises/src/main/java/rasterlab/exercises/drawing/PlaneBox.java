@@ -21,7 +21,7 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
     private static final double MARGIN = 0.07;
 
     /** The box of figures whose coordinates are all equal, or of none. */
-    private static final List<PlanePoint> ORIGIN = List.of(new PlanePoint(0, 0));
+    private static final List<CasePoint> ORIGIN = List.of(new CasePoint(0, 0));
 
     /**
      * The box around the window and what is expected, or, without a window, around what is given
@@ -31,8 +31,8 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
     static PlaneBox around(
             List<PlaneFigure> given, List<PlaneFigure> expected, List<PlaneFigure> actual) {
         boolean window = given.stream().anyMatch(PlaneBox::isWindow);
-        List<PlanePoint> all = finite(Stream.of(given, expected, actual).flatMap(List::stream));
-        List<PlanePoint> focus =
+        List<CasePoint> all = finite(Stream.of(given, expected, actual).flatMap(List::stream));
+        List<CasePoint> focus =
                 finite(
                         Stream.concat(
                                 given.stream().filter(each -> !window || isWindow(each)),
@@ -41,13 +41,13 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
         return focus.stream().distinct().count() < 2 ? of(all, all) : of(focus, all);
     }
 
-    private static PlaneBox of(List<PlanePoint> focus, List<PlanePoint> all) {
-        double[] x = limits(focus, PlanePoint::x);
-        double[] y = limits(focus, PlanePoint::y);
+    private static PlaneBox of(List<CasePoint> focus, List<CasePoint> all) {
+        double[] x = limits(focus, CasePoint::x);
+        double[] y = limits(focus, CasePoint::y);
         double most = Math.max(half(x), half(y));
         boolean thin = isThin(half(x), half(y));
-        grow(x, limits(all, PlanePoint::x), thin ? half(x) : most);
-        grow(y, limits(all, PlanePoint::y), thin ? half(y) : most);
+        grow(x, limits(all, CasePoint::x), thin ? half(x) : most);
+        grow(y, limits(all, CasePoint::y), thin ? half(y) : most);
         if (isThin(half(x), half(y)))
             return new PlaneBox(range(x, half(x)), range(y, half(y)), false);
         double longest = Math.max(half(x), half(y));
@@ -65,7 +65,7 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
     }
 
     /** Whether a point lies in the box, its border included. */
-    boolean contains(PlanePoint point) {
+    boolean contains(CasePoint point) {
         return x.contains(point.x()) && y.contains(point.y());
     }
 
@@ -83,13 +83,13 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
         return limits[1] / 2 - limits[0] / 2;
     }
 
-    private static double[] limits(List<PlanePoint> points, ToDoubleFunction<PlanePoint> axis) {
+    private static double[] limits(List<CasePoint> points, ToDoubleFunction<CasePoint> axis) {
         return AxisRange.limits(points.stream().mapToDouble(axis));
     }
 
-    private static List<PlanePoint> finite(Stream<PlaneFigure> figures) {
+    private static List<CasePoint> finite(Stream<PlaneFigure> figures) {
         return figures.flatMap(each -> each.points().stream())
-                .filter(PlanePoint::isFinite)
+                .filter(CasePoint::isFinite)
                 .toList();
     }
 

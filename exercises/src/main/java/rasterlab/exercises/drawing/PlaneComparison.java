@@ -22,7 +22,7 @@ final class PlaneComparison {
      * @param expected a vertex of the expected figure
      * @param actual the one that the actual figure has instead
      */
-    record Difference(PlanePoint expected, PlanePoint actual) {}
+    record Difference(CasePoint expected, CasePoint actual) {}
 
     private final double tolerance;
     private final List<PlaneFigure> agreeing = new ArrayList<>();
@@ -65,12 +65,12 @@ final class PlaneComparison {
     Optional<Difference> first() {
         if (missing.isEmpty()) return Optional.empty();
         PlaneFigure figure = missing.get(0);
-        List<PlanePoint> closest = null;
+        List<CasePoint> closest = null;
         double least = Double.POSITIVE_INFINITY;
         for (PlaneFigure each : extra) {
             if (each.form() != figure.form() || each.points().size() != figure.points().size())
                 continue;
-            for (List<PlanePoint> order : orders(each)) {
+            for (List<CasePoint> order : orders(each)) {
                 double distance = distance(figure.points(), order);
                 if (closest != null && distance >= least) continue;
                 closest = order;
@@ -80,7 +80,7 @@ final class PlaneComparison {
         return closest == null ? Optional.empty() : first(figure.points(), closest);
     }
 
-    private Optional<Difference> first(List<PlanePoint> expected, List<PlanePoint> actual) {
+    private Optional<Difference> first(List<CasePoint> expected, List<CasePoint> actual) {
         for (int i = 0; i < expected.size(); i++)
             if (!expected.get(i).isNear(actual.get(i), tolerance))
                 return Optional.of(new Difference(expected.get(i), actual.get(i)));
@@ -94,13 +94,13 @@ final class PlaneComparison {
                         || orders(other).stream().anyMatch(order -> near(one.points(), order)));
     }
 
-    private boolean near(List<PlanePoint> one, List<PlanePoint> other) {
+    private boolean near(List<CasePoint> one, List<CasePoint> other) {
         for (int i = 0; i < one.size(); i++)
             if (!one.get(i).isNear(other.get(i), tolerance)) return false;
         return true;
     }
 
-    private static double distance(List<PlanePoint> one, List<PlanePoint> other) {
+    private static double distance(List<CasePoint> one, List<CasePoint> other) {
         double most = 0;
         for (int i = 0; i < one.size(); i++)
             most = Math.max(most, one.get(i).distance(other.get(i)));
@@ -108,10 +108,10 @@ final class PlaneComparison {
     }
 
     /** The same points in every order that makes the same figure. */
-    private static List<List<PlanePoint>> orders(PlaneFigure figure) {
-        List<PlanePoint> points = figure.points();
+    private static List<List<CasePoint>> orders(PlaneFigure figure) {
+        List<CasePoint> points = figure.points();
         if (figure.form() == Form.POINT || points.size() < 2) return List.of(points);
-        var orders = new ArrayList<List<PlanePoint>>();
+        var orders = new ArrayList<List<CasePoint>>();
         int starts =
                 figure.form() == Form.POLYGON && points.size() <= MOST_TURNED ? points.size() : 1;
         for (int start = 0; start < starts; start++) {
@@ -122,19 +122,19 @@ final class PlaneComparison {
     }
 
     /** A view of a ring of points from another start, forwards or backwards. */
-    private static final class Turned extends java.util.AbstractList<PlanePoint> {
-        private final List<PlanePoint> points;
+    private static final class Turned extends java.util.AbstractList<CasePoint> {
+        private final List<CasePoint> points;
         private final int start;
         private final int step;
 
-        Turned(List<PlanePoint> points, int start, int step) {
+        Turned(List<CasePoint> points, int start, int step) {
             this.points = points;
             this.start = start;
             this.step = step;
         }
 
         @Override
-        public PlanePoint get(int index) {
+        public CasePoint get(int index) {
             return points.get(Math.floorMod(start + step * index, points.size()));
         }
 

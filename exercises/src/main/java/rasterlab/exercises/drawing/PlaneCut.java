@@ -38,12 +38,12 @@ final class PlaneCut {
     }
 
     private record Exact(BigDecimal x, BigDecimal y) {
-        static Exact of(PlanePoint point) {
+        static Exact of(CasePoint point) {
             return new Exact(new BigDecimal(point.x()), new BigDecimal(point.y()));
         }
 
-        PlanePoint rounded() {
-            return new PlanePoint(x.doubleValue(), y.doubleValue());
+        CasePoint rounded() {
+            return new CasePoint(x.doubleValue(), y.doubleValue());
         }
     }
 
@@ -66,7 +66,7 @@ final class PlaneCut {
      * @param one finite
      * @param other finite
      */
-    Optional<List<PlanePoint>> segment(PlanePoint one, PlanePoint other) {
+    Optional<List<CasePoint>> segment(CasePoint one, CasePoint other) {
         if (box.contains(one) && box.contains(other)) return Optional.of(List.of(one, other));
         if (isBeside(one, other)) return Optional.empty();
         Exact from = Exact.of(one);
@@ -87,7 +87,7 @@ final class PlaneCut {
      *
      * @param vertices finite
      */
-    List<PlanePoint> polygon(List<PlanePoint> vertices) {
+    List<CasePoint> polygon(List<CasePoint> vertices) {
         if (vertices.stream().allMatch(box::contains)) return vertices;
         List<Exact> kept = vertices.stream().map(Exact::of).toList();
         for (Side side : sides) kept = kept(kept, side);
@@ -106,7 +106,7 @@ final class PlaneCut {
     }
 
     /** Whether both points lie beyond the same side. */
-    private boolean isBeside(PlanePoint one, PlanePoint other) {
+    private boolean isBeside(CasePoint one, CasePoint other) {
         return Math.max(one.x(), other.x()) < box.x().low()
                 || Math.min(one.x(), other.x()) > box.x().high()
                 || Math.max(one.y(), other.y()) < box.y().low()

@@ -120,11 +120,11 @@ final class PlaneDifference {
 
     /** Where the first difference is; empty where it has no place in the plot. */
     Optional<Point2D> place() {
-        Stream<PlanePoint> first =
+        Stream<CasePoint> first =
                 figures.first()
                         .map(each -> Stream.of(each.expected(), each.actual()))
                         .orElse(Stream.empty());
-        Stream<PlanePoint> wrong =
+        Stream<CasePoint> wrong =
                 Stream.of(figures.missing(), figures.extra())
                         .flatMap(List::stream)
                         .flatMap(each -> each.points().stream());

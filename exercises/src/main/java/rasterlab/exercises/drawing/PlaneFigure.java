@@ -11,7 +11,7 @@ import java.util.List;
  * @param points one of a point, two of a segment, the vertices of a polygon in order, two opposite
  *     corners of a window
  */
-public record PlaneFigure(Form form, List<PlanePoint> points) {
+public record PlaneFigure(Form form, List<CasePoint> points) {
     /** The kinds of figure. */
     public enum Form {
         POINT,
@@ -37,17 +37,17 @@ public record PlaneFigure(Form form, List<PlanePoint> points) {
     }
 
     public static PlaneFigure point(double x, double y) {
-        return new PlaneFigure(Form.POINT, List.of(new PlanePoint(x, y)));
+        return new PlaneFigure(Form.POINT, List.of(new CasePoint(x, y)));
     }
 
     public static PlaneFigure segment(double x0, double y0, double x1, double y1) {
         return new PlaneFigure(
-                Form.SEGMENT, List.of(new PlanePoint(x0, y0), new PlanePoint(x1, y1)));
+                Form.SEGMENT, List.of(new CasePoint(x0, y0), new CasePoint(x1, y1)));
     }
 
     public static PlaneFigure window(double xmin, double ymin, double xmax, double ymax) {
         return new PlaneFigure(
-                Form.WINDOW, List.of(new PlanePoint(xmin, ymin), new PlanePoint(xmax, ymax)));
+                Form.WINDOW, List.of(new CasePoint(xmin, ymin), new CasePoint(xmax, ymax)));
     }
 
     /**
@@ -62,29 +62,29 @@ public record PlaneFigure(Form form, List<PlanePoint> points) {
                     "a polygon needs x and y of each vertex, got "
                             + coordinates.length
                             + " numbers");
-        var points = new ArrayList<PlanePoint>();
+        var points = new ArrayList<CasePoint>();
         for (int i = 0; i < coordinates.length; i += 2)
-            points.add(new PlanePoint(coordinates[i], coordinates[i + 1]));
+            points.add(new CasePoint(coordinates[i], coordinates[i + 1]));
         return new PlaneFigure(Form.POLYGON, points);
     }
 
     boolean isFinite() {
-        return points.stream().allMatch(PlanePoint::isFinite);
+        return points.stream().allMatch(CasePoint::isFinite);
     }
 
     /** The vertices in order; of a window its four corners. */
-    List<PlanePoint> vertices() {
+    List<CasePoint> vertices() {
         if (form != Form.WINDOW) return points;
-        PlanePoint one = points.get(0);
-        PlanePoint other = points.get(1);
+        CasePoint one = points.get(0);
+        CasePoint other = points.get(1);
         return List.of(
-                one, new PlanePoint(other.x(), one.y()), other, new PlanePoint(one.x(), other.y()));
+                one, new CasePoint(other.x(), one.y()), other, new CasePoint(one.x(), other.y()));
     }
 
     /** The vertices that each edge joins, in order; none of a point. */
     List<PlaneFigure> edges() {
         var edges = new ArrayList<PlaneFigure>();
-        List<PlanePoint> vertices = vertices();
+        List<CasePoint> vertices = vertices();
         int count = form == Form.POINT ? 0 : form == Form.SEGMENT ? 1 : vertices.size();
         for (int i = 0; i < count; i++)
             edges.add(

@@ -116,8 +116,8 @@ final class PlanePainter {
     }
 
     /** An arrow at the border that points to a figure beyond it. */
-    void arrow(List<PlanePoint> vertices, Color color) {
-        PlanePoint first = vertices.get(0);
+    void arrow(List<CasePoint> vertices, Color color) {
+        CasePoint first = vertices.get(0);
         Point2D tip = view.nearestPlace(first);
         double x = sign(view.x(first.x()), view.plot().getMinX(), view.plot().getMaxX());
         double y = sign(view.y(first.y()), view.plot().getMinY(), view.plot().getMaxY());

@@ -82,7 +82,7 @@ final class PlaneTexts {
     }
 
     private Message figure(PlaneFigure figure) {
-        List<PlanePoint> points = figure.points();
+        List<CasePoint> points = figure.points();
         String all =
                 points.stream()
                         .limit(MOST_VERTICES)
@@ -96,22 +96,22 @@ final class PlaneTexts {
         };
     }
 
-    private Message polygon(List<PlanePoint> vertices, String all) {
+    private Message polygon(List<CasePoint> vertices, String all) {
         if (vertices.isEmpty()) return Message.of("drawing.plane.polygon-empty");
         return vertices.size() <= MOST_VERTICES
                 ? Message.of("drawing.plane.polygon", all)
                 : Message.of("drawing.plane.polygon-long", vertices.size(), usual(vertices.get(0)));
     }
 
-    private Message ends(String key, List<PlanePoint> points) {
+    private Message ends(String key, List<CasePoint> points) {
         return Message.of(key, usual(points.get(0)), usual(points.get(1)));
     }
 
     private Message first(PlaneComparison figures) {
         Optional<PlaneComparison.Difference> first = figures.first();
         if (first.isPresent()) {
-            PlanePoint expected = first.get().expected();
-            PlanePoint actual = first.get().actual();
+            CasePoint expected = first.get().expected();
+            CasePoint actual = first.get().actual();
             int x = Math.max(xDigits, NumberText.telling(expected.x(), actual.x()));
             int y = Math.max(yDigits, NumberText.telling(expected.y(), actual.y()));
             return Message.of("drawing.plane.first", point(expected, x, y), point(actual, x, y));
@@ -127,11 +127,11 @@ final class PlaneTexts {
                 : Message.of(key, usual(figure.points().get(0)));
     }
 
-    private String usual(PlanePoint point) {
+    private String usual(CasePoint point) {
         return point(point, xDigits, yDigits);
     }
 
-    private static String point(PlanePoint point, int x, int y) {
+    private static String point(CasePoint point, int x, int y) {
         return "(" + NumberText.of(point.x(), x) + ", " + NumberText.of(point.y(), y) + ")";
     }
 }

@@ -65,12 +65,12 @@ final class PlaneView {
     }
 
     /** The place of a point in the box. */
-    Point2D place(PlanePoint point) {
+    Point2D place(CasePoint point) {
         return new Point2D.Double(x(point.x()), y(point.y()));
     }
 
     /** The place next to a finite point within the plot's border. */
-    Point2D nearestPlace(PlanePoint point) {
+    Point2D nearestPlace(CasePoint point) {
         return new Point2D.Double(
                 between(x(point.x()), plot.getMinX(), plot.getMaxX()),
                 between(y(point.y()), plot.getMinY(), plot.getMaxY()));
@@ -92,7 +92,7 @@ final class PlaneView {
     /** The inside of a finite polygon, so far as it lies in the box, by the even-odd rule. */
     Path2D inside(PlaneFigure polygon) {
         var path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
-        for (PlanePoint vertex : cut.polygon(polygon.vertices())) {
+        for (CasePoint vertex : cut.polygon(polygon.vertices())) {
             Point2D place = place(vertex);
             if (path.getCurrentPoint() == null) path.moveTo(place.getX(), place.getY());
             else path.lineTo(place.getX(), place.getY());

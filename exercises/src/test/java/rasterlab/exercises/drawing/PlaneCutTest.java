@@ -15,10 +15,10 @@ class PlaneCutTest {
     @Test
     void aHugeSegmentCrossesASmallBoxWhereItDoes() {
         assertEquals(
-                Optional.of(List.of(new PlanePoint(-1, -0.5), new PlanePoint(1, 0.5))),
+                Optional.of(List.of(new CasePoint(-1, -0.5), new CasePoint(1, 0.5))),
                 cut(-1e308, -5e307, 1e308, 5e307));
         assertEquals(
-                Optional.of(List.of(new PlanePoint(1, 0.25), new PlanePoint(-1, 0.25))),
+                Optional.of(List.of(new CasePoint(1, 0.25), new CasePoint(-1, 0.25))),
                 cut(1.7e308, 0.25, -1.7e308, 0.25));
     }
 
@@ -31,10 +31,10 @@ class PlaneCutTest {
     @Test
     void aPolygonAroundTheBoxCoversIt() {
         PlaneFigure large = PlaneFigure.polygon(-1e308, -1e308, 1e308, -1e308, 0, 1.7e308);
-        List<PlanePoint> kept = new PlaneCut(BOX).polygon(large.vertices());
+        List<CasePoint> kept = new PlaneCut(BOX).polygon(large.vertices());
         for (double x : new double[] {-1, 1})
             for (double y : new double[] {-1, 1})
-                assertTrue(kept.contains(new PlanePoint(x, y)), kept::toString);
+                assertTrue(kept.contains(new CasePoint(x, y)), kept::toString);
     }
 
     @Test
@@ -43,15 +43,15 @@ class PlaneCutTest {
         var random = new Random(seed);
         for (int i = 0; i < 300; i++) {
             double[] n = new AnyNumbers(random).some(4);
-            var one = new PlanePoint(n[0], n[1]);
-            var other = new PlanePoint(n[2], n[3]);
+            var one = new CasePoint(n[0], n[1]);
+            var other = new CasePoint(n[2], n[3]);
             if (!one.isFinite() || !other.isFinite()) continue;
-            for (PlanePoint end : new PlaneCut(BOX).segment(one, other).orElse(List.of()))
+            for (CasePoint end : new PlaneCut(BOX).segment(one, other).orElse(List.of()))
                 assertTrue(BOX.contains(end), "seed " + seed + ": " + end);
         }
     }
 
-    private static Optional<List<PlanePoint>> cut(double x0, double y0, double x1, double y1) {
-        return new PlaneCut(BOX).segment(new PlanePoint(x0, y0), new PlanePoint(x1, y1));
+    private static Optional<List<CasePoint>> cut(double x0, double y0, double x1, double y1) {
+        return new PlaneCut(BOX).segment(new CasePoint(x0, y0), new CasePoint(x1, y1));
     }
 }

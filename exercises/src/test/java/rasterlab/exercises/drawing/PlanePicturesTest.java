@@ -60,8 +60,8 @@ class PlanePicturesTest {
         List<PlaneFigure> expected = List.of(segment(5, 1, 5, 7));
         List<PlaneFigure> actual = List.of(segment(8, 1, 8, 7));
         Seen seen = seen(expected, actual);
-        Point2D minus = view(expected, actual).place(new PlanePoint(5, 4));
-        Point2D plus = view(expected, actual).place(new PlanePoint(8, 4));
+        Point2D minus = view(expected, actual).place(new CasePoint(5, 4));
+        Point2D plus = view(expected, actual).place(new CasePoint(8, 4));
         var above = new Rectangle2D.Double(-1, -5, 2, 3);
         assertEquals(0, Seen.count(seen.difference(), Ink.MISSING, at(above, minus)));
         assertTrue(Seen.count(seen.difference(), Ink.EXTRA, at(above, plus)) > 0);
@@ -104,7 +104,7 @@ class PlanePicturesTest {
         List<PlaneFigure> expected = List.of(segment(1, 1, 9, 7));
         List<PlaneFigure> actual = List.of(segment(1, 1, 9, Math.nextUp(7.0)));
         Seen seen = seen(expected, actual);
-        Point2D end = view(expected, actual).place(new PlanePoint(9, 7));
+        Point2D end = view(expected, actual).place(new CasePoint(9, 7));
         var ring = new Rectangle2D.Double(-16, -16, 32, 32);
         assertTrue(Seen.count(seen.difference(), Ink.EXTRA, at(ring, end)) > 50);
         assertEquals(

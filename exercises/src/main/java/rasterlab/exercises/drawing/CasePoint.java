@@ -6,7 +6,7 @@ package rasterlab.exercises.drawing;
  * @param x any double, NaN and infinities too
  * @param y any double, NaN and infinities too
  */
-public record PlanePoint(double x, double y) {
+public record CasePoint(double x, double y) {
     boolean isFinite() {
         return Double.isFinite(x) && Double.isFinite(y);
     }
@@ -14,12 +14,12 @@ public record PlanePoint(double x, double y) {
     /**
      * Whether no coordinate differs by more than that; NaN and infinities agree with themselves.
      */
-    boolean isNear(PlanePoint other, double tolerance) {
+    boolean isNear(CasePoint other, double tolerance) {
         return isNear(x, other.x, tolerance) && isNear(y, other.y, tolerance);
     }
 
     /** The larger difference of a coordinate; infinite where one is not finite and they differ. */
-    double distance(PlanePoint other) {
+    double distance(CasePoint other) {
         if (isNear(other, 0)) return 0;
         double most = Math.max(Math.abs(x - other.x), Math.abs(y - other.y));
         return Double.isNaN(most) ? Double.POSITIVE_INFINITY : most;
