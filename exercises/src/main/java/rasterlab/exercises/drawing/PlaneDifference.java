@@ -27,7 +27,7 @@ final class PlaneDifference {
     private static final int SAMPLES = 4;
 
     private final PlaneComparison figures;
-    private final PlaneView view;
+    private final PlaneToPixels view;
     private final double slack;
     private final boolean many;
     private final List<Line2D> missing;
@@ -39,7 +39,7 @@ final class PlaneDifference {
     /**
      * @param tolerance in the units of the plane
      */
-    PlaneDifference(PlaneComparison figures, PlaneView view, double tolerance) {
+    PlaneDifference(PlaneComparison figures, PlaneToPixels view, double tolerance) {
         this.figures = figures;
         this.view = view;
         double pixels =

@@ -16,11 +16,11 @@ final class PlaneFill {
 
     private static final int ARM = 2;
 
-    private final PlaneView view;
+    private final PlaneToPixels view;
     private final int width;
     private final int height;
 
-    PlaneFill(PlaneView view, int width, int height) {
+    PlaneFill(PlaneToPixels view, int width, int height) {
         this.view = view;
         this.width = width;
         this.height = height;

@@ -27,9 +27,9 @@ final class PlanePainter {
     private static final float[] DASHES = {7, 5};
 
     private final Graphics2D g;
-    private final PlaneView view;
+    private final PlaneToPixels view;
 
-    PlanePainter(Graphics2D g, PlaneView view) {
+    PlanePainter(Graphics2D g, PlaneToPixels view) {
         this.g = g;
         this.view = view;
     }

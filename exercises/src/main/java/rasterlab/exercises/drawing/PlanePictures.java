@@ -24,7 +24,7 @@ public final class PlanePictures {
     private final List<PlaneFigure> actual;
     private final double tolerance;
     private final PlotAxes axes;
-    private final PlaneView view;
+    private final PlaneToPixels view;
 
     private PlanePictures(
             List<PlaneFigure> given,

@@ -13,12 +13,12 @@ final class PlaneTexts {
     /** A polygon of more vertices is told by its first one and their number. */
     private static final int MOST_VERTICES = 12;
 
-    private final PlaneView view;
+    private final PlaneToPixels view;
     private final List<PlaneFigure> given;
     private final int xDigits;
     private final int yDigits;
 
-    PlaneTexts(PlaneView view, List<PlaneFigure> given) {
+    PlaneTexts(PlaneToPixels view, List<PlaneFigure> given) {
         this.view = view;
         this.given = given;
         xDigits = digits(view.box().x());

@@ -29,7 +29,7 @@ final class PlotAxes {
 
     private final AxisTicks x;
     private final AxisTicks y;
-    private final PlaneView view;
+    private final PlaneToPixels view;
     private final int width;
     private final int height;
 
@@ -37,12 +37,12 @@ final class PlotAxes {
      * @param up whether y grows upwards
      */
     PlotAxes(PlaneBox box, boolean up) {
-        y = AxisTicks.of(box.y(), Math.max(FEWEST, PlaneView.height(box) / Y_DISTANCE));
+        y = AxisTicks.of(box.y(), Math.max(FEWEST, PlaneToPixels.height(box) / Y_DISTANCE));
         int left = NARROWEST_LEFT;
         for (Tick tick : y.ticks())
             left = Math.max(left, (int) Math.ceil(width(tick.label())) + 2 * SPACE);
         int top = SPACE + LINE + (y.note().isEmpty() ? 0 : LINE / 2);
-        view = new PlaneView(box, up, left, top);
+        view = new PlaneToPixels(box, up, left, top);
         Rectangle2D plot = view.plot();
         x = AxisTicks.of(box.x(), Math.max(FEWEST, (int) plot.getWidth() / X_DISTANCE));
         double last = width(x.ticks().isEmpty() ? "" : x.ticks().get(x.ticks().size() - 1).label());
@@ -51,7 +51,7 @@ final class PlotAxes {
         height = (int) plot.getMaxY() + SPACE + LINE + SPACE + (x.note().isEmpty() ? 0 : LINE);
     }
 
-    PlaneView view() {
+    PlaneToPixels view() {
         return view;
     }
 

@@ -42,7 +42,7 @@ class PlanePicturesTest {
         List<PlaneFigure> expected = List.of(segment(1, 2, 9, 2));
         List<PlaneFigure> actual = List.of(segment(1, 6, 9, 6));
         Seen seen = seen(expected, actual);
-        PlaneView view = view(expected, actual);
+        PlaneToPixels view = view(expected, actual);
         int missing = Seen.count(seen.difference(), Ink.MISSING, around(view, 1, 2, 9, 2));
         int extra = Seen.count(seen.difference(), Ink.EXTRA, around(view, 1, 6, 9, 6));
         assertTrue(missing > 100, "missing: " + missing);
@@ -72,7 +72,7 @@ class PlanePicturesTest {
         List<PlaneFigure> expected = List.of(segment(1, 4, 5, 4));
         List<PlaneFigure> actual = List.of(segment(1, 4, 9, 4));
         Seen seen = seen(expected, actual);
-        PlaneView view = view(expected, actual);
+        PlaneToPixels view = view(expected, actual);
         Rectangle2D right = around(view, 1, 4, 4.5, 4);
         Rectangle2D beyond = around(view, 5.5, 4, 9, 4);
         assertTrue(Seen.count(seen.difference(), Ink.EXPECTED, right) > 50);
@@ -87,7 +87,7 @@ class PlanePicturesTest {
         List<PlaneFigure> expected = List.of(polygon(1, 1, 5, 1, 5, 7, 1, 7));
         List<PlaneFigure> actual = List.of(polygon(5, 1, 9, 1, 9, 7, 5, 7));
         Seen seen = seen(expected, actual);
-        PlaneView view = view(expected, actual);
+        PlaneToPixels view = view(expected, actual);
         Rectangle2D left = around(view, 1.5, 1.5, 4.5, 6.5);
         Rectangle2D right = around(view, 5.5, 1.5, 8.5, 6.5);
         assertTrue(Seen.count(seen.difference(), Ink.pale(Ink.MISSING), left) > 1000);
@@ -140,7 +140,7 @@ class PlanePicturesTest {
         assertTrue(seen.expectedText("ru").contains("масштабы по x и y разные"));
         assertFalse(seen(thin, thin).expectedText("en").contains("scales"), "the window is wide");
         PlaneBox box = PlaneBox.around(WINDOW, NONE, NONE);
-        var view = new PlaneView(box, true, 0, 0);
+        var view = new PlaneToPixels(box, true, 0, 0);
         assertEquals(view.x(1) - view.x(0), view.y(0) - view.y(1), 0.5, "one scale");
     }
 
@@ -250,12 +250,12 @@ class PlanePicturesTest {
         return new Seen(PlanePictures.of(WINDOW, expected, actual, 0, YAxis.UP));
     }
 
-    private static PlaneView view(List<PlaneFigure> expected, List<PlaneFigure> actual) {
+    private static PlaneToPixels view(List<PlaneFigure> expected, List<PlaneFigure> actual) {
         return new PlotAxes(PlaneBox.around(WINDOW, expected, actual), true).view();
     }
 
     /** The pixels around a part of the plane. */
-    private static Rectangle2D around(PlaneView view, double x0, double y0, double x1, double y1) {
+    private static Rectangle2D around(PlaneToPixels view, double x0, double y0, double x1, double y1) {
         var part = new Rectangle2D.Double(view.x(x0), view.y(y0), 0, 0);
         part.add(view.x(x1), view.y(y1));
         return new Rectangle2D.Double(

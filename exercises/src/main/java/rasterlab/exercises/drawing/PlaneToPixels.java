@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Maps the box of a plane to the pixels of a picture: x grows right, y up or down. */
-final class PlaneView {
+final class PlaneToPixels {
     /** The longer side of the plot, in pixels. */
     private static final int LONGEST = 420;
 
@@ -25,7 +25,7 @@ final class PlaneView {
      *
      * @param up whether y grows upwards
      */
-    PlaneView(PlaneBox box, boolean up, int left, int top) {
+    PlaneToPixels(PlaneBox box, boolean up, int left, int top) {
         this.box = box;
         this.up = up;
         cut = new PlaneCut(box);
