@@ -31,7 +31,7 @@ import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
@@ -132,11 +132,11 @@ class Classroom(
                 false,
             )
 
-        fun wrongReport() = report(GradingVerdict.WRONG, Points(4, 0, 0, 10))
+        fun wrongReport() = report(GradingVerdict.WRONG, ScorePoints(4, 0, 0, 10))
 
         fun report(
             verdict: GradingVerdict,
-            points: Points,
+            points: ScorePoints,
         ) = Report(
             verdict,
             points,

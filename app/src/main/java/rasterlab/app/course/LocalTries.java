@@ -15,7 +15,7 @@ import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.KeptJson;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 /**
  * The most points of what was tried on this computer, in a file beside what was said to the last
@@ -34,7 +34,7 @@ public final class LocalTries {
      * @param result the file of what was said to it
      * @throws Complaint if they cannot be written
      */
-    public static void note(Path result, Points points) {
+    public static void note(Path result, ScorePoints points) {
         String name = result.getFileName().toString();
         Path file =
                 result.resolveSibling(name.substring(0, name.length() - RESULT.length()) + BEST);

@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.published.PublishedSpeed;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 
 /**
@@ -24,7 +24,7 @@ record Outcome(
         String source,
         int attempt,
         String verdict,
-        Points points,
+        ScorePoints points,
         List<TriedCase> cases,
         List<Remark> remarks,
         Said isolation,
@@ -50,7 +50,7 @@ record Outcome(
             String source,
             int attempt,
             String verdict,
-            Points points,
+            ScorePoints points,
             List<TriedCase> cases,
             List<Remark> remarks,
             Said isolation,
@@ -92,7 +92,7 @@ record Outcome(
             String source,
             int attempt,
             String verdict,
-            Points points,
+            ScorePoints points,
             List<TriedCase> cases,
             List<Remark> remarks,
             Said isolation,

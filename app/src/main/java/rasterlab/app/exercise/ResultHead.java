@@ -14,7 +14,7 @@ import rasterlab.app.canvas.PaleWords;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.topic.TopicGradings;
 
 /** What a result says of the whole: verdict, points and origin, or how far the work on it is. */
@@ -124,7 +124,7 @@ final class ResultHead extends JPanel {
     }
 
     private String points(Outcome said) {
-        Points earned = said.points();
+        ScorePoints earned = said.points();
         String sum =
                 texts.text(
                         "result.points",

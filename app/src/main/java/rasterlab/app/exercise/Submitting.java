@@ -18,7 +18,7 @@ import rasterlab.exercises.published.PublishedPicture;
 import rasterlab.exercises.published.PublishedPoints;
 import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.score.CasePicture;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 
 /** Hands a source in and follows it to its result. */
@@ -132,9 +132,9 @@ final class Submitting {
         return index < all.size() ? Optional.of(all.get(index)) : Optional.empty();
     }
 
-    private static Points points(PublishedPoints points) throws IOException {
+    private static ScorePoints points(PublishedPoints points) throws IOException {
         try {
-            return new Points(points.accuracy(), points.stability(), points.speed(), points.of());
+            return new ScorePoints(points.accuracy(), points.stability(), points.speed(), points.of());
         } catch (IllegalArgumentException e) {
             throw new IOException("the server's points do not fit: " + e.getMessage(), e);
         }

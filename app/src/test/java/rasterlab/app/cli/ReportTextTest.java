@@ -20,7 +20,7 @@ import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 
 class ReportTextTest {
@@ -101,7 +101,7 @@ class ReportTextTest {
                         "");
         return new Report(
                 GradingVerdict.WRONG,
-                new Points(0, 0, 0, 1),
+                new ScorePoints(0, 0, 0, 1),
                 List.of(judged),
                 List.of(),
                 Report.PROCESS_LIMITS,

@@ -32,7 +32,7 @@ import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.course.Chapter;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 class CourseMapPaneTest {
     private static final List<Exercise> ALL = Catalogue.builtIn().all();
@@ -76,7 +76,7 @@ class CourseMapPaneTest {
             throws Exception {
         var pane = new CourseMapPane[1];
         try (var standings = standings()) {
-            LocalTries.note(drafts.resolve("circle.result.json"), new Points(57, 30, 13, 100));
+            LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(57, 30, 13, 100));
             told(standings);
             EventQueue.invokeAndWait(
                     () -> {
@@ -116,11 +116,11 @@ class CourseMapPaneTest {
             EventQueue.invokeAndWait(() -> pane[0] = pane(standings, Language.ENGLISH));
             var state = (JLabel) named(pane[0], "map.state.circle");
             assertEquals("not tried", state.getText());
-            LocalTries.note(drafts.resolve("circle.result.json"), new Points(50, 7, 0, 100));
+            LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(50, 7, 0, 100));
             told(standings);
             assertEquals("57 of 100", state.getText());
             pane[0].close();
-            LocalTries.note(drafts.resolve("circle.result.json"), new Points(60, 7, 0, 100));
+            LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(60, 7, 0, 100));
             told(standings);
             assertEquals("57 of 100", state.getText(), "a closed map listens");
         }

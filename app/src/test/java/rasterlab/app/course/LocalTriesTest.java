@@ -9,7 +9,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.course.Standing.Earned;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 class LocalTriesTest {
     @TempDir Path folder;
@@ -60,6 +60,6 @@ class LocalTriesTest {
     }
 
     private void note(String stem, int points, int of) {
-        LocalTries.note(folder.resolve(stem + ".result.json"), new Points(points, 0, 0, of));
+        LocalTries.note(folder.resolve(stem + ".result.json"), new ScorePoints(points, 0, 0, of));
     }
 }

@@ -22,7 +22,7 @@ import rasterlab.app.course.Standings.Told;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.FakeServer;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 class StandingsTest {
     private static final String LIST = "GET /api/v1/exercises";
@@ -39,7 +39,7 @@ class StandingsTest {
         server = new FakeServer();
         standings = new Standings(CourseServer.Patience.USUAL, events::add, failures::add);
         standings.readFrom(drafts);
-        LocalTries.note(drafts.resolve("circle.result.json"), new Points(9, 0, 0, 100));
+        LocalTries.note(drafts.resolve("circle.result.json"), new ScorePoints(9, 0, 0, 100));
     }
 
     @AfterEach

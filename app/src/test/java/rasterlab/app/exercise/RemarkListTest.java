@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 /** Messages about lines of a source that was not accepted. */
 class RemarkListTest {
@@ -98,7 +98,7 @@ class RemarkListTest {
                         refused,
                         0,
                         GradingVerdict.COMPILE_ERROR.code(),
-                        new Points(0, 0, 0, 100),
+                        new ScorePoints(0, 0, 0, 100),
                         List.of(),
                         List.of(LONG),
                         Said.NOTHING,

@@ -16,7 +16,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.predicting.HandedAnswers;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 /** The place of the first exercise's result without a window. On the event thread. */
 final class ShownResult {
@@ -121,7 +121,7 @@ final class ShownResult {
                 "",
                 0,
                 verdict.code(),
-                new Points(0, 0, 0, 100),
+                new ScorePoints(0, 0, 0, 100),
                 TriedCase.untried(EXERCISE).stream()
                         .map(one -> judged(one, verdict.code()))
                         .toList(),

@@ -15,7 +15,7 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 
 /**
@@ -87,7 +87,7 @@ public final class SheetGrading {
     private Report report(
             GradingVerdict verdict, List<CaseReport> judged, List<Diagnostic> diagnostics) {
         int earned = judged.stream().mapToInt(CaseReport::points).sum();
-        var points = new Points(earned, 0, 0, exercise.points().total());
+        var points = new ScorePoints(earned, 0, 0, exercise.points().total());
         return new Report(verdict, points, judged, diagnostics, Report.PROCESS_LIMITS, 0);
     }
 }

@@ -2,7 +2,7 @@ package rasterlab.exercises.proving;
 
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 /**
  * What the judge gives to a source of the exercise's folder.
@@ -13,7 +13,7 @@ import rasterlab.exercises.score.Points;
  * @param timed whether its speed was measured, or is worth nothing
  */
 public record SourcePoints(
-        GradingVerdict verdict, Points points, String why, Message untimed, boolean timed) {
+        GradingVerdict verdict, ScorePoints points, String why, Message untimed, boolean timed) {
     int withoutSpeed() {
         return points.accuracy() + points.stability();
     }

@@ -2,7 +2,7 @@ package rasterlab.exercises.published;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 
 /**
  * Points with their sum.
@@ -12,12 +12,12 @@ import rasterlab.exercises.score.Points;
  */
 public record PublishedPoints(int accuracy, int stability, int speed, int hints, int total, int of)
         implements PublishedPart {
-    public static PublishedPoints of(Points points) {
+    public static PublishedPoints of(ScorePoints points) {
         return of(points, 0);
     }
 
     /** The same, less the points that hints cost. */
-    public static PublishedPoints of(Points points, int hints) {
+    public static PublishedPoints of(ScorePoints points, int hints) {
         return new PublishedPoints(
                 points.accuracy(),
                 points.stability(),

@@ -21,7 +21,7 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 
 /** Pays inputs for the faulty methods that fail on them while the right ones agree. */
@@ -155,7 +155,7 @@ final class BreakRun {
         int earned = cases.stream().mapToInt(CaseReport::points).sum();
         int possible = exercise.points().total();
         return new Report(
-                verdict, new Points(earned, 0, 0, possible), cases, said, Report.PROCESS_LIMITS, 0);
+                verdict, new ScorePoints(earned, 0, 0, possible), cases, said, Report.PROCESS_LIMITS, 0);
     }
 
     private void add(List<CaseReport> cases, CaseReport one) {

@@ -12,7 +12,7 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 
 /** Adds up points and puts the report together. */
@@ -36,7 +36,7 @@ final class ReportSheet {
 
     /** Nothing was run. */
     Report rejected(GradingVerdict verdict, List<Diagnostic> reasons) {
-        return new Report(verdict, new Points(0, 0, 0, possible), List.of(), reasons, isolation, 0);
+        return new Report(verdict, new ScorePoints(0, 0, 0, possible), List.of(), reasons, isolation, 0);
     }
 
     /**
@@ -60,8 +60,8 @@ final class ReportSheet {
                         .map(GradingVerdict::published)
                         .findFirst()
                         .orElse(GradingVerdict.OK);
-        Points points =
-                new Points(
+        ScorePoints points =
+                new ScorePoints(
                         earned(cases, Kind.ACCURACY) - sum(withheld, Kind.ACCURACY),
                         earned(cases, Kind.STABILITY) - sum(withheld, Kind.STABILITY),
                         speed.points(),

@@ -15,7 +15,7 @@ import java.util.Optional;
  */
 public record Report(
         GradingVerdict verdict,
-        Points points,
+        ScorePoints points,
         List<CaseReport> cases,
         List<Diagnostic> diagnostics,
         String isolation,
@@ -34,7 +34,7 @@ public record Report(
     /** A report without figures. */
     public Report(
             GradingVerdict verdict,
-            Points points,
+            ScorePoints points,
             List<CaseReport> cases,
             List<Diagnostic> diagnostics,
             String isolation,

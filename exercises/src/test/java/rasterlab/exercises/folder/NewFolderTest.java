@@ -29,7 +29,7 @@ import rasterlab.exercises.proving.Proving;
 import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.topic.TopicGradings;
 
@@ -87,7 +87,7 @@ class NewFolderTest {
         assertEquals(0, earned, "points for nothing");
         return new Report(
                 GradingVerdict.WRONG,
-                new Points(0, 0, 0, 100),
+                new ScorePoints(0, 0, 0, 100),
                 marking.reports(),
                 List.of(),
                 Report.PROCESS_LIMITS,

@@ -17,7 +17,7 @@ import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.SpeedPoints;
 
@@ -82,7 +82,7 @@ class ProofTest {
     @Test
     @DisplayName("a starter that does the work is passed over")
     void aStarterThatEarnsPointsIsTold() throws InterruptedException {
-        Points full = new Points(75, 15, 10, 100);
+        ScorePoints full = new ScorePoints(75, 15, 10, 100);
         Proof proof =
                 Proving.of(
                         TRIANGLE,
@@ -98,7 +98,7 @@ class ProofTest {
                 with(
                         TRIANGLE.cases().stream(),
                         new Evidence(Optional.of("public class Model {}"), Set.of()));
-        Points none = new Points(0, 0, 0, 100);
+        ScorePoints none = new ScorePoints(0, 0, 0, 100);
         Proof proof =
                 Proving.of(
                         own,
@@ -114,7 +114,7 @@ class ProofTest {
                 with(
                         TRIANGLE.cases().stream(),
                         new Evidence(Optional.of("public class Model {}"), Set.of()));
-        Points slow = new Points(75, 15, 0, 100);
+        ScorePoints slow = new ScorePoints(75, 15, 0, 100);
         Proof proof =
                 Proving.of(
                         own,
@@ -122,7 +122,7 @@ class ProofTest {
                         (exercise, source, cases, progress) ->
                                 source.startsWith("public class Model")
                                         ? timed(slow, Message.of("speed.too-long"))
-                                        : timed(new Points(0, 0, 0, 100), Message.NONE));
+                                        : timed(new ScorePoints(0, 0, 0, 100), Message.NONE));
         assertEquals(
                 List.of(
                         "exercise.json, field 'timed': the speed of the model solution cannot be"
@@ -132,7 +132,7 @@ class ProofTest {
     }
 
     /** A report whose line on speed says why it was not measured. */
-    private static Report timed(Points points, Message obstacle) {
+    private static Report timed(ScorePoints points, Message obstacle) {
         List<CaseReport> cases =
                 List.of(
                         report(GradingVerdict.OK, points).cases().get(0),
@@ -140,7 +140,7 @@ class ProofTest {
         return new Report(GradingVerdict.WRONG, points, cases, List.of(), Report.PROCESS_LIMITS, 0);
     }
 
-    private static Report report(GradingVerdict verdict, Points points) {
+    private static Report report(GradingVerdict verdict, ScorePoints points) {
         CaseReport one =
                 new CaseReport(
                         "inside-and-outside",

@@ -41,7 +41,7 @@ class ReportTest {
         Report report =
                 new Report(
                         GradingVerdict.WRONG,
-                        new Points(0, 0, 0, 3),
+                        new ScorePoints(0, 0, 0, 3),
                         List.of(one),
                         List.of(),
                         "",

@@ -8,7 +8,7 @@ import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
@@ -160,7 +160,7 @@ class Attempts(
     private fun ourFault(
         said: Message,
         of: Int,
-    ) = Report(GradingVerdict.INTERNAL, Points(0, 0, 0, of), emptyList(), listOf(Diagnostic(0, 0, said)), "", 0.0)
+    ) = Report(GradingVerdict.INTERNAL, ScorePoints(0, 0, 0, of), emptyList(), listOf(Diagnostic(0, 0, said)), "", 0.0)
 
     companion object {
         const val TRIES = 3

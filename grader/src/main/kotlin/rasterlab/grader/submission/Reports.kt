@@ -6,7 +6,7 @@ import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
@@ -39,7 +39,7 @@ class Reports(
                 .map { row, _ ->
                     val revision = row.getString("revision")
                     val points =
-                        Points(
+                        ScorePoints(
                             row.getInt("accuracy"),
                             row.getInt("stability"),
                             row.getInt("speed"),

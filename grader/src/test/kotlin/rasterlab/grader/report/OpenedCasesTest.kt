@@ -22,7 +22,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
@@ -215,7 +215,7 @@ class OpenedCasesTest {
         fun report() =
             Report(
                 GradingVerdict.WRONG,
-                Points(0, 0, 0, 20),
+                ScorePoints(0, 0, 0, 20),
                 (listOf(Disclosure.OPEN) + HIDDEN).map { Classroom.case(name(it), it, GradingVerdict.WRONG) },
                 emptyList(),
                 "",

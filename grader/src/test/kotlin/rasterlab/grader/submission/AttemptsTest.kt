@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
@@ -35,8 +35,8 @@ class AttemptsTest {
     private var stopping = false
     private var now = Instant.parse("2026-03-29T00:59:59Z")
     private val clock = InstantSource { now }
-    private val right = Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10))
-    private val ours = Classroom.report(GradingVerdict.INTERNAL, Points(0, 0, 0, 10))
+    private val right = Classroom.report(GradingVerdict.OK, ScorePoints(6, 3, 1, 10))
+    private val ours = Classroom.report(GradingVerdict.INTERNAL, ScorePoints(0, 0, 0, 10))
 
     @BeforeEach
     fun open() {

@@ -8,14 +8,14 @@ import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Test
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
 
 class LiveTest {
     private val live = Live()
     private val case: CaseReport =
         Classroom
-            .report(GradingVerdict.OK, Points(6, 3, 1, 10))
+            .report(GradingVerdict.OK, ScorePoints(6, 3, 1, 10))
             .cases()
             .first()
 

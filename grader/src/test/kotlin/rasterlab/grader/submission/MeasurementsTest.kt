@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.SpeedFigures
 import rasterlab.exercises.score.SpeedPoints
@@ -171,7 +171,7 @@ class MeasurementsTest {
         speed: rasterlab.exercises.score.CaseReport,
     ) = Report(
         verdict,
-        Points(accuracy, 3, speed.points(), 10),
+        ScorePoints(accuracy, 3, speed.points(), 10),
         listOf(Classroom.case("open-case", Disclosure.OPEN, verdict), speed),
         emptyList(),
         Report.PROCESS_LIMITS,

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
@@ -96,7 +96,7 @@ class QueueClockTest {
     }
 
     private companion object {
-        val RIGHT = Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10))
-        val OURS = Classroom.report(GradingVerdict.INTERNAL, Points(0, 0, 0, 10))
+        val RIGHT = Classroom.report(GradingVerdict.OK, ScorePoints(6, 3, 1, 10))
+        val OURS = Classroom.report(GradingVerdict.INTERNAL, ScorePoints(0, 0, 0, 10))
     }
 }

@@ -17,7 +17,7 @@ import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.SpeedFigures
 import rasterlab.grader.Classroom
@@ -51,7 +51,7 @@ class ReportsTest {
     @ParameterizedTest(name = "the verdict {0} is not read back")
     @EnumSource
     fun keepsTheWhole(verdict: GradingVerdict) {
-        val written = Report(verdict, Points(11, 7, 3, 23), emptyList(), emptyList(), "bubblewrap «ящик»", 12.625)
+        val written = Report(verdict, ScorePoints(11, 7, 3, 23), emptyList(), emptyList(), "bubblewrap «ящик»", 12.625)
         val found = recorded(written)
         assertEquals(verdict, found.report.verdict())
         assertEquals(written.points(), found.report.points())
@@ -65,7 +65,7 @@ class ReportsTest {
         val methods = listOf(SpeedFigures.Method("dda", 2.5, 0.125), SpeedFigures.Method("wu", 4.25, INFINITE))
         for (error in listOf(0.0, 0.75, INFINITE)) {
             val figures = SpeedFigures(12.625, 3.5, error, methods)
-            val written = Report(GradingVerdict.OK, Points(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
+            val written = Report(GradingVerdict.OK, ScorePoints(0, 0, 1, 1), emptyList(), emptyList(), "", 12.625)
             assertEquals(Optional.of(figures), recorded(written.with(Optional.of(figures))).report.figures())
         }
         assertEquals(Optional.empty<SpeedFigures>(), recorded(report()).report.figures())
@@ -136,7 +136,7 @@ class ReportsTest {
     private fun report(
         cases: List<CaseReport> = emptyList(),
         diagnostics: List<Diagnostic> = emptyList(),
-    ) = Report(GradingVerdict.WRONG, Points(0, 0, 0, 0), cases, diagnostics, "", 0.0)
+    ) = Report(GradingVerdict.WRONG, ScorePoints(0, 0, 0, 0), cases, diagnostics, "", 0.0)
 
     private fun recorded(report: Report): Recorded {
         val reports = Reports(database)

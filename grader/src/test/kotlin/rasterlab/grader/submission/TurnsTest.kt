@@ -7,7 +7,7 @@ import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.storage.Database
@@ -76,7 +76,7 @@ class TurnsTest {
 
     private fun graded(): String {
         val lease = checkNotNull(leases.claimNext()) { "nothing waits" }
-        leases.finish(lease, "r1", Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10)))
+        leases.finish(lease, "r1", Classroom.report(GradingVerdict.OK, ScorePoints(6, 3, 1, 10)))
         return names.getValue(lease.submission.id)
     }
 }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.ClassOfStudents
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
@@ -117,7 +117,7 @@ class WantOfStorageTest {
             Grading { _, _, _, _ ->
                 begun.countDown()
                 goOn.await()
-                Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10))
+                Classroom.report(GradingVerdict.OK, ScorePoints(6, 3, 1, 10))
             }
         val attempts =
             Attempts(database, leases, Exercises(listOf(Classroom.EXERCISE)), grading, live) {

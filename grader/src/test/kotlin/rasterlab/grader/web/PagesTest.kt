@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
@@ -136,8 +136,8 @@ class PagesTest {
     }
 
     private fun stopped(): Report {
-        val cases = Classroom.report(GradingVerdict.NOT_RUN, Points(0, 0, 0, 10)).cases()
-        return Report(GradingVerdict.TIME_LIMIT, Points(0, 0, 0, 10), cases, emptyList(), "", 0.0)
+        val cases = Classroom.report(GradingVerdict.NOT_RUN, ScorePoints(0, 0, 0, 10)).cases()
+        return Report(GradingVerdict.TIME_LIMIT, ScorePoints(0, 0, 0, 10), cases, emptyList(), "", 0.0)
     }
 
     @Test
