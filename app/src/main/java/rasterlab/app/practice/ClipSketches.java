@@ -27,12 +27,12 @@ final class ClipSketches {
 
     /** What is left of the segment; a side of the window can be clicked. */
     static Board segment(Walked walked) {
-        List<Point2D> box = Points.box(walked.input().path(WINDOW));
-        List<Point2D> whole = Points.flat(walked.input().path("segments").path(0));
+        List<Point2D> box = QuestionPoints.box(walked.input().path(WINDOW));
+        List<Point2D> whole = QuestionPoints.flat(walked.input().path("segments").path(0));
         List<Point2D> left =
                 walked.steps().isEmpty()
                         ? whole
-                        : Points.flat(
+                        : QuestionPoints.flat(
                                 walked.steps().get(walked.steps().size() - 1).path("segment"));
         var figures = new ArrayList<Figure>();
         figures.add(new Path(box, true, Look.GIVEN));
@@ -47,12 +47,12 @@ final class ClipSketches {
     }
 
     private static List<Point2D> side(List<Point2D> box, int from) {
-        return Points.along(List.of(box.get(from), box.get((from + 1) % box.size())), false);
+        return QuestionPoints.along(List.of(box.get(from), box.get((from + 1) % box.size())), false);
     }
 
     /** What is left of the polygon, and the side whose turn it is. */
     static Board polygon(Walked walked) {
-        List<Point2D> box = Points.box(walked.input().path(WINDOW));
+        List<Point2D> box = QuestionPoints.box(walked.input().path(WINDOW));
         JsonNode whole = walked.input().path(POLYGON);
         JsonNode left =
                 walked.steps().isEmpty()
@@ -69,9 +69,9 @@ final class ClipSketches {
                             false,
                             Look.ASKED));
         }
-        figures.add(new Path(Points.all(whole), true, Look.DONE));
-        figures.add(new Path(Points.all(left), true, Look.NEWEST));
-        for (Point2D corner : Points.all(left)) figures.add(new Dot(corner, "", Look.NEWEST));
+        figures.add(new Path(QuestionPoints.all(whole), true, Look.DONE));
+        figures.add(new Path(QuestionPoints.all(left), true, Look.NEWEST));
+        for (Point2D corner : QuestionPoints.all(left)) figures.add(new Dot(corner, "", Look.NEWEST));
         return new Board(Space.PLANE, figures, new None());
     }
 }

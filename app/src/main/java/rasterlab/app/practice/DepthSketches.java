@@ -33,7 +33,7 @@ final class DepthSketches {
             Look look = PlaneSketches.look(walked, "paint", i);
             figures.add(new Path(above, true, look));
             figures.add(new Dot(above.get(i % 2), String.valueOf(i), look));
-            targets.add(new Target(LongNode.valueOf(i), Points.along(above, true)));
+            targets.add(new Target(LongNode.valueOf(i), QuestionPoints.along(above, true)));
         }
         return new Board(Space.DEPTH, figures, new Named("paint", targets));
     }
@@ -56,7 +56,7 @@ final class DepthSketches {
             for (Point2D corner : above) top = Math.max(top, corner.getY());
             figures.add(new Path(above, true, PlaneSketches.look(walked, "span", i)));
             figures.add(new Dot(above.get(i % 2), String.valueOf(i), Look.GIVEN));
-            targets.add(new Target(LongNode.valueOf(i), Points.along(above, true)));
+            targets.add(new Target(LongNode.valueOf(i), QuestionPoints.along(above, true)));
         }
         double middle = walked.input().path("size").path(0).doubleValue() / 2;
         for (int i = 0; i < walked.steps().size(); i++)

@@ -24,7 +24,7 @@ final class NumberSketches {
      * them is known.
      */
     static Board turns(Walked walked) {
-        Point2D from = Points.of(walked.input().path("points").path(0));
+        Point2D from = QuestionPoints.of(walked.input().path("points").path(0));
         double radius = Math.max(1, from.distance(0, 0));
         var figures = new ArrayList<Figure>();
         figures.add(circle(radius));

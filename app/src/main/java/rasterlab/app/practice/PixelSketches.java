@@ -24,8 +24,8 @@ final class PixelSketches {
     static Board line(Walked walked) {
         List<Point2D> ends =
                 List.of(
-                        Points.of(walked.input().path("from")),
-                        Points.of(walked.input().path("to")));
+                        QuestionPoints.of(walked.input().path("from")),
+                        QuestionPoints.of(walked.input().path("to")));
         return board(walked, "x", "y", new Path(ends, false, Look.GIVEN));
     }
 
@@ -53,7 +53,7 @@ final class PixelSketches {
             figures.add(cell(walked.told(), "x", "y", Look.ASKED));
         int number = 1;
         for (JsonNode triangle : walked.input().path("triangles")) {
-            List<Point2D> corners = Points.all(triangle);
+            List<Point2D> corners = QuestionPoints.all(triangle);
             figures.add(new Path(corners, true, Look.GIVEN));
             figures.add(new Dot(corners.get(2), String.valueOf(number++), Look.GIVEN));
         }

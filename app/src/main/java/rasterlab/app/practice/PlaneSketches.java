@@ -24,7 +24,7 @@ final class PlaneSketches {
 
     /** Ears that are cut off, and the corners, of which one is clicked. */
     static Board triangulate(Walked walked) {
-        List<Point2D> corners = Points.all(walked.input().path(POLYGON));
+        List<Point2D> corners = QuestionPoints.all(walked.input().path(POLYGON));
         var figures = new ArrayList<Figure>();
         figures.add(new Path(corners, true, Look.GIVEN));
         addDiagonals(figures, corners, walked);
@@ -61,8 +61,8 @@ final class PlaneSketches {
 
     /** A ray from the point to the right, and the edge that it is compared with. */
     static Board inPolygon(Walked walked) {
-        List<Point2D> corners = Points.all(walked.input().path(POLYGON));
-        Point2D from = Points.of(walked.input().path("points").path(0));
+        List<Point2D> corners = QuestionPoints.all(walked.input().path(POLYGON));
+        Point2D from = QuestionPoints.of(walked.input().path("points").path(0));
         double right = corners.stream().mapToDouble(Point2D::getX).max().orElse(0) + 1;
         var figures = new ArrayList<Figure>();
         figures.add(new Path(corners, true, Look.GIVEN));
@@ -89,8 +89,8 @@ final class PlaneSketches {
      * A point beside the sides of a triangle, which are walked against the order of its corners.
      */
     static Board inTriangle(Walked walked) {
-        List<Point2D> corners = Points.all(walked.input().path("triangle"));
-        Point2D point = Points.of(walked.input().path("points").path(0));
+        List<Point2D> corners = QuestionPoints.all(walked.input().path("triangle"));
+        Point2D point = QuestionPoints.of(walked.input().path("points").path(0));
         List<Point2D> walkedCorners = List.of(corners.get(0), corners.get(2), corners.get(1));
         var figures = new ArrayList<Figure>();
         figures.add(new Path(corners, true, Look.GIVEN));
@@ -103,7 +103,7 @@ final class PlaneSketches {
 
     /** The control points, the points that came out, and the scheme of the newest one. */
     static Board curve(Walked walked) {
-        List<Point2D> control = Points.all(walked.input().path("points"));
+        List<Point2D> control = QuestionPoints.all(walked.input().path("points"));
         var figures = new ArrayList<Figure>();
         figures.add(new Path(control, false, Look.GIVEN));
         for (int i = 0; i < control.size(); i++)
@@ -127,7 +127,7 @@ final class PlaneSketches {
         while (row.size() > 2) {
             List<Point2D> next = new ArrayList<>();
             for (int i = 1; i < row.size(); i++)
-                next.add(Points.between(row.get(i - 1), row.get(i), at.doubleValue()));
+                next.add(QuestionPoints.between(row.get(i - 1), row.get(i), at.doubleValue()));
             figures.add(new Path(next, false, Look.DONE));
             row = next;
         }

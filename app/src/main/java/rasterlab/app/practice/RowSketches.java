@@ -37,7 +37,7 @@ final class RowSketches {
                     figures.add(new Cell(x, y, Look.WALL));
         addRuns(walked, figures);
         figures.add(border(picture.path(0).asText().length(), picture.size()));
-        figures.add(new Dot(Points.of(seed), "", Look.GIVEN));
+        figures.add(new Dot(QuestionPoints.of(seed), "", Look.GIVEN));
         return new Board(Space.PIXELS, figures, new Run(ROW, FROM, TO));
     }
 
@@ -60,7 +60,7 @@ final class RowSketches {
         addRuns(walked, figures);
         JsonNode told = walked.told().path(ROW);
         JsonNode width = walked.input().path("size").path(0);
-        figures.add(new Path(Points.all(walked.input().path("polygon")), true, Look.GIVEN));
+        figures.add(new Path(QuestionPoints.all(walked.input().path("polygon")), true, Look.GIVEN));
         if (told.isNumber())
             figures.add(
                     new Path(

@@ -153,7 +153,7 @@ class SketchesTest {
         for (long seed = 1; seed <= SEEDS; seed++)
             for (Question one : PRACTISED.sheet("triangulate", seed).sheet().questions()) {
                 JsonNode input = WalkText.input(one.input());
-                List<Point2D> corners = Points.all(input.path("polygon"));
+                List<Point2D> corners = QuestionPoints.all(input.path("polygon"));
                 Walked walked = new Walked(input, one.before(), one.told(), Optional.empty());
                 List<List<Point2D>> drawn =
                         Sketches.of("triangulate").orElseThrow().of(walked).figures().stream()

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.stream.StreamSupport;
 
 /** Points in a question's JSON. */
-final class Points {
+final class QuestionPoints {
     /** Places of a side that can be clicked. */
     private static final int SPOTS = 40;
 
-    private Points() {}
+    private QuestionPoints() {}
 
     /** The point [x, y, …]. */
     static Point2D of(JsonNode pair) {
@@ -20,7 +20,7 @@ final class Points {
 
     /** The points [[x, y], …]. */
     static List<Point2D> all(JsonNode pairs) {
-        return StreamSupport.stream(pairs.spliterator(), false).map(Points::of).toList();
+        return StreamSupport.stream(pairs.spliterator(), false).map(QuestionPoints::of).toList();
     }
 
     /** The points [x, y, x, y, …]. */
