@@ -9,14 +9,14 @@ package rasterlab.app.clip;
 public record ClipChoice(
         ClipMode mode,
         SegmentScene segments,
-        PolygonScene polygon,
+        PolygonClipScene polygon,
         VolumeScene volume,
         boolean difference) {
     static final ClipChoice FIRST =
             new ClipChoice(
                     ClipMode.SEGMENTS,
                     SegmentScene.first(),
-                    PolygonScene.first(),
+                    PolygonClipScene.first(),
                     VolumeScene.first(),
                     false);
 
@@ -43,7 +43,7 @@ public record ClipChoice(
         return new ClipChoice(
                 scene.mode(),
                 scene instanceof SegmentScene other ? other : segments,
-                scene instanceof PolygonScene other ? other : polygon,
+                scene instanceof PolygonClipScene other ? other : polygon,
                 scene instanceof VolumeScene other ? other : volume,
                 difference);
     }

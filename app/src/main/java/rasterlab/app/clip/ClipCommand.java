@@ -25,7 +25,7 @@ final class ClipCommand {
         if (scene instanceof SegmentScene shown) {
             write(shown.window(), out);
             write(shown.segments().stream().map(PlaneSegment::ends).toList(), out);
-        } else if (scene instanceof PolygonScene polygon) {
+        } else if (scene instanceof PolygonClipScene polygon) {
             write(polygon.window(), out);
             out.points("polygon", PlaneFigures.xy(polygon.subject()), 2);
         } else {

@@ -20,7 +20,7 @@ final class ClipFraming {
         ClipWindow window =
                 scene instanceof SegmentScene segments
                         ? segments.window().rectangle()
-                        : ((PolygonScene) scene).window().rectangle();
+                        : ((PolygonClipScene) scene).window().rectangle();
         double size = window.unit() > 0 ? window.unit() : 1;
         var shown = new ArrayList<ClipPoint>();
         shown.add(new ClipPoint(window.xmin() - AROUND * size, window.ymin() - AROUND * size));

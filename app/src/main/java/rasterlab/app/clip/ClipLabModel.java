@@ -121,7 +121,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     public void shapeWindow(boolean upright) {
         ClipScene scene = state.choice().scene();
         if (scene instanceof SegmentScene segments) edit(segments.shaped(upright));
-        else if (scene instanceof PolygonScene polygon) edit(polygon.shaped(upright));
+        else if (scene instanceof PolygonClipScene polygon) edit(polygon.shaped(upright));
     }
 
     /**

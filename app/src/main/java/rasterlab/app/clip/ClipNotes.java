@@ -25,7 +25,7 @@ final class ClipNotes {
 
     private static String ended(ClipScene scene, Clipping clipping, Texts texts) {
         String method = OwnWords.called(clipping.method(), texts.language());
-        boolean pieces = scene instanceof PolygonScene;
+        boolean pieces = scene instanceof PolygonClipScene;
         if (pieces && clipping.deviation().missing() > 0)
             return texts.text(
                     "note.bridges", method, clipping.parts().size(), clipping.deviation().of());
@@ -39,11 +39,11 @@ final class ClipNotes {
         if (scene instanceof SegmentScene segments && !segments.window().upright())
             return texts.text(
                     segments.method().equals("cyrus-beck") ? "refusal.window" : "refusal.upright");
-        if (scene instanceof PolygonScene polygon) return texts.text(polygonReason(polygon));
+        if (scene instanceof PolygonClipScene polygon) return texts.text(polygonReason(polygon));
         return texts.text("refusal.other");
     }
 
-    private static String polygonReason(PolygonScene scene) {
+    private static String polygonReason(PolygonClipScene scene) {
         if (!SegmentClipping.isConvex(scene.window().xy())) return "refusal.window";
         return scene.subject().size() < 3 ? "refusal.corners" : "refusal.simple";
     }
@@ -53,6 +53,6 @@ final class ClipNotes {
             return plane.segments().stream().allMatch(s -> s.a().isFinite() && s.b().isFinite());
         if (scene instanceof VolumeScene space)
             return space.segments().stream().allMatch(s -> s.a().isFinite() && s.b().isFinite());
-        return List.copyOf(((PolygonScene) scene).subject()).stream().allMatch(ClipPoint::isFinite);
+        return List.copyOf(((PolygonClipScene) scene).subject()).stream().allMatch(ClipPoint::isFinite);
     }
 }

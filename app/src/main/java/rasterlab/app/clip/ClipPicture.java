@@ -63,7 +63,7 @@ record ClipPicture(
 
     private static List<double[]> edges(ClipScene scene, Clipping clipping) {
         List<double[]> parts = clipping.parts().stream().map(Clipping.Part::coordinates).toList();
-        return scene instanceof PolygonScene ? PolygonClipping.edges(parts) : parts;
+        return scene instanceof PolygonClipScene ? PolygonClipping.edges(parts) : parts;
     }
 
     private static void add(
@@ -85,7 +85,7 @@ record ClipPicture(
         List<ClipMark> drawn;
         if (scene instanceof SegmentScene segments)
             drawn = SegmentDrawing.of(segments, clipping, step, wrong, locale);
-        else if (scene instanceof PolygonScene polygon)
+        else if (scene instanceof PolygonClipScene polygon)
             drawn = PolygonDrawing.of(polygon, clipping, step, wrong);
         else drawn = VolumeDrawing.of((VolumeScene) scene, clipping, step, wrong, locale);
         return new ClipPicture(

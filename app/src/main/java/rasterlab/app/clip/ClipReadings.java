@@ -24,7 +24,7 @@ final class ClipReadings {
     /** Which segment or side the step is about. */
     String tested() {
         return state.current()
-                .map(step -> scene instanceof PolygonScene ? at(step) : item(step) + at(step))
+                .map(step -> scene instanceof PolygonClipScene ? at(step) : item(step) + at(step))
                 .orElseGet(this::beforeOrAfter);
     }
 
@@ -46,10 +46,10 @@ final class ClipReadings {
         ShownWindow window =
                 scene instanceof SegmentScene segments
                         ? segments.window()
-                        : ((PolygonScene) scene).window();
+                        : ((PolygonClipScene) scene).window();
         if (!window.upright() && step.border() >= 0)
             return texts.text("at.edge", step.border() + 1);
-        if (scene instanceof PolygonScene && step.border() >= 0)
+        if (scene instanceof PolygonClipScene && step.border() >= 0)
             return worded(new String[] {"bottom", "right", "top", "left"}[step.border() % 4]);
         return worded(step.at());
     }
@@ -64,7 +64,7 @@ final class ClipReadings {
     }
 
     private String decision(ClipStep step) {
-        if (scene instanceof PolygonScene) return texts.text("corners", (int) step.decision());
+        if (scene instanceof PolygonClipScene) return texts.text("corners", (int) step.decision());
         String decided = Codes.decision(state.results().clipping().decidesByCode(), step, locale());
         if (decided.isEmpty()) return NONE;
         String passing = "passing." + step.passing().name().toLowerCase(Locale.ROOT);
@@ -82,7 +82,7 @@ final class ClipReadings {
     }
 
     private String end(int end) {
-        if (scene instanceof PolygonScene) return NONE;
+        if (scene instanceof PolygonClipScene) return NONE;
         double[] left = left();
         if (left.length == 0) return texts.text("left.nothing");
         int dimension = left.length / 2;

@@ -17,7 +17,7 @@ public record ClipResults(
     static ClipResults of(ClipTopics topics, ClipScene scene) {
         if (scene instanceof SegmentScene segments) return of(topics, segments);
         if (scene instanceof VolumeScene volume) return of(topics, volume);
-        return of(topics, (PolygonScene) scene);
+        return of(topics, (PolygonClipScene) scene);
     }
 
     private static ClipResults of(ClipTopics topics, SegmentScene scene) {
@@ -30,7 +30,7 @@ public record ClipResults(
                                 topics.own().in(topics.segments()), scene, method, exact));
     }
 
-    private static ClipResults of(ClipTopics topics, PolygonScene scene) {
+    private static ClipResults of(ClipTopics topics, PolygonClipScene scene) {
         List<double[]> exact = PolygonClipping.exact(topics.polygon(), scene);
         return of(
                 scene,
@@ -61,7 +61,7 @@ public record ClipResults(
     /** Size of the window or volume. */
     double unit() {
         if (scene instanceof SegmentScene segments) return segments.window().rectangle().unit();
-        return scene instanceof PolygonScene polygon ? polygon.window().rectangle().unit() : 1;
+        return scene instanceof PolygonClipScene polygon ? polygon.window().rectangle().unit() : 1;
     }
 
     private static List<double[]> present(ClippedEnds ends) {

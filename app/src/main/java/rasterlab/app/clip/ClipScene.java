@@ -3,7 +3,7 @@ package rasterlab.app.clip;
 import java.util.Map;
 
 /** What one mode of the lab clips, and by which methods; immutable, with {@code equals}. */
-public sealed interface ClipScene permits SegmentScene, PolygonScene, VolumeScene {
+public sealed interface ClipScene permits SegmentScene, PolygonClipScene, VolumeScene {
     ClipMode mode();
 
     /** Name of the method whose steps are shown. */

@@ -62,7 +62,7 @@ public record ClipTopics(
     /** The scene with another input of its topic in the place of its own. */
     static ClipScene showing(ClipScene scene, Object input) {
         if (scene instanceof SegmentScene old) return old.showing((SegmentsInWindow) input);
-        if (scene instanceof PolygonScene old) return old.showing((PolygonInWindow) input);
+        if (scene instanceof PolygonClipScene old) return old.showing((PolygonInWindow) input);
         return ((VolumeScene) scene).showing((SegmentsInVolume) input);
     }
 

@@ -14,12 +14,12 @@ import rasterlab.engine.study.Topic;
 final class PolygonClipping {
     private PolygonClipping() {}
 
-    private static PolygonInWindow input(PolygonScene scene) {
+    private static PolygonInWindow input(PolygonClipScene scene) {
         return new PolygonInWindow(scene.window().xy(), PlaneFigures.xy(scene.subject()));
     }
 
     /** The pieces without rounding; none where window or subject are no proper input. */
-    static List<double[]> exact(PolygonClipTopic topic, PolygonScene scene) {
+    static List<double[]> exact(PolygonClipTopic topic, PolygonClipScene scene) {
         return topic.exact(input(scene), Integer.MAX_VALUE);
     }
 
@@ -28,7 +28,7 @@ final class PolygonClipping {
      */
     static Clipping of(
             Topic<PolygonClipper, PolygonInWindow, List<double[]>> topic,
-            PolygonScene scene,
+            PolygonClipScene scene,
             String method,
             List<double[]> exact) {
         PolygonClipper clipper = topic.method(method).implementation();
@@ -71,7 +71,7 @@ final class PolygonClipping {
 
     private static void clip(
             SteppedPolygonClipper method,
-            PolygonScene scene,
+            PolygonClipScene scene,
             List<ClipStep> steps,
             List<double[]> pieces) {
         PolygonInWindow input = input(scene);

@@ -9,10 +9,10 @@ final class PolygonDrawing {
     /** How far a side is continued beyond its corners, in its lengths. */
     private static final double BEYOND = 100;
 
-    private final PolygonScene scene;
+    private final PolygonClipScene scene;
     private final List<ClipMark> drawn = new ArrayList<>();
 
-    private PolygonDrawing(PolygonScene scene) {
+    private PolygonDrawing(PolygonClipScene scene) {
         this.scene = scene;
     }
 
@@ -20,7 +20,7 @@ final class PolygonDrawing {
      * @param step as {@link ClipLabState#step}
      * @param wrong marked when the result is shown
      */
-    static List<ClipMark> of(PolygonScene scene, Clipping clipping, int step, List<ClipMark> wrong) {
+    static List<ClipMark> of(PolygonClipScene scene, Clipping clipping, int step, List<ClipMark> wrong) {
         var drawing = new PolygonDrawing(scene);
         drawing.add(new ClipMark.Area(scene.window().corners(), ClipMark.Ink.WINDOW));
         drawing.add(new ClipMark.Area(scene.subject(), ClipMark.Ink.GIVEN));

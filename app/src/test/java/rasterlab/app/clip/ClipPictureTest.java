@@ -90,7 +90,7 @@ class ClipPictureTest {
 
     @Test
     void weilerAthertonShowsWhereTheBoundaryEntersAndLeaves() {
-        PolygonScene scene = PolygonScene.first().withMethod("weiler-atherton");
+        PolygonClipScene scene = PolygonClipScene.first().withMethod("weiler-atherton");
         List<ClipMark> drawn = drawn(scene, 1);
         ClipPoint enters = signs(drawn, ClipMark.Shape.ENTERING).findFirst().orElseThrow().at();
         ClipPoint leaves = signs(drawn, ClipMark.Shape.LEAVING).findFirst().orElseThrow().at();
@@ -101,7 +101,7 @@ class ClipPictureTest {
     @Test
     void sutherlandHodgmanShowsTheLineOfTheSide() {
         ClipMark.Line tested =
-                lines(drawn(PolygonScene.first(), 2), ClipMark.Ink.TESTED).findFirst().orElseThrow();
+                lines(drawn(PolygonClipScene.first(), 2), ClipMark.Ink.TESTED).findFirst().orElseThrow();
         assertTrue(tested.points().stream().allMatch(p -> p.x() == 10), "the right side");
     }
 

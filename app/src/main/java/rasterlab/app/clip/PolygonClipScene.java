@@ -7,38 +7,38 @@ import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.segment.ClipWindow;
 
 /** A polygon, the subject, clipped by a window. */
-public record PolygonScene(
+public record PolygonClipScene(
         ShownWindow window, List<ClipPoint> subject, String method, String comparison)
         implements ClipScene {
     /** Corners the lab can show at once. */
     static final int MOST = 40;
 
-    public PolygonScene {
+    public PolygonClipScene {
         subject = List.copyOf(subject);
     }
 
     /** A subject with three teeth in the window: three pieces are left. */
-    static PolygonScene first() {
+    static PolygonClipScene first() {
         double[] comb = {
             -3.5, 0.3, 5, 0.8, 8.5, 2, -1.2, 1.6, -1.2, 2.8, 6.5, 3.2, 11.2, 4.4, -1.2, 4, -1.2, 5,
             4.5, 5.2, 7.6, 7.6, -3.5, 7.2
         };
-        return new PolygonScene(
+        return new PolygonClipScene(
                 ShownWindow.of(new ClipWindow(0, 0, 10, 6)),
                 PlaneFigures.points(comb),
                 "sutherland-hodgman",
                 "");
     }
 
-    PolygonScene showing(PolygonInWindow input) {
-        return new PolygonScene(
+    PolygonClipScene showing(PolygonInWindow input) {
+        return new PolygonClipScene(
                 ShownWindow.of(input.window()),
                 PlaneFigures.points(input.subject()),
                 method,
                 comparison);
     }
 
-    PolygonScene shaped(boolean upright) {
+    PolygonClipScene shaped(boolean upright) {
         return with(window.shaped(upright));
     }
 
@@ -48,21 +48,21 @@ public record PolygonScene(
     }
 
     @Override
-    public PolygonScene withMethod(String other) {
-        return new PolygonScene(window, subject, other, comparison);
+    public PolygonClipScene withMethod(String other) {
+        return new PolygonClipScene(window, subject, other, comparison);
     }
 
     @Override
-    public PolygonScene withComparison(String other) {
-        return new PolygonScene(window, subject, method, other);
+    public PolygonClipScene withComparison(String other) {
+        return new PolygonClipScene(window, subject, method, other);
     }
 
-    private PolygonScene with(ShownWindow other) {
-        return new PolygonScene(other, subject, method, comparison);
+    private PolygonClipScene with(ShownWindow other) {
+        return new PolygonClipScene(other, subject, method, comparison);
     }
 
-    private PolygonScene with(List<ClipPoint> other) {
-        return new PolygonScene(window, other, method, comparison);
+    private PolygonClipScene with(List<ClipPoint> other) {
+        return new PolygonClipScene(window, other, method, comparison);
     }
 
     @Override
@@ -75,20 +75,20 @@ public record PolygonScene(
     }
 
     @Override
-    public PolygonScene moved(ClipGrip grip, ClipPoint to) {
+    public PolygonClipScene moved(ClipGrip grip, ClipPoint to) {
         return grip.kind() == ClipGrip.Kind.WINDOW
                 ? with(window.moved(grip.index(), to))
                 : with(Lists.replaced(subject, grip.index(), to));
     }
 
     @Override
-    public PolygonScene grown(ClipGrip beside) {
+    public PolygonClipScene grown(ClipGrip beside) {
         if (beside.kind() == ClipGrip.Kind.WINDOW) return with(window.grown(beside.index()));
         return subject.size() >= MOST ? this : with(PlaneFigures.grown(subject, beside.index()));
     }
 
     @Override
-    public PolygonScene without(ClipGrip grip) {
+    public PolygonClipScene without(ClipGrip grip) {
         if (grip.kind() == ClipGrip.Kind.WINDOW) return with(window.without(grip.index()));
         return subject.size() <= 3 ? this : with(Lists.removed(subject, grip.index()));
     }
