@@ -3,7 +3,7 @@ package rasterlab.grader.edge
 import io.ktor.http.HttpStatusCode
 import kotlinx.serialization.json.Json
 import rasterlab.grader.exercise.LANGUAGES
-import rasterlab.grader.problem.Problem
+import rasterlab.grader.problem.ProblemDocument
 import rasterlab.grader.web.Texts
 import rasterlab.grader.web.plainErrorPage
 
@@ -17,7 +17,7 @@ internal class Refusal(
     private val problem =
         answer(
             "application/problem+json",
-            Json.encodeToString(Problem("urn:rasterlab:problem:$code", status.description, status.value, detail)),
+            Json.encodeToString(ProblemDocument("urn:rasterlab:problem:$code", status.description, status.value, detail)),
         )
     private val pages =
         LANGUAGES.associateWith { answer("text/html; charset=utf-8", plainErrorPage(Texts.of(it), status, code)) }

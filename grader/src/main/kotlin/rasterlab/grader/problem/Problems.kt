@@ -27,7 +27,7 @@ import java.sql.SQLException
 
 /** An error as RFC 9457 lays it out. */
 @Serializable
-data class Problem(
+data class ProblemDocument(
     val type: String,
     val title: String,
     val status: Int,
@@ -122,7 +122,7 @@ suspend fun ApplicationCall.respondProblem(
     code: String,
     detail: String,
 ) {
-    val problem = Problem("urn:rasterlab:problem:$code", status.description, status.value, detail)
+    val problem = ProblemDocument("urn:rasterlab:problem:$code", status.description, status.value, detail)
     respond(TextContent(Json.encodeToString(problem), ContentType.Application.ProblemJson, status))
 }
 
