@@ -13,6 +13,6 @@ final class AxisMethods {
                 Method.failing("seven-steps-textbook", new SevenStepsTextbook()),
                 Method.right("seven-steps", new SevenSteps()),
                 Method.right("rodrigues", new RodriguesRotation()),
-                Method.right("quaternion", new QuaternionRotation()));
+                Method.right("quaternion", new QuaternionAxisRotation()));
     }
 }

@@ -9,7 +9,7 @@ import rasterlab.engine.transform.CountingArithmetic;
  * <p>Source: W. R. Hamilton, Elements of Quaternions, 1866; K. Shoemake, Animating rotation with
  * quaternion curves, SIGGRAPH 1985, pp. 245–254.
  */
-public final class QuaternionRotation extends CheckedAxisRotation {
+public final class QuaternionAxisRotation extends CheckedAxisRotation {
     @Override
     void turn(double[] through, double[] k, double degrees, double[] points) {
         double w = Angle.ofDegrees(degrees / 2).cos();
