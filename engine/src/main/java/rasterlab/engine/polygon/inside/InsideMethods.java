@@ -11,7 +11,7 @@ final class InsideMethods {
     static List<Method<PointInPolygon>> all() {
         return List.of(
                 Method.failing("ray-naive", new RayNaive()),
-                Method.failing("ray", new Ray()),
+                Method.failing("ray", new RayCrossing()),
                 Method.failing("winding", new Winding()),
                 Method.right("robust", new RobustRay()));
     }

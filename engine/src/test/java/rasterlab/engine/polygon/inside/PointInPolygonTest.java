@@ -105,10 +105,10 @@ class PointInPolygonTest {
     @Test
     void upperEndCountsAndLowerDoesNot() {
         Points diamond = Points.of(0, -4, 4, 0, 0, 4, -4, 0);
-        assertTrue(contains(new Ray(), diamond, -1, 0));
+        assertTrue(contains(new RayCrossing(), diamond, -1, 0));
         assertFalse(contains(new RayNaive(), diamond, -1, 0));
-        assertEquals(2, count(new Ray(), diamond, -6, 4), "both edges at the upper corner");
-        assertEquals(0, count(new Ray(), diamond, -6, -4), "none at the lower corner");
+        assertEquals(2, count(new RayCrossing(), diamond, -6, 4), "both edges at the upper corner");
+        assertEquals(0, count(new RayCrossing(), diamond, -6, -4), "none at the lower corner");
     }
 
     private static int count(SteppedPolygonTest method, Points polygon, double x, double y) {
@@ -121,7 +121,7 @@ class PointInPolygonTest {
     @Test
     void operationsAreCountedAsTheWalkGoes() {
         var input = new ShapeAndPoints(Points.of(0, -4, 4, 0, 0, 4, -4, 0), Points.of(-1, 0.5));
-        assertEquals(Map.of("edges", 4L, "crossings", 1L), TOPIC.operations(new Ray(), input));
+        assertEquals(Map.of("edges", 4L, "crossings", 1L), TOPIC.operations(new RayCrossing(), input));
     }
 
     @Test

@@ -11,7 +11,7 @@ package rasterlab.engine.polygon.inside;
  * <p>Points on the boundary are inside on some edges and outside on others; near an edge the
  * division's rounding decides.
  */
-final class Ray implements SteppedPolygonTest {
+final class RayCrossing implements SteppedPolygonTest {
     @Override
     public EdgeWalk walk(double[] polygonX, double[] polygonY, double x, double y) {
         return new Walk(polygonX, polygonY, x, y);
