@@ -84,7 +84,7 @@ final class Child implements AutoCloseable {
     }
 
     /** The same with a limit of wall time alone. */
-    <T> T ask(Request request, Duration wall, Reading<T> reading)
+    <T> T ask(Request request, Duration wall, PayloadReader<T> reading)
             throws ChildLost, InterruptedException {
         return ask(request, TimeLimit.wall(wall), reading);
     }
@@ -94,7 +94,7 @@ final class Child implements AutoCloseable {
      *
      * @throws ChildLost when there is no usable answer within the limit; the process is dead then
      */
-    <T> T ask(Request request, TimeLimit limit, Reading<T> reading)
+    <T> T ask(Request request, TimeLimit limit, PayloadReader<T> reading)
             throws ChildLost, InterruptedException {
         nonce = nonces.nextLong();
         byte[] frame = request.frame(nonce);
@@ -108,11 +108,11 @@ final class Child implements AutoCloseable {
     }
 
     /** Reads a further answer to the last request. */
-    <T> T more(TimeLimit limit, Reading<T> reading) throws ChildLost, InterruptedException {
+    <T> T more(TimeLimit limit, PayloadReader<T> reading) throws ChildLost, InterruptedException {
         return more(limit, used(), reading);
     }
 
-    private <T> T more(TimeLimit limit, Optional<Duration> before, Reading<T> reading)
+    private <T> T more(TimeLimit limit, Optional<Duration> before, PayloadReader<T> reading)
             throws ChildLost, InterruptedException {
         byte[] frame = await(limit, before);
         if (frame == END) throw ended();

@@ -186,7 +186,7 @@ final class StudentRun {
      *
      * @throws ChildLost also when nothing is left, naming the whole limit
      */
-    private <T> T askWithin(Duration limit, Request request, Reading<T> reading)
+    private <T> T askWithin(Duration limit, Request request, PayloadReader<T> reading)
             throws ChildLost, InterruptedException, Asked.Threw {
         Duration before = used();
         long start = System.nanoTime();
@@ -204,7 +204,7 @@ final class StudentRun {
         throw ChildLost.late(patience.limit(limit), spent);
     }
 
-    private <T> T ask(Request request, Duration limit, Reading<T> reading)
+    private <T> T ask(Request request, Duration limit, PayloadReader<T> reading)
             throws ChildLost, InterruptedException, Asked.Threw {
         Optional<T> answer =
                 child.ask(

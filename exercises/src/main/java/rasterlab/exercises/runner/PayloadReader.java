@@ -5,7 +5,7 @@ import java.io.IOException;
 
 /** Reads an answer's payload. */
 @FunctionalInterface
-interface Reading<T> {
+interface PayloadReader<T> {
     /**
      * @param status of {@link rasterlab.exercises.child.Wire}
      * @throws IOException when the payload is not what the status promises
