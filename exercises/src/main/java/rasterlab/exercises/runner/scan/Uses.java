@@ -25,7 +25,7 @@ final class Uses {
 
     private final AllowList allowed;
     private final OwnClasses own;
-    private final Refusals refusals;
+    private final SourceRefusals refusals;
 
     /** Whether each member that was met may be used, by its owner. */
     private final Map<String, Map<Member, Boolean>> judged = new HashMap<>();
@@ -40,7 +40,7 @@ final class Uses {
      * One for each class file: its instructions share its texts, so that finding one again that was
      * met compares no text, and a long name costs nothing where it is used often.
      */
-    Uses(AllowList allowed, OwnClasses own, Refusals refusals) {
+    Uses(AllowList allowed, OwnClasses own, SourceRefusals refusals) {
         this.allowed = allowed;
         this.own = own;
         this.refusals = refusals;

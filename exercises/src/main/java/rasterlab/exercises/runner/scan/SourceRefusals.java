@@ -25,7 +25,7 @@ import rasterlab.exercises.score.Message;
  * what comes of the same mistake: calls of what a refused one answers. So do the exceptions that
  * they declare, which are told only where nothing else is.
  */
-final class Refusals {
+final class SourceRefusals {
     private static final int MOST = 20;
 
     private final String source;
@@ -62,7 +62,7 @@ final class Refusals {
     /** The classes of what refused calls answer, by lines. */
     private final Map<Integer, Set<String>> answers = new HashMap<>();
 
-    Refusals(String source) {
+    SourceRefusals(String source) {
         this.source = source;
     }
 
