@@ -3,7 +3,7 @@ package rasterlab.app.cli;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import rasterlab.engine.transform.SphericalView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 
 /**
  * Reads a camera θ,φ,ρ: two angles in radians, also as multiples such as 0.25pi, and a distance.
@@ -26,10 +26,10 @@ final class CameraOption implements ITypeConverter<SphericalView> {
         String number = text.strip().replaceFirst("(pi|π)$", "");
         boolean multiple = number.length() < text.strip().length();
         double radians = multiple ? number(number) * Math.PI : number(number);
-        if (Math.abs(radians) > Setting.MOST_RADIANS)
+        if (Math.abs(radians) > SceneSetting.MOST_RADIANS)
             throw new TypeConversionException(
                     "angle must be from %s to %s radians, got '%s'"
-                            .formatted(-Setting.MOST_RADIANS, Setting.MOST_RADIANS, text));
+                            .formatted(-SceneSetting.MOST_RADIANS, SceneSetting.MOST_RADIANS, text));
         return radians;
     }
 

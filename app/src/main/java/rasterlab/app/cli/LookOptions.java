@@ -18,7 +18,7 @@ import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.visibility.ClipPlane;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 
 /** The options of {@code ./lab render} that say how a scene is drawn. */
 final class LookOptions {
@@ -140,7 +140,7 @@ final class LookOptions {
                 Look.of(visibility, chosen)
                         .withTexture(texture(shown))
                         .withLight(seenTerms(shown), sides(shown))
-                        .withCull(shown.option("--cull", Cull.named(cull), Setting.CULL))
+                        .withCull(shown.option("--cull", Cull.named(cull), SceneSetting.CULL))
                         .withWire(wire(shown))
                         .withClipPlanes(planes(shown));
         if (outline == null ? outlines(shown, look) : outline)
@@ -153,22 +153,22 @@ final class LookOptions {
 
     private List<ClipPlane> planes(ShownScene shown) {
         return clipPlanes == null
-                ? shown.said().get(Setting.CLIP_PLANES).orElse(List.of())
+                ? shown.said().get(SceneSetting.CLIP_PLANES).orElse(List.of())
                 : ClipPlaneOption.planes(clipPlanes);
     }
 
     private Optional<DepthCue> cue(ShownScene shown) {
-        if (depthCue == null) return shown.said().get(Setting.DEPTH_CUE);
+        if (depthCue == null) return shown.said().get(SceneSetting.DEPTH_CUE);
         return depthCue == 0 ? Optional.empty() : Optional.of(new DepthCue(depthCue));
     }
 
     private ShadingMethod shading(ShownScene shown) {
-        return shown.option("--shading", ShadingMethod.named(shading), Setting.SHADING);
+        return shown.option("--shading", ShadingMethod.named(shading), SceneSetting.SHADING);
     }
 
     /** How textures are looked up. */
     TextureMode texture(ShownScene shown) {
-        return shown.option("--texture", TextureMode.named(texture), Setting.TEXTURE);
+        return shown.option("--texture", TextureMode.named(texture), SceneSetting.TEXTURE);
     }
 
     /**
@@ -208,7 +208,7 @@ final class LookOptions {
 
     /** Whether the file asks for edges that can be drawn. */
     private static boolean outlines(ShownScene shown, Look look) {
-        return shown.said().get(Setting.OUTLINE).orElse(false)
+        return shown.said().get(SceneSetting.OUTLINE).orElse(false)
                 && look.shading() != ShadingMethod.WIRE
                 && Renderer.drawsOutlines(look.visibility());
     }
@@ -222,8 +222,8 @@ final class LookOptions {
     private WireStyle wire(ShownScene shown) {
         HiddenLines given = hiddenLines == null ? null : HiddenLines.named(hiddenLines);
         return new WireStyle(
-                shown.option(given, Setting.HIDDEN_LINES).orElse(HiddenLines.REMOVED),
-                shown.option(crease, Setting.CREASE).orElse(0.0));
+                shown.option(given, SceneSetting.HIDDEN_LINES).orElse(HiddenLines.REMOVED),
+                shown.option(crease, SceneSetting.CREASE).orElse(0.0));
     }
 
     private static IllegalArgumentException needsWire(String option) {
@@ -235,7 +235,7 @@ final class LookOptions {
         if (kind.isEmpty() && eyes != null)
             throw new IllegalArgumentException("--eyes needs --stereo");
         Double apart = eyes == null ? null : (Double) eyes.units(rho);
-        double separation = shown.option(apart, Setting.EYES).orElse(Stereo.USUAL * rho);
+        double separation = shown.option(apart, SceneSetting.EYES).orElse(Stereo.USUAL * rho);
         return kind.map(shownAs -> new Stereo(shownAs, separation));
     }
 
@@ -243,12 +243,12 @@ final class LookOptions {
         if (NONE.equals(stereo)) return Optional.empty();
         if (stereo != null) return Optional.of(Stereo.Kind.named(stereo));
         return projection == Projection.PERSPECTIVE
-                ? shown.said().get(Setting.STEREO)
+                ? shown.said().get(SceneSetting.STEREO)
                 : Optional.empty();
     }
 
     private Set<LightTerm> seenTerms(ShownScene shown) {
-        if (terms == null) return shown.said().get(Setting.TERMS).orElse(LightTerm.all());
+        if (terms == null) return shown.said().get(SceneSetting.TERMS).orElse(LightTerm.all());
         if (terms.equals(List.of(NONE))) return Set.of();
         Set<LightTerm> seen = new TreeSet<>();
         for (String term : NameList.of("--terms", terms, LightTerm.names()))
@@ -258,7 +258,7 @@ final class LookOptions {
     }
 
     private Sides sides(ShownScene shown) {
-        return shown.option(twoSided, Setting.TWO_SIDED)
+        return shown.option(twoSided, SceneSetting.TWO_SIDED)
                 .map(two -> two ? Sides.TWO : Sides.ONE)
                 .orElse(Sides.SCENE);
     }

@@ -27,7 +27,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.VisibilityWork;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 
 /** Renders a scene in software. */
 @Command(
@@ -173,12 +173,12 @@ final class RenderCommand implements Callable<Integer> {
             ShownScene opened = shown.open(console);
             requireZoom();
             look.requireFaces(opened, texture.given());
-            double scale = opened.option("--zoom", zoom, Setting.ZOOM);
+            double scale = opened.option("--zoom", zoom, SceneSetting.ZOOM);
             Scene scene = texture.laid(opened, opened.scene().zoomed(scale), look.texture(opened));
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
             Projection chosen =
-                    opened.option("--projection", Projection.named(projection), Setting.PROJECTION);
-            String method = opened.option("--visibility", visibility, Setting.VISIBILITY);
+                    opened.option("--projection", Projection.named(projection), SceneSetting.PROJECTION);
+            String method = opened.option("--visibility", visibility, SceneSetting.VISIBILITY);
             return new RenderRequest(
                     scene,
                     eye,
@@ -193,7 +193,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private void requireZoom() {
-        double most = Setting.MOST_ZOOM;
+        double most = SceneSetting.MOST_ZOOM;
         if (!(zoom >= 1 / most && zoom <= most))
             throw new IllegalArgumentException(
                     "zoom must be from %s to %s, got %s".formatted(1 / most, most, zoom));
@@ -201,10 +201,10 @@ final class RenderCommand implements Callable<Integer> {
 
     private DrawnDepths depths(ShownScene opened, Projection chosen, double rho) {
         DrawnDepths all = DrawnDepths.all(chosen, rho);
-        double from = limit(opened, near, Setting.NEAR).orElse(all.near());
-        double to = limit(opened, far, Setting.FAR).orElse(all.far());
-        Optional<Setting<Double>> ofNear = opened.ofFile(near, Setting.NEAR);
-        Optional<Setting<Double>> ofFar = opened.ofFile(far, Setting.FAR);
+        double from = limit(opened, near, SceneSetting.NEAR).orElse(all.near());
+        double to = limit(opened, far, SceneSetting.FAR).orElse(all.far());
+        Optional<SceneSetting<Double>> ofNear = opened.ofFile(near, SceneSetting.NEAR);
+        Optional<SceneSetting<Double>> ofFar = opened.ofFile(far, SceneSetting.FAR);
         return opened.placed(
                 ofNear,
                 () -> {
@@ -215,7 +215,7 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private static Optional<Double> limit(
-            ShownScene opened, DepthOption.Limit given, Setting<Double> setting) {
+            ShownScene opened, DepthOption.Limit given, SceneSetting<Double> setting) {
         return given == null ? opened.said().get(setting) : given.units();
     }
 

@@ -15,7 +15,7 @@ import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /** What {@code ./lab render} shows: a scene by name, or a file. */
@@ -113,7 +113,7 @@ final class SceneArgument {
         if (sceneOnly) return plain(held);
         Settings said = view.settings();
         return new ShownScene(
-                said.get(Setting.CAMERA).map(held::seenFrom).orElse(held),
+                said.get(SceneSetting.CAMERA).map(held::seenFrom).orElse(held),
                 said,
                 Optional.of(file),
                 command.commandLine().getParseResult()::hasMatchedOption);

@@ -8,7 +8,7 @@ import rasterlab.app.model.SceneText;
 import rasterlab.app.model.TextureChange;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.scene.Scene;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /**
@@ -26,7 +26,7 @@ record ShownScene(
      *
      * @param value from the command line, or else the default
      */
-    <T> T option(String name, T value, Setting<T> setting) {
+    <T> T option(String name, T value, SceneSetting<T> setting) {
         return onCommandLine.test(name) ? value : said.get(setting).orElse(value);
     }
 
@@ -35,7 +35,7 @@ record ShownScene(
      *
      * @param value null where the command line has none
      */
-    <T> Optional<T> option(T value, Setting<T> setting) {
+    <T> Optional<T> option(T value, SceneSetting<T> setting) {
         return Optional.ofNullable(value).or(() -> said.get(setting));
     }
 
@@ -44,13 +44,13 @@ record ShownScene(
      *
      * @param value null where the command line has none
      */
-    <T> Optional<Setting<T>> ofFile(Object value, Setting<T> setting) {
+    <T> Optional<SceneSetting<T>> ofFile(Object value, SceneSetting<T> setting) {
         boolean counts = value == null && said.get(setting).isPresent();
         return counts ? Optional.of(setting) : Optional.empty();
     }
 
     /** What {@code make} makes; what it refuses is refused with the setting's place in the file. */
-    <T, R> R placed(Optional<Setting<T>> setting, Supplier<R> make) {
+    <T, R> R placed(Optional<SceneSetting<T>> setting, Supplier<R> make) {
         try {
             return make.get();
         } catch (IllegalArgumentException | Complaint e) {

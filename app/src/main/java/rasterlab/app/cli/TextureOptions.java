@@ -8,7 +8,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 
 /** The options of {@code ./lab render} that say what lies on the faces. */
 final class TextureOptions {
@@ -63,7 +63,7 @@ final class TextureOptions {
                         ? null
                         : EngineNames.constant("texture environment", Mode.values(), environment);
         return new TextureChange(
-                        shown.option(along, Setting.WRAP), shown.option(mixed, Setting.ENVIRONMENT))
+                        shown.option(along, SceneSetting.WRAP), shown.option(mixed, SceneSetting.ENVIRONMENT))
                 .of(changed);
     }
 

@@ -16,7 +16,7 @@ import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /**
@@ -33,13 +33,13 @@ record LitSceneFile(Path file, LightChoice choice) {
     static LitSceneFile write(LightChoice choice, Path file) {
         Settings said =
                 Settings.NONE
-                        .with(Setting.CAMERA, choice.camera())
-                        .with(Setting.PROJECTION, Projection.PERSPECTIVE)
-                        .with(Setting.ZOOM, choice.zoom())
-                        .with(Setting.VISIBILITY, Renderer.PIPELINE)
-                        .with(Setting.SHADING, ShadingMethod.PHONG)
-                        .with(Setting.TEXTURE, TextureMode.NONE)
-                        .with(Setting.TERMS, choice.terms());
+                        .with(SceneSetting.CAMERA, choice.camera())
+                        .with(SceneSetting.PROJECTION, Projection.PERSPECTIVE)
+                        .with(SceneSetting.ZOOM, choice.zoom())
+                        .with(SceneSetting.VISIBILITY, Renderer.PIPELINE)
+                        .with(SceneSetting.SHADING, ShadingMethod.PHONG)
+                        .with(SceneSetting.TEXTURE, TextureMode.NONE)
+                        .with(SceneSetting.TERMS, choice.terms());
         Scene scene = LitScene.scene(choice, choice.body().scene());
         SceneText.write(file, new SceneView(new SceneSource.Inline(scene), said));
         return new LitSceneFile(file, choice);

@@ -24,7 +24,7 @@ import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.Projection;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /**
@@ -44,8 +44,8 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
      *
      * @param drawn whether the lab draws a value of it
      */
-    private record Part<T>(Setting<T> setting, Predicate<T> drawn) {
-        static <T> Part<T> never(Setting<T> setting) {
+    private record Part<T>(SceneSetting<T> setting, Predicate<T> drawn) {
+        static <T> Part<T> never(SceneSetting<T> setting) {
             return new Part<>(setting, value -> false);
         }
 
@@ -61,26 +61,26 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
 
     private static final List<Part<?>> PARTS =
             List.of(
-                    Part.never(Setting.NEAR),
-                    Part.never(Setting.FAR),
-                    Part.never(Setting.CLIP_PLANES),
-                    Part.never(Setting.TEXTURE_IMAGE),
-                    Part.never(Setting.DEPTH_CUE),
-                    Part.never(Setting.STEREO),
-                    new Part<>(Setting.PROJECTION, EnumSet.of(Projection.PERSPECTIVE)::contains),
-                    new Part<>(Setting.CULL, EnumSet.of(Cull.NONE)::contains),
-                    new Part<>(Setting.OUTLINE, outlined -> !outlined),
+                    Part.never(SceneSetting.NEAR),
+                    Part.never(SceneSetting.FAR),
+                    Part.never(SceneSetting.CLIP_PLANES),
+                    Part.never(SceneSetting.TEXTURE_IMAGE),
+                    Part.never(SceneSetting.DEPTH_CUE),
+                    Part.never(SceneSetting.STEREO),
+                    new Part<>(SceneSetting.PROJECTION, EnumSet.of(Projection.PERSPECTIVE)::contains),
+                    new Part<>(SceneSetting.CULL, EnumSet.of(Cull.NONE)::contains),
+                    new Part<>(SceneSetting.OUTLINE, outlined -> !outlined),
                     new Part<>(
-                            Setting.SHADING,
+                            SceneSetting.SHADING,
                             EnumSet.complementOf(EnumSet.of(ShadingMethod.TONE, ShadingMethod.WIRE))
                                     ::contains),
                     new Part<>(
-                            Setting.TEXTURE,
+                            SceneSetting.TEXTURE,
                             EnumSet.of(TextureMode.NONE, TextureMode.AUTO)::contains),
-                    Part.never(Setting.WRAP),
-                    Part.never(Setting.ENVIRONMENT),
-                    new Part<>(Setting.HIDDEN_LINES, EnumSet.of(HiddenLines.REMOVED)::contains),
-                    new Part<>(Setting.CREASE, degrees -> degrees == 0));
+                    Part.never(SceneSetting.WRAP),
+                    Part.never(SceneSetting.ENVIRONMENT),
+                    new Part<>(SceneSetting.HIDDEN_LINES, EnumSet.of(HiddenLines.REMOVED)::contains),
+                    new Part<>(SceneSetting.CREASE, degrees -> degrees == 0));
 
     /**
      * @param before what was shown, of which stays what the file does not say
@@ -99,10 +99,10 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
         boolean inline = view.source() instanceof SceneSource.Inline;
         if (inline) next = dressed(next, view.source().scene(), notes);
         next =
-                next.with(said.get(Setting.CAMERA).orElse(next.camera()))
-                        .withTerms(said.get(Setting.TERMS).orElse(next.terms()))
-                        .withTwoSides(said.get(Setting.TWO_SIDED).orElse(next.twoSided()));
-        Optional<Double> zoom = said.get(Setting.ZOOM);
+                next.with(said.get(SceneSetting.CAMERA).orElse(next.camera()))
+                        .withTerms(said.get(SceneSetting.TERMS).orElse(next.terms()))
+                        .withTwoSides(said.get(SceneSetting.TWO_SIDED).orElse(next.twoSided()));
+        Optional<Double> zoom = said.get(SceneSetting.ZOOM);
         if (zoom.isPresent()) next = zoomed(next, zoom.get(), notes);
         String passed = passedOver(said);
         if (!passed.isEmpty()) notes.add("this lab does not draw what the file says of " + passed);

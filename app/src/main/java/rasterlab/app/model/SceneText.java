@@ -13,7 +13,7 @@ import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /** Scene files on disk. */
@@ -58,7 +58,7 @@ public final class SceneText {
      */
     public static <T> Optional<T> laid(
             Path file, Settings settings, BiFunction<Path, Texture, T> lay) {
-        Optional<String> name = settings.get(Setting.TEXTURE_IMAGE);
+        Optional<String> name = settings.get(SceneSetting.TEXTURE_IMAGE);
         if (name.isEmpty()) return Optional.empty();
         try {
             OwnFolder.Picture picture = new OwnFolder(file).picture(name.get());
@@ -67,7 +67,7 @@ public final class SceneText {
             throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
         } catch (IllegalArgumentException | Complaint e) {
             throw Complaint.badInput(
-                    "%s: %s: %s".formatted(file, Setting.TEXTURE_IMAGE.place(), e.getMessage()));
+                    "%s: %s: %s".formatted(file, SceneSetting.TEXTURE_IMAGE.place(), e.getMessage()));
         }
     }
 

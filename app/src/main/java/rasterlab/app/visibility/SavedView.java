@@ -6,7 +6,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.transform.Projection;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /** How the lab draws a scene, as a scene file says it: lengths are world units, not shares of ρ. */
@@ -19,29 +19,29 @@ final class SavedView {
         double rho = choice.camera().rho();
         Settings said =
                 Settings.NONE
-                        .with(Setting.CAMERA, choice.camera())
-                        .with(Setting.PROJECTION, Projection.named(choice.projection()))
-                        .with(Setting.ZOOM, choice.zoom())
-                        .with(Setting.VISIBILITY, VisibilityChoice.known(choice.visibility()))
-                        .with(Setting.SHADING, ShadingMethod.named(choice.shading()))
-                        .with(Setting.TEXTURE, look.texture())
-                        .with(Setting.WRAP, look.change().wrap())
-                        .with(Setting.ENVIRONMENT, look.change().environment())
-                        .with(Setting.TERMS, look.terms())
-                        .with(Setting.CULL, look.cull())
-                        .with(Setting.HIDDEN_LINES, look.hidden())
-                        .with(Setting.CREASE, look.crease())
-                        .with(Setting.OUTLINE, choice.edges())
-                        .with(Setting.STEREO, look.stereo())
-                        .with(Setting.EYES, look.eyes() * rho);
+                        .with(SceneSetting.CAMERA, choice.camera())
+                        .with(SceneSetting.PROJECTION, Projection.named(choice.projection()))
+                        .with(SceneSetting.ZOOM, choice.zoom())
+                        .with(SceneSetting.VISIBILITY, VisibilityChoice.known(choice.visibility()))
+                        .with(SceneSetting.SHADING, ShadingMethod.named(choice.shading()))
+                        .with(SceneSetting.TEXTURE, look.texture())
+                        .with(SceneSetting.WRAP, look.change().wrap())
+                        .with(SceneSetting.ENVIRONMENT, look.change().environment())
+                        .with(SceneSetting.TERMS, look.terms())
+                        .with(SceneSetting.CULL, look.cull())
+                        .with(SceneSetting.HIDDEN_LINES, look.hidden())
+                        .with(SceneSetting.CREASE, look.crease())
+                        .with(SceneSetting.OUTLINE, choice.edges())
+                        .with(SceneSetting.STEREO, look.stereo())
+                        .with(SceneSetting.EYES, look.eyes() * rho);
         if (look.sides() != Sides.SCENE)
-            said = said.with(Setting.TWO_SIDED, look.sides() == Sides.TWO);
-        if (look.cue() > 0) said = said.with(Setting.DEPTH_CUE, new DepthCue(look.cue()));
-        if (look.near() > 0) said = said.with(Setting.NEAR, look.near() * rho);
-        if (look.far() < Double.POSITIVE_INFINITY) said = said.with(Setting.FAR, look.far() * rho);
+            said = said.with(SceneSetting.TWO_SIDED, look.sides() == Sides.TWO);
+        if (look.cue() > 0) said = said.with(SceneSetting.DEPTH_CUE, new DepthCue(look.cue()));
+        if (look.near() > 0) said = said.with(SceneSetting.NEAR, look.near() * rho);
+        if (look.far() < Double.POSITIVE_INFINITY) said = said.with(SceneSetting.FAR, look.far() * rho);
         return look.clipPlanes().isEmpty()
                 ? said
-                : said.with(Setting.CLIP_PLANES, look.clipPlanes());
+                : said.with(SceneSetting.CLIP_PLANES, look.clipPlanes());
     }
 
     /**
@@ -52,38 +52,38 @@ final class SavedView {
      */
     static VisibilityChoice applied(VisibilityChoice choice, SceneChoice scene, Settings said) {
         VisibilityChoice next = choice.with(scene);
-        next = next.withCamera(said.get(Setting.CAMERA).orElse(next.camera()));
+        next = next.withCamera(said.get(SceneSetting.CAMERA).orElse(next.camera()));
         double rho = next.camera().rho();
-        return next.withZoom(said.get(Setting.ZOOM).orElse(next.zoom()))
+        return next.withZoom(said.get(SceneSetting.ZOOM).orElse(next.zoom()))
                 .withProjection(
-                        said.get(Setting.PROJECTION)
+                        said.get(SceneSetting.PROJECTION)
                                 .map(Projection::code)
                                 .orElse(next.projection()))
-                .withVisibility(said.get(Setting.VISIBILITY).orElse(next.visibility()))
+                .withVisibility(said.get(SceneSetting.VISIBILITY).orElse(next.visibility()))
                 .withShading(
-                        said.get(Setting.SHADING).map(ShadingMethod::code).orElse(next.shading()))
-                .withEdges(said.get(Setting.OUTLINE).orElse(false))
+                        said.get(SceneSetting.SHADING).map(ShadingMethod::code).orElse(next.shading()))
+                .withEdges(said.get(SceneSetting.OUTLINE).orElse(false))
                 .with(look(said, rho));
     }
 
     private static LookChoice look(Settings said, double rho) {
         LookChoice usual = LookChoice.USUAL;
         return new LookChoice(
-                said.get(Setting.TEXTURE).orElse(usual.texture()),
-                new TextureChange(said.get(Setting.WRAP), said.get(Setting.ENVIRONMENT)),
-                said.get(Setting.TERMS).orElse(usual.terms()),
-                said.get(Setting.TWO_SIDED)
+                said.get(SceneSetting.TEXTURE).orElse(usual.texture()),
+                new TextureChange(said.get(SceneSetting.WRAP), said.get(SceneSetting.ENVIRONMENT)),
+                said.get(SceneSetting.TERMS).orElse(usual.terms()),
+                said.get(SceneSetting.TWO_SIDED)
                         .map(two -> two ? Sides.TWO : Sides.ONE)
                         .orElse(Sides.SCENE),
-                said.get(Setting.CULL).orElse(usual.cull()),
-                said.get(Setting.HIDDEN_LINES).orElse(usual.hidden()),
-                said.get(Setting.CREASE).orElse(usual.crease()),
-                said.get(Setting.DEPTH_CUE).map(DepthCue::strength).orElse(usual.cue()),
-                said.get(Setting.STEREO),
-                share(said.get(Setting.EYES), rho).orElse(usual.eyes()),
-                share(said.get(Setting.NEAR), rho).orElse(usual.near()),
-                share(said.get(Setting.FAR), rho).orElse(usual.far()),
-                said.get(Setting.CLIP_PLANES).orElse(usual.clipPlanes()));
+                said.get(SceneSetting.CULL).orElse(usual.cull()),
+                said.get(SceneSetting.HIDDEN_LINES).orElse(usual.hidden()),
+                said.get(SceneSetting.CREASE).orElse(usual.crease()),
+                said.get(SceneSetting.DEPTH_CUE).map(DepthCue::strength).orElse(usual.cue()),
+                said.get(SceneSetting.STEREO),
+                share(said.get(SceneSetting.EYES), rho).orElse(usual.eyes()),
+                share(said.get(SceneSetting.NEAR), rho).orElse(usual.near()),
+                share(said.get(SceneSetting.FAR), rho).orElse(usual.far()),
+                said.get(SceneSetting.CLIP_PLANES).orElse(usual.clipPlanes()));
     }
 
     /** The share of ρ that gives the units back, where rounding leaves one. */

@@ -21,7 +21,7 @@ import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /** Scenes, models and textures from files, and views of scenes into files. */
@@ -154,7 +154,7 @@ final class SceneFiles {
         Settings said = SavedView.of(choice);
         Optional<Path> image = choice.shown().image();
         if (image.isPresent())
-            said = said.with(Setting.TEXTURE_IMAGE, nameBeside(file, image.get()));
+            said = said.with(SceneSetting.TEXTURE_IMAGE, nameBeside(file, image.get()));
         SceneText.write(file, new SceneView(source(choice.shown()), said));
         return new SavedScene(file, choice.shown());
     }

@@ -16,14 +16,14 @@ public final class Settings {
 
     private static final String LOOK = "look";
 
-    private final Map<Setting<?>, Object> values;
+    private final Map<SceneSetting<?>, Object> values;
 
-    private Settings(Map<Setting<?>, Object> values) {
+    private Settings(Map<SceneSetting<?>, Object> values) {
         this.values = Map.copyOf(values);
     }
 
     @SuppressWarnings("unchecked") // with and read put nothing but a setting's own values in
-    public <T> Optional<T> get(Setting<T> setting) {
+    public <T> Optional<T> get(SceneSetting<T> setting) {
         return Optional.ofNullable((T) values.get(setting));
     }
 
@@ -32,7 +32,7 @@ public final class Settings {
      *
      * @throws IllegalArgumentException for a value that no file may have
      */
-    public <T> Settings with(Setting<T> setting, T value) {
+    public <T> Settings with(SceneSetting<T> setting, T value) {
         String json =
                 JsonNodeFactory.instance
                         .objectNode()
@@ -42,11 +42,11 @@ public final class Settings {
     }
 
     /** The same, if there is a value. */
-    public <T> Settings with(Setting<T> setting, Optional<T> value) {
+    public <T> Settings with(SceneSetting<T> setting, Optional<T> value) {
         return value.map(given -> with(setting, given)).orElse(this);
     }
 
-    private Settings put(Setting<?> setting, Object value) {
+    private Settings put(SceneSetting<?> setting, Object value) {
         var next = new HashMap<>(values);
         next.put(setting, value);
         return new Settings(next);
@@ -54,34 +54,34 @@ public final class Settings {
 
     /** The fields of a file that may hold settings. */
     static String[] fields(String... others) {
-        return Stream.of(Arrays.stream(others), names(Setting.OF_VIEW), Stream.of(LOOK))
+        return Stream.of(Arrays.stream(others), names(SceneSetting.OF_VIEW), Stream.of(LOOK))
                 .flatMap(names -> names)
                 .toArray(String[]::new);
     }
 
-    private static Stream<String> names(List<Setting<?>> settings) {
-        return settings.stream().map(Setting::field);
+    private static Stream<String> names(List<SceneSetting<?>> settings) {
+        return settings.stream().map(SceneSetting::field);
     }
 
     static Settings read(SceneJsonPlace file) {
-        Settings read = NONE.reading(file, Setting.OF_VIEW);
+        Settings read = NONE.reading(file, SceneSetting.OF_VIEW);
         Optional<SceneJsonPlace> look = file.optional(LOOK);
         if (look.isPresent())
             read =
                     read.reading(
-                            look.get().object(names(Setting.OF_LOOK).toArray(String[]::new)),
-                            Setting.OF_LOOK);
-        Optional<Double> near = read.get(Setting.NEAR);
-        Optional<Double> far = read.get(Setting.FAR);
+                            look.get().object(names(SceneSetting.OF_LOOK).toArray(String[]::new)),
+                            SceneSetting.OF_LOOK);
+        Optional<Double> near = read.get(SceneSetting.NEAR);
+        Optional<Double> far = read.get(SceneSetting.FAR);
         if (near.isPresent() && far.isPresent() && !(near.get() < far.get()))
-            throw file.at(Setting.FAR.field())
+            throw file.at(SceneSetting.FAR.field())
                     .wrong("must be above near, %s, got %s".formatted(near.get(), far.get()));
         return read;
     }
 
-    private Settings reading(SceneJsonPlace from, List<Setting<?>> settings) {
+    private Settings reading(SceneJsonPlace from, List<SceneSetting<?>> settings) {
         Settings read = this;
-        for (Setting<?> setting : settings) {
+        for (SceneSetting<?> setting : settings) {
             Optional<SceneJsonPlace> place = from.optional(setting.field());
             if (place.isPresent()) read = read.put(setting, setting.read(place.get()));
         }
@@ -89,17 +89,17 @@ public final class Settings {
     }
 
     void write(ObjectNode file) {
-        write(Setting.OF_VIEW, file);
+        write(SceneSetting.OF_VIEW, file);
         ObjectNode look = JsonNodeFactory.instance.objectNode();
-        write(Setting.OF_LOOK, look);
+        write(SceneSetting.OF_LOOK, look);
         if (!look.isEmpty()) file.set(LOOK, look);
     }
 
-    private void write(List<Setting<?>> settings, ObjectNode out) {
-        for (Setting<?> setting : settings) write(setting, out);
+    private void write(List<SceneSetting<?>> settings, ObjectNode out) {
+        for (SceneSetting<?> setting : settings) write(setting, out);
     }
 
-    private <T> void write(Setting<T> setting, ObjectNode out) {
+    private <T> void write(SceneSetting<T> setting, ObjectNode out) {
         get(setting).ifPresent(value -> out.set(setting.field(), setting.written(value)));
     }
 

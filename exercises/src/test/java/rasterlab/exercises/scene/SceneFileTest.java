@@ -117,11 +117,11 @@ class SceneFileTest {
                 new SceneView(
                         new SceneSource.ByName("sphere", OptionalInt.of(20)),
                         Settings.NONE
-                                .with(Setting.CAMERA, new SphericalView(0.1, 1 / 3.0, 450))
-                                .with(Setting.PROJECTION, Projection.CABINET)
-                                .with(Setting.VISIBILITY, "painter")
-                                .with(Setting.SHADING, ShadingMethod.GOURAUD)
-                                .with(Setting.TEXTURE, TextureMode.NONE));
+                                .with(SceneSetting.CAMERA, new SphericalView(0.1, 1 / 3.0, 450))
+                                .with(SceneSetting.PROJECTION, Projection.CABINET)
+                                .with(SceneSetting.VISIBILITY, "painter")
+                                .with(SceneSetting.SHADING, ShadingMethod.GOURAUD)
+                                .with(SceneSetting.TEXTURE, TextureMode.NONE));
         assertEquals(view, SceneFile.read(view.write()));
         var bare =
                 new SceneView(new SceneSource.ByName("vase", OptionalInt.empty()), Settings.NONE);
@@ -136,7 +136,7 @@ class SceneFileTest {
         var view =
                 new SceneView(
                         new SceneSource.Inline(scene),
-                        Settings.NONE.with(Setting.CAMERA, scene.defaultCamera()));
+                        Settings.NONE.with(SceneSetting.CAMERA, scene.defaultCamera()));
         var read = (SceneView) SceneFile.read(view.write());
         assertEquals(view.write(), read.write());
         assertTrue(
@@ -144,7 +144,7 @@ class SceneFileTest {
                         picture(scene, scene.defaultCamera()),
                         picture(
                                 read.source().scene(),
-                                read.settings().get(Setting.CAMERA).orElseThrow())));
+                                read.settings().get(SceneSetting.CAMERA).orElseThrow())));
     }
 
     private static Finish withoutTexture(Finish finish) {

@@ -31,46 +31,46 @@ class SettingsTest {
     /** Everything, and nothing as it usually is. */
     private static final Settings ALL =
             Settings.NONE
-                    .with(Setting.CAMERA, new SphericalView(0.1, 1 / 3.0, 450))
-                    .with(Setting.PROJECTION, Projection.PERSPECTIVE)
-                    .with(Setting.ZOOM, 1 / 3.0)
-                    .with(Setting.NEAR, 100.1)
-                    .with(Setting.FAR, 700.7)
+                    .with(SceneSetting.CAMERA, new SphericalView(0.1, 1 / 3.0, 450))
+                    .with(SceneSetting.PROJECTION, Projection.PERSPECTIVE)
+                    .with(SceneSetting.ZOOM, 1 / 3.0)
+                    .with(SceneSetting.NEAR, 100.1)
+                    .with(SceneSetting.FAR, 700.7)
                     .with(
-                            Setting.CLIP_PLANES,
+                            SceneSetting.CLIP_PLANES,
                             List.of(new ClipPlane(1, 0, -0.1, 1e-9), new ClipPlane(0, 1, 0, 33)))
-                    .with(Setting.VISIBILITY, "painter")
-                    .with(Setting.SHADING, ShadingMethod.GOURAUD)
-                    .with(Setting.TEXTURE, TextureMode.LINEAR)
-                    .with(Setting.TEXTURE_IMAGE, "wood.png")
-                    .with(Setting.WRAP, Wrap.CLAMP_TO_EDGE)
-                    .with(Setting.ENVIRONMENT, Mode.BLEND)
-                    .with(Setting.TERMS, Set.of(LightTerm.DIFFUSE, LightTerm.SPECULAR))
-                    .with(Setting.TWO_SIDED, false)
-                    .with(Setting.CULL, Cull.BACK)
-                    .with(Setting.HIDDEN_LINES, HiddenLines.DASHED)
-                    .with(Setting.CREASE, 12.5)
-                    .with(Setting.OUTLINE, true)
-                    .with(Setting.DEPTH_CUE, new DepthCue(0.7))
-                    .with(Setting.STEREO, Stereo.Kind.SIDE_BY_SIDE)
-                    .with(Setting.EYES, 12.34);
+                    .with(SceneSetting.VISIBILITY, "painter")
+                    .with(SceneSetting.SHADING, ShadingMethod.GOURAUD)
+                    .with(SceneSetting.TEXTURE, TextureMode.LINEAR)
+                    .with(SceneSetting.TEXTURE_IMAGE, "wood.png")
+                    .with(SceneSetting.WRAP, Wrap.CLAMP_TO_EDGE)
+                    .with(SceneSetting.ENVIRONMENT, Mode.BLEND)
+                    .with(SceneSetting.TERMS, Set.of(LightTerm.DIFFUSE, LightTerm.SPECULAR))
+                    .with(SceneSetting.TWO_SIDED, false)
+                    .with(SceneSetting.CULL, Cull.BACK)
+                    .with(SceneSetting.HIDDEN_LINES, HiddenLines.DASHED)
+                    .with(SceneSetting.CREASE, 12.5)
+                    .with(SceneSetting.OUTLINE, true)
+                    .with(SceneSetting.DEPTH_CUE, new DepthCue(0.7))
+                    .with(SceneSetting.STEREO, Stereo.Kind.SIDE_BY_SIDE)
+                    .with(SceneSetting.EYES, 12.34);
 
     @Test
     @DisplayName("a setting is lost on its way through a file, or is not tried here")
     void everySettingRoundTrips() {
-        for (Setting<?> setting : Setting.all())
+        for (SceneSetting<?> setting : SceneSetting.all())
             assertTrue(ALL.get(setting).isPresent(), setting + " is not tried");
         assertEquals(ALL, readBack(ALL));
         assertEquals(Settings.NONE, readBack(Settings.NONE));
     }
 
     @ParameterizedTest(name = "{0} alone is lost, or brings another setting with it")
-    @MethodSource("rasterlab.exercises.scene.Setting#all")
-    <T> void oneSettingRoundTrips(Setting<T> setting) {
+    @MethodSource("rasterlab.exercises.scene.SceneSetting#all")
+    <T> void oneSettingRoundTrips(SceneSetting<T> setting) {
         Settings one = Settings.NONE.with(setting, ALL.get(setting).orElseThrow());
         assertEquals(one, readBack(one));
         Map<Boolean, Long> found =
-                Setting.all().stream()
+                SceneSetting.all().stream()
                         .collect(
                                 Collectors.partitioningBy(
                                         each -> readBack(one).get(each).isPresent(),
@@ -135,7 +135,7 @@ class SettingsTest {
         var refusal =
                 assertThrows(
                         IllegalArgumentException.class,
-                        () -> Settings.NONE.with(Setting.ZOOM, 1e7));
+                        () -> Settings.NONE.with(SceneSetting.ZOOM, 1e7));
         assertEquals(
                 "$.zoom: must be a number from 1.0E-6 to 1000000.0, got 1.0E7",
                 refusal.getMessage());

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.tests.Repository;
 
 class ReadmeTest {
@@ -58,7 +58,7 @@ class ReadmeTest {
         var block = SCENE_FILE.matcher(Readme.text(name));
         assertTrue(block.find(), name + " shows no scene file");
         var view = (SceneView) SceneFile.read(block.group(1));
-        for (var setting : Setting.all())
+        for (var setting : SceneSetting.all())
             assertTrue(view.settings().get(setting).isPresent(), setting + " is not shown");
     }
 

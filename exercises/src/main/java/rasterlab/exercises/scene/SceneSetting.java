@@ -29,7 +29,7 @@ import rasterlab.engine.visibility.ClipPlane;
  * One thing that a scene file may say about how its scene is drawn: its field, and how its value is
  * read and written.
  */
-public final class Setting<T> {
+public final class SceneSetting<T> {
     private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
     private static final double LARGEST = 1e30;
 
@@ -41,73 +41,73 @@ public final class Setting<T> {
 
     private static final double LEAST_EYES = 1e-6;
 
-    public static final Setting<SphericalView> CAMERA =
-            new Setting<>("camera", Setting::camera, Setting::json);
-    public static final Setting<Projection> PROJECTION =
+    public static final SceneSetting<SphericalView> CAMERA =
+            new SceneSetting<>("camera", SceneSetting::camera, SceneSetting::json);
+    public static final SceneSetting<Projection> PROJECTION =
             named("projection", List.of(Projection.values()), Projection::code);
 
     /** The scene's size in the picture, times this. */
-    public static final Setting<Double> ZOOM = number("zoom", 1 / MOST_ZOOM, MOST_ZOOM);
+    public static final SceneSetting<Double> ZOOM = number("zoom", 1 / MOST_ZOOM, MOST_ZOOM);
 
     /** The smallest depth that is drawn, in world units along the line of sight. */
-    public static final Setting<Double> NEAR = number("near", -LARGEST, LARGEST);
+    public static final SceneSetting<Double> NEAR = number("near", -LARGEST, LARGEST);
 
     /** The largest one. */
-    public static final Setting<Double> FAR = number("far", -LARGEST, LARGEST);
+    public static final SceneSetting<Double> FAR = number("far", -LARGEST, LARGEST);
 
-    public static final Setting<List<ClipPlane>> CLIP_PLANES =
-            new Setting<>("clipPlanes", place -> place.made(Setting::planes), Setting::json);
+    public static final SceneSetting<List<ClipPlane>> CLIP_PLANES =
+            new SceneSetting<>("clipPlanes", place -> place.made(SceneSetting::planes), SceneSetting::json);
 
     /** One of {@code Renderer.visibilities()}, or {@code Renderer.SURFACES}. */
-    public static final Setting<String> VISIBILITY =
+    public static final SceneSetting<String> VISIBILITY =
             named(
                     "visibility",
                     Stream.concat(Renderer.visibilities().stream(), Stream.of(Renderer.SURFACES))
                             .toList(),
                     name -> name);
 
-    public static final Setting<ShadingMethod> SHADING =
+    public static final SceneSetting<ShadingMethod> SHADING =
             named("shading", List.of(ShadingMethod.values()), ShadingMethod::code);
-    public static final Setting<TextureMode> TEXTURE =
+    public static final SceneSetting<TextureMode> TEXTURE =
             named("texture", List.of(TextureMode.values()), TextureMode::code);
 
     /**
      * A PNG, JPEG, GIF or BMP picture to lay on all faces, by its name in the scene file's folder.
      */
-    public static final Setting<String> TEXTURE_IMAGE =
-            new Setting<>("textureImage", SceneJsonPlace::text, JSON::textNode);
+    public static final SceneSetting<String> TEXTURE_IMAGE =
+            new SceneSetting<>("textureImage", SceneJsonPlace::text, JSON::textNode);
 
-    public static final Setting<Wrap> WRAP = named("wrap", List.of(Wrap.values()), Setting::code);
-    public static final Setting<TextureEnvironment.Mode> ENVIRONMENT =
-            named("environment", List.of(TextureEnvironment.Mode.values()), Setting::code);
-    public static final Setting<Set<LightTerm>> TERMS =
-            new Setting<>("terms", place -> place.made(Setting::terms), Setting::json);
-    public static final Setting<Boolean> TWO_SIDED = flag("twoSided");
-    public static final Setting<Cull> CULL = named("cull", List.of(Cull.values()), Cull::code);
-    public static final Setting<HiddenLines> HIDDEN_LINES =
+    public static final SceneSetting<Wrap> WRAP = named("wrap", List.of(Wrap.values()), SceneSetting::code);
+    public static final SceneSetting<TextureEnvironment.Mode> ENVIRONMENT =
+            named("environment", List.of(TextureEnvironment.Mode.values()), SceneSetting::code);
+    public static final SceneSetting<Set<LightTerm>> TERMS =
+            new SceneSetting<>("terms", place -> place.made(SceneSetting::terms), SceneSetting::json);
+    public static final SceneSetting<Boolean> TWO_SIDED = flag("twoSided");
+    public static final SceneSetting<Cull> CULL = named("cull", List.of(Cull.values()), Cull::code);
+    public static final SceneSetting<HiddenLines> HIDDEN_LINES =
             named("hiddenLines", List.of(HiddenLines.values()), HiddenLines::code);
 
     /** The crease, in degrees. */
-    public static final Setting<Double> CREASE = number("crease", 0, 180);
+    public static final SceneSetting<Double> CREASE = number("crease", 0, 180);
 
-    public static final Setting<Boolean> OUTLINE = flag("outline");
-    public static final Setting<DepthCue> DEPTH_CUE =
-            new Setting<>(
+    public static final SceneSetting<Boolean> OUTLINE = flag("outline");
+    public static final SceneSetting<DepthCue> DEPTH_CUE =
+            new SceneSetting<>(
                     "depthCue",
                     place -> place.made(p -> new DepthCue(p.number(0, 1))),
                     cue -> JSON.numberNode(cue.strength()));
-    public static final Setting<Stereo.Kind> STEREO =
+    public static final SceneSetting<Stereo.Kind> STEREO =
             named("stereo", List.of(Stereo.Kind.values()), Stereo.Kind::code);
 
     /** The distance of the two eyes in world units. */
-    public static final Setting<Double> EYES = number("eyes", LEAST_EYES, SphericalView.FARTHEST);
+    public static final SceneSetting<Double> EYES = number("eyes", LEAST_EYES, SphericalView.FARTHEST);
 
     /** The settings that a file has beside its scene. */
-    static final List<Setting<?>> OF_VIEW =
+    static final List<SceneSetting<?>> OF_VIEW =
             List.of(CAMERA, PROJECTION, ZOOM, NEAR, FAR, CLIP_PLANES);
 
     /** The settings that a file has under {@code look}. */
-    static final List<Setting<?>> OF_LOOK =
+    static final List<SceneSetting<?>> OF_LOOK =
             List.of(
                     VISIBILITY,
                     SHADING,
@@ -129,29 +129,29 @@ public final class Setting<T> {
     private final Function<SceneJsonPlace, T> reader;
     private final Function<T, JsonNode> writer;
 
-    private Setting(String field, Function<SceneJsonPlace, T> reader, Function<T, JsonNode> writer) {
+    private SceneSetting(String field, Function<SceneJsonPlace, T> reader, Function<T, JsonNode> writer) {
         this.field = field;
         this.reader = reader;
         this.writer = writer;
     }
 
-    private static <E> Setting<E> named(String field, List<E> known, Function<E, String> code) {
-        return new Setting<>(
+    private static <E> SceneSetting<E> named(String field, List<E> known, Function<E, String> code) {
+        return new SceneSetting<>(
                 field,
                 place -> place.made(given -> Named.find(field, given.text(), known, code)),
                 value -> JSON.textNode(code.apply(value)));
     }
 
-    private static Setting<Double> number(String field, double least, double most) {
-        return new Setting<>(field, place -> place.number(least, most), JSON::numberNode);
+    private static SceneSetting<Double> number(String field, double least, double most) {
+        return new SceneSetting<>(field, place -> place.number(least, most), JSON::numberNode);
     }
 
-    private static Setting<Boolean> flag(String field) {
-        return new Setting<>(field, SceneJsonPlace::flag, JSON::booleanNode);
+    private static SceneSetting<Boolean> flag(String field) {
+        return new SceneSetting<>(field, SceneJsonPlace::flag, JSON::booleanNode);
     }
 
     /** All that a file can say. */
-    public static List<Setting<?>> all() {
+    public static List<SceneSetting<?>> all() {
         return Stream.concat(OF_VIEW.stream(), OF_LOOK.stream()).toList();
     }
 
@@ -195,7 +195,7 @@ public final class Setting<T> {
 
     private static List<ClipPlane> planes(SceneJsonPlace place) {
         return ClipPlane.checked(
-                place.members().stream().map(member -> member.made(Setting::plane)).toList());
+                place.members().stream().map(member -> member.made(SceneSetting::plane)).toList());
     }
 
     private static ClipPlane plane(SceneJsonPlace place) {
