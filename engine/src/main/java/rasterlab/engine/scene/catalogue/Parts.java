@@ -10,7 +10,7 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.scene.shape.Placed;
-import rasterlab.engine.scene.shape.Shape;
+import rasterlab.engine.scene.shape.SceneShape;
 import rasterlab.engine.scene.shape.ShapeSurfaces;
 import rasterlab.engine.transform.SphericalView;
 
@@ -24,13 +24,13 @@ final class Parts {
     private final DoubleStream.Builder texture = DoubleStream.builder();
     private final List<Finish> finishes = new ArrayList<>();
     private final IntStream.Builder finishOf = IntStream.builder();
-    private final List<Shape> shapes = new ArrayList<>();
+    private final List<SceneShape> shapes = new ArrayList<>();
     private int vertexCount;
 
     /**
-     * @param uSteps as {@link Shape#faces} takes them
+     * @param uSteps as {@link SceneShape#faces} takes them
      */
-    Parts add(Finish finish, Shape shape, int uSteps, int vSteps) {
+    Parts add(Finish finish, SceneShape shape, int uSteps, int vSteps) {
         Mesh mesh = shape.faces(uSteps, vSteps);
         for (int v = 0; v < mesh.vertexCount(); v++)
             xyz.add(mesh.x(v)).add(mesh.y(v)).add(mesh.z(v));
@@ -42,12 +42,12 @@ final class Parts {
     }
 
     /** A shape of flat sides. */
-    Parts add(Finish finish, Shape shape) {
+    Parts add(Finish finish, SceneShape shape) {
         return add(finish, shape, 1, 1);
     }
 
     /** A shape of flat sides in its place. */
-    Parts add(Finish finish, Shape shape, Matrix4d toWorld) {
+    Parts add(Finish finish, SceneShape shape, Matrix4d toWorld) {
         return add(finish, new Placed(shape, toWorld));
     }
 

@@ -4,7 +4,7 @@ import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.shape.Cube;
 import rasterlab.engine.scene.shape.Revolution;
-import rasterlab.engine.scene.shape.Shape;
+import rasterlab.engine.scene.shape.SceneShape;
 import rasterlab.engine.scene.shape.Sphere;
 import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.transform.SphericalView;
@@ -39,11 +39,11 @@ final class SolidScenes {
     /**
      * @param phi the eye's angle from the z axis
      */
-    private static Recipe inSteps(String name, int usual, Finish finish, Shape shape, double phi) {
+    private static Recipe inSteps(String name, int usual, Finish finish, SceneShape shape, double phi) {
         return new Recipe(name, usual, detail -> scene(name, finish, shape, phi, detail));
     }
 
-    private static Scene scene(String name, Finish finish, Shape shape, double phi, int detail) {
+    private static Scene scene(String name, Finish finish, SceneShape shape, double phi, int detail) {
         var camera = new SphericalView(Math.PI / 9, phi, 500);
         return new Parts()
                 .add(finish, shape, detail, Math.max(3, detail / 2))

@@ -13,7 +13,7 @@ import rasterlab.engine.geometry.Vector;
  *
  * @param edge length, world units
  */
-public record Cube(double edge) implements Shape {
+public record Cube(double edge) implements SceneShape {
     public Cube {
         Size.require("cube's edge", edge);
     }

@@ -19,7 +19,7 @@ import java.util.List;
  * @param top whether the upper end is closed
  */
 public record Cylinder(double radius, double height, boolean bottom, boolean top)
-        implements Shape, Patch {
+        implements SceneShape, Patch {
     public Cylinder {
         Size.require("cylinder's radius", radius);
         Size.require("cylinder's height", height);

@@ -11,15 +11,15 @@ import org.joml.Matrix4dc;
  * <p>A ray is taken back by the inverse of M; its t stays what it was, as its direction is not
  * brought to length 1. Normals go by the transposed inverse and are brought to length 1 again.
  */
-public final class Placed implements Shape {
-    private final Shape shape;
+public final class Placed implements SceneShape {
+    private final SceneShape shape;
     private final Matrix4d toWorld;
     private final Matrix4d toShape;
 
     /**
      * @param toWorld affine, with a determinant above 0: a mirror image would be inside out
      */
-    public Placed(Shape shape, Matrix4dc toWorld) {
+    public Placed(SceneShape shape, Matrix4dc toWorld) {
         double determinant = toWorld.determinant();
         boolean affine =
                 toWorld.m03() == 0

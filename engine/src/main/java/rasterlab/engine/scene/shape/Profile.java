@@ -23,7 +23,7 @@ final class Profile {
         Size.require("profile's largest radius", Arrays.stream(radii).max().orElse(0));
         for (int i = 0; i < radii.length; i++) {
             boolean end = i == 0 || i == radii.length - 1;
-            if (!(radii[i] >= (end ? 0 : Shape.SMALLEST)))
+            if (!(radii[i] >= (end ? 0 : SceneShape.SMALLEST)))
                 throw new IllegalArgumentException(
                         "profile's radius %d must be %s, got %s"
                                 .formatted(i, end ? "at least 0" : "above 0", radii[i]));

@@ -10,7 +10,7 @@ import rasterlab.engine.geometry.Vector;
  * <p>It is seen from the side {@code right × up} points to, and met from both. A place lies within
  * a few units of the last place of |o| + |centre| of the plane.
  */
-public final class Quad implements Shape, Patch {
+public final class Quad implements SceneShape, Patch {
     /** A parallelogram whose sine is below this is refused. */
     private static final double NARROWEST = 1e-9;
 

@@ -28,7 +28,7 @@ public final class Ray {
     /**
      * Starts again with nothing met.
      *
-     * @param ox world x of o, in ±{@link Shape#LARGEST}, as y and z are
+     * @param ox world x of o, in ±{@link SceneShape#LARGEST}, as y and z are
      * @param dx world x of d, in the same range; the largest of the three is at least {@link
      *     Shape#SMALLEST}
      * @param least met places have t above this; finite

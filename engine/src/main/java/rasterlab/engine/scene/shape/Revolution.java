@@ -21,7 +21,7 @@ import rasterlab.engine.scene.Vase;
  * that grazes may count as touching within the same distance. Pieces reach a share of 10⁻¹² beyond
  * their ends, so that no ray slips between.
  */
-public final class Revolution implements Shape, Patch {
+public final class Revolution implements SceneShape, Patch {
     private static final double BEYOND = 1 + 1e-12;
 
     private final Profile profile;

@@ -8,7 +8,7 @@ import rasterlab.engine.scene.ExactSurfaces;
  *
  * @param shapes number i has finish i
  */
-public record ShapeSurfaces(List<Shape> shapes) implements ExactSurfaces {
+public record ShapeSurfaces(List<SceneShape> shapes) implements ExactSurfaces {
     public ShapeSurfaces {
         shapes = List.copyOf(shapes);
     }

@@ -10,10 +10,10 @@ final class Size {
      * @throws IllegalArgumentException naming it
      */
     static void require(String name, double length) {
-        if (!(length >= Shape.SMALLEST && length <= Shape.LARGEST))
+        if (!(length >= SceneShape.SMALLEST && length <= SceneShape.LARGEST))
             throw new IllegalArgumentException(
                     "%s must be from %s to %s, got %s"
-                            .formatted(name, Shape.SMALLEST, Shape.LARGEST, length));
+                            .formatted(name, SceneShape.SMALLEST, SceneShape.LARGEST, length));
     }
 
     /**
@@ -22,9 +22,9 @@ final class Size {
      * @throws IllegalArgumentException naming it
      */
     static void requireCoordinate(String name, double coordinate) {
-        if (!(Math.abs(coordinate) <= Shape.LARGEST))
+        if (!(Math.abs(coordinate) <= SceneShape.LARGEST))
             throw new IllegalArgumentException(
                     "%s must be from %s to %s, got %s"
-                            .formatted(name, -Shape.LARGEST, Shape.LARGEST, coordinate));
+                            .formatted(name, -SceneShape.LARGEST, SceneShape.LARGEST, coordinate));
     }
 }

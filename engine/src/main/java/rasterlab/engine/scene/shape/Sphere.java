@@ -13,7 +13,7 @@ import java.util.List;
  *
  * @param radius r, world units
  */
-public record Sphere(double radius) implements Shape, Patch {
+public record Sphere(double radius) implements SceneShape, Patch {
     public Sphere {
         Size.require("sphere's radius", radius);
     }

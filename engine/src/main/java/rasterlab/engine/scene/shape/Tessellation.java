@@ -14,7 +14,7 @@ import rasterlab.engine.scene.TriangleMesh;
  * @param uSteps at least 1, and at least 3 where u goes once round
  * @param vSteps at least 1, 2 between two poles and 3 where v goes once round
  */
-public record Tessellation(Shape shape, int uSteps, int vSteps) {
+public record Tessellation(SceneShape shape, int uSteps, int vSteps) {
     /** The most triangles: their vertex numbers fill an array of 768 MiB. */
     private static final int MOST_TRIANGLES = 1 << 26;
 

@@ -16,7 +16,7 @@ import java.util.List;
  * @param major R, world units from the axis to the middle of the tube, above {@code minor}
  * @param minor r, the tube's radius, above 0
  */
-public record Torus(double major, double minor) implements Shape, Patch {
+public record Torus(double major, double minor) implements SceneShape, Patch {
     /** Keeps the ball's own rounding clear of rays that touch the torus at its equator. */
     private static final double ROOM = 1 + 1e-6;
 

@@ -7,7 +7,7 @@ final class ExactSide {
     private ExactSide() {}
 
     /** The sign of the shape's equation at o + t·d: negative inside. */
-    static int of(Shape shape, double[] line, BigDecimal t) {
+    static int of(SceneShape shape, double[] line, BigDecimal t) {
         BigDecimal x = coordinate(line, 0, t);
         BigDecimal y = coordinate(line, 1, t);
         BigDecimal z = coordinate(line, 2, t);

@@ -32,7 +32,7 @@ class RandomRaysTest {
     /** A step along the ray that changes sides has met the surface; before it nothing may be. */
     @ParameterizedTest(name = "a ray passes through the {argumentSetName}")
     @MethodSource("equations")
-    void noSideChangesBefore(Shape shape, double low, double high) {
+    void noSideChangesBefore(SceneShape shape, double low, double high) {
         var ray = new Ray();
         for (int seed = 0; seed < RAYS; seed++) {
             double[] line = line(new Random(seed));
@@ -53,7 +53,7 @@ class RandomRaysTest {
 
     @ParameterizedTest(name = "the place on the {argumentSetName} is off by more than its bound")
     @MethodSource("equations")
-    void theSideChangesThere(Shape shape, double low, double high) {
+    void theSideChangesThere(SceneShape shape, double low, double high) {
         var ray = new Ray();
         int met = 0;
         for (int seed = 0; seed < RAYS; seed++) {

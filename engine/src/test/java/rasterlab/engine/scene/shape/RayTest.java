@@ -22,7 +22,7 @@ class RayTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
-    void meetsAt(double t, Shape shape, double... line) {
+    void meetsAt(double t, SceneShape shape, double... line) {
         var ray = new Ray();
         ray.aim(line[0], line[1], line[2], line[3], line[4], line[5], 0);
         shape.meet(ray);
@@ -30,15 +30,15 @@ class RayTest {
     }
 
     static Stream<Arguments> mistakes() {
-        Shape sphere = new Sphere(1);
-        Shape tube = Cylinder.open(1, 4);
-        Shape can = Cylinder.closed(1, 4);
-        Shape torus = new Torus(2, 0.5);
-        Shape cube = new Cube(2);
-        Shape spindle = Shapes.spindle();
-        Shape vase = Revolution.vase();
-        Shape quad = Quad.whole(new Vector(0, 0, 0), new Vector(1, 0, 0), new Vector(0, 1, 0));
-        Shape egg = new Placed(sphere, new Matrix4d().translate(0, 0, 5).scale(1, 1, 3));
+        SceneShape sphere = new Sphere(1);
+        SceneShape tube = Cylinder.open(1, 4);
+        SceneShape can = Cylinder.closed(1, 4);
+        SceneShape torus = new Torus(2, 0.5);
+        SceneShape cube = new Cube(2);
+        SceneShape spindle = Shapes.spindle();
+        SceneShape vase = Revolution.vase();
+        SceneShape quad = Quad.whole(new Vector(0, 0, 0), new Vector(1, 0, 0), new Vector(0, 1, 0));
+        SceneShape egg = new Placed(sphere, new Matrix4d().translate(0, 0, 5).scale(1, 1, 3));
         return Stream.of(
                 met("the far side of a sphere is taken", 2, sphere, -3, 0, 0, 1, 0, 0),
                 met("from inside a sphere nothing is seen", 1, sphere, 0, 0, 0, 1, 0, 0),
@@ -82,13 +82,13 @@ class RayTest {
                 met("from inside the vase nothing is seen", 94, vase, 0, 0, -50, 0, -1, 0));
     }
 
-    private static Arguments met(String mistake, double t, Shape shape, double... line) {
+    private static Arguments met(String mistake, double t, SceneShape shape, double... line) {
         return argumentSet(mistake, t, shape, line);
     }
 
     @ParameterizedTest(name = "{argumentSetName} meets a ray elsewhere than at the point aimed at")
     @MethodSource("rasterlab.engine.scene.shape.Shapes#all")
-    void normalsAimedBackMeetTheirPoint(Shape shape) {
+    void normalsAimedBackMeetTheirPoint(SceneShape shape) {
         var ray = new Ray();
         var point = new SurfacePoint();
         for (Patch patch : shape.patches())

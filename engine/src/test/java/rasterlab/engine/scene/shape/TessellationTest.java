@@ -102,7 +102,7 @@ class TessellationTest {
     /** Each edge of a closed surface is there once in each direction. */
     @ParameterizedTest(name = "{argumentSetName} has a crack")
     @MethodSource("rasterlab.engine.scene.shape.Shapes#closed")
-    void trianglesClose(Shape shape) {
+    void trianglesClose(SceneShape shape) {
         for (int steps : new int[] {3, 4, 7, 30}) {
             var mesh = shape.triangles(steps, steps);
             var open = new HashSet<String>();
@@ -117,7 +117,7 @@ class TessellationTest {
 
     @ParameterizedTest(name = "faces of the {argumentSetName} do not share their edges")
     @MethodSource("rasterlab.engine.scene.shape.Shapes#closed")
-    void facesClose(Shape shape) {
+    void facesClose(SceneShape shape) {
         for (int steps : new int[] {3, 7, 30}) {
             Mesh mesh = shape.faces(steps, steps);
             var open = new HashSet<String>();
@@ -145,7 +145,7 @@ class TessellationTest {
 
     @ParameterizedTest(name = "a triangle of the {argumentSetName} is flat as a line or turned")
     @MethodSource("rasterlab.engine.scene.shape.Shapes#all")
-    void trianglesFaceTheirNormals(Shape shape) {
+    void trianglesFaceTheirNormals(SceneShape shape) {
         var mesh = shape.triangles(24, 12);
         int[] corners = mesh.triangles();
         for (int i = 0; i < corners.length; i += 3) {
@@ -162,7 +162,7 @@ class TessellationTest {
 
     @ParameterizedTest(name = "the texture of the {argumentSetName} is mirrored")
     @MethodSource("rasterlab.engine.scene.shape.Shapes#all")
-    void texturesAreSeenFromTheirFront(Shape shape) {
+    void texturesAreSeenFromTheirFront(SceneShape shape) {
         var mesh = shape.triangles(24, 12);
         float[] s = mesh.values(VertexQuantity.TEXTURE_S);
         float[] t = mesh.values(VertexQuantity.TEXTURE_T);
@@ -216,7 +216,7 @@ class TessellationTest {
 
     @ParameterizedTest(name = "normals of the {argumentSetName} lean")
     @MethodSource("rasterlab.engine.scene.shape.Shapes#all")
-    void normalsStandOnTheSurface(Shape shape) {
+    void normalsStandOnTheSurface(SceneShape shape) {
         for (Patch patch : shape.patches())
             for (int i = 1; i < 40; i++)
                 for (int j = 1; j < 20; j++) {

@@ -5,7 +5,7 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.TriangleMesh;
 
 /** A surface that knows its points, their normals and where it meets a ray. */
-public interface Shape {
+public interface SceneShape {
     /** The smallest length of a shape, in world units. */
     double SMALLEST = 1e-30;
 
