@@ -6,7 +6,7 @@ import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.GlName;
 import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.opengl.state.Shape;
+import rasterlab.app.opengl.state.GlShape;
 
 /** The calls of one frame, from the cleared picture to the last shape. */
 public final class FrameCalls {
@@ -27,7 +27,7 @@ public final class FrameCalls {
         made.pixels();
         if (!frame.lamps().isEmpty()) {
             made.calls.free();
-            for (Shape lamp : frame.lamps()) new ShapeCalls(made.calls, 1).direct(lamp);
+            for (GlShape lamp : frame.lamps()) new ShapeCalls(made.calls, 1).direct(lamp);
         }
         new LightCalls(frame, made.calls).add();
         made.turn();
@@ -148,7 +148,7 @@ public final class FrameCalls {
 
     private void shapes() {
         boolean listed = choice.is(Setting.DISPLAY_LIST, "on");
-        for (Shape shape : frame.shapes()) {
+        for (GlShape shape : frame.shapes()) {
             var added = new ShapeCalls(calls, choice.number(Setting.ALPHA));
             if (listed) added.listed(shape, key(shape));
             else added.direct(shape);
@@ -156,7 +156,7 @@ public final class FrameCalls {
     }
 
     /** What the calls of a shape depend on. */
-    private String key(Shape shape) {
+    private String key(GlShape shape) {
         return shape.name()
                 + " "
                 + choice.get(Setting.COORDINATES)

@@ -2,7 +2,7 @@ package rasterlab.app.opengl.call;
 
 import org.lwjgl.opengl.GL11;
 import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.opengl.state.Shape;
+import rasterlab.app.opengl.state.GlShape;
 
 /** The vertices of a shape between glBegin and glEnd. */
 final class ShapeCalls {
@@ -18,13 +18,13 @@ final class ShapeCalls {
     }
 
     /** Each frame anew. */
-    void direct(Shape shape) {
+    void direct(GlShape shape) {
         calls.of(Setting.SCENE).add(text(shape), () -> draw(shape));
         calls.free();
     }
 
     /** Calls a shape once into a display list, which each frame calls. */
-    void listed(Shape shape, String key) {
+    void listed(GlShape shape, String key) {
         calls.of(Setting.DISPLAY_LIST)
                 .add(
                         "glNewList(%s, GL_COMPILE); %s; glEndList()"
@@ -36,12 +36,12 @@ final class ShapeCalls {
         calls.free();
     }
 
-    private static String text(Shape shape) {
+    private static String text(GlShape shape) {
         return "glBegin(%s); %d × (glColor4f, glNormal3f, glTexCoord2f, glVertex3f); glEnd()"
                 .formatted(shape.mode(), shape.indices().length);
     }
 
-    private void draw(Shape shape) {
+    private void draw(GlShape shape) {
         float[] xyz = shape.xyz();
         float[] n = shape.normals();
         float[] rgb = shape.rgb();

@@ -6,7 +6,7 @@ import org.joml.Vector3d;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.opengl.state.Shape;
+import rasterlab.app.opengl.state.GlShape;
 
 /** Vertices of a shape lit and put together to primitives, as OpenGL does it. */
 final class ShapeAssembly {
@@ -33,7 +33,7 @@ final class ShapeAssembly {
      * @param toEye turns and moves
      * @param alpha of the vertices' own colours
      */
-    TriangleCorners assemble(Shape shape, Matrix4d toEye, double alpha) {
+    TriangleCorners assemble(GlShape shape, Matrix4d toEye, double alpha) {
         fronts = new double[shape.vertexCount()][];
         backs = new double[shape.vertexCount()][];
         for (int v = 0; v < shape.vertexCount(); v++) {
@@ -53,7 +53,7 @@ final class ShapeAssembly {
         return corners;
     }
 
-    private static double[] eye(Shape shape, int v, Matrix4d toEye) {
+    private static double[] eye(GlShape shape, int v, Matrix4d toEye) {
         float[] xyz = shape.xyz();
         float[] n = shape.normals();
         var place =
@@ -62,7 +62,7 @@ final class ShapeAssembly {
         return new double[] {place.x, place.y, place.z, normal.x, normal.y, normal.z};
     }
 
-    private double[] corner(Shape shape, int v, double[] eye, boolean behind, double alpha) {
+    private double[] corner(GlShape shape, int v, double[] eye, boolean behind, double alpha) {
         float[] rgb = shape.rgb();
         float[] rgba = {rgb[3 * v], rgb[3 * v + 1], rgb[3 * v + 2], (float) alpha};
         if (shape.lit() && light.isPresent()) light.get().shade(eye, behind, rgba);

@@ -9,7 +9,7 @@ import org.joml.Matrix4d;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.opengl.state.Shape;
+import rasterlab.app.opengl.state.GlShape;
 import rasterlab.engine.pipeline.fast.Blending;
 import rasterlab.engine.pipeline.fast.Culling;
 import rasterlab.engine.pipeline.fast.DepthRaster;
@@ -42,12 +42,12 @@ public final class SoftwarePainter implements AutoCloseable {
         var assembly = new ShapeAssembly(frame);
         var lampsToEye = new Matrix4d().translate(0, 0, -choice.distance());
         var colored = new ColoredPixels();
-        for (Shape lamp : frame.lamps())
+        for (GlShape lamp : frame.lamps())
             add(frame, assembly.assemble(lamp, lampsToEye, 1), colored, out, cancelled);
         PixelColors colors =
                 frame.texture().map(texture -> textured(texture, frame)).orElse(colored);
         double alpha = choice.number(Setting.ALPHA);
-        for (Shape shape : frame.shapes())
+        for (GlShape shape : frame.shapes())
             add(frame, assembly.assemble(shape, frame.modelView(), alpha), colors, out, cancelled);
         if (choice.is(Setting.SCISSOR_TEST, "on")) cut(out.raster(), frame.scissors());
         return out.raster();

@@ -101,13 +101,13 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
     }
 
     /** What turns with the scene, in drawing order. */
-    public List<Shape> shapes() {
+    public List<GlShape> shapes() {
         return Shapes.of(choice);
     }
 
     /** The balls that show where lights stand; they do not turn with the scene. */
-    public List<Shape> lamps() {
-        var lamps = new ArrayList<Shape>();
+    public List<GlShape> lamps() {
+        var lamps = new ArrayList<GlShape>();
         for (GlLight light : lights()) {
             if (light.directional()) continue;
             double[] at = light.position();

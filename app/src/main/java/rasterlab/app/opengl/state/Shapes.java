@@ -20,7 +20,7 @@ final class Shapes {
     private Shapes() {}
 
     /** Meridians and parallels of a sphere about the y axis, as lines. */
-    static Shape wireSphere() {
+    static GlShape wireSphere() {
         SphereMapping sphere = SphereMapping.of(MERIDIANS, PARALLELS);
         int columns = MERIDIANS + 1;
         int[] lines = new int[2 * MERIDIANS * (2 * PARALLELS - 1)];
@@ -39,21 +39,21 @@ final class Shapes {
         for (int i = 0; i < rgb.length; i += 3)
             paint(rgb, i, Color.HSBtoRGB(0.55f + 0.1f * normals[i + 1], 0.35f, 1));
         var unit =
-                new Shape("sphere", true, true, normals, normals, floats(sphere.st()), rgb, lines);
+                new GlShape("sphere", true, true, normals, normals, floats(sphere.st()), rgb, lines);
         return unit.scaledTo(SPHERE, 0, 0, 0);
     }
 
     /** A globe whose colours run with the normals. */
-    static Shape globe() {
+    static GlShape globe() {
         return ball("globe", true, 36, 18).scaledTo(GLOBE, 0, 0, 0);
     }
 
     /** A small ball where a light stands, in the light's colour. */
-    static Shape lamp(double[] colour, double x, double y, double z) {
-        Shape ball = ball("lamp", false, 12, 8);
+    static GlShape lamp(double[] colour, double x, double y, double z) {
+        GlShape ball = ball("lamp", false, 12, 8);
         float[] rgb = new float[ball.xyz().length];
         for (int i = 0; i < rgb.length; i++) rgb[i] = (float) colour[i % 3];
-        return new Shape(
+        return new GlShape(
                         "lamp",
                         false,
                         false,
@@ -65,17 +65,17 @@ final class Shapes {
                 .scaledTo(LAMP, x, y, z);
     }
 
-    private static Shape ball(String name, boolean lit, int meridians, int parallels) {
+    private static GlShape ball(String name, boolean lit, int meridians, int parallels) {
         SphereMapping sphere = SphereMapping.of(meridians, parallels);
         float[] normals = upright(sphere.xyz());
         float[] rgb = new float[normals.length];
         for (int i = 0; i < rgb.length; i++) rgb[i] = 0.5f + 0.5f * normals[i];
-        return new Shape(
+        return new GlShape(
                 name, false, lit, normals, normals, floats(sphere.st()), rgb, sphere.triangles());
     }
 
     /** A tube about the y axis, open above and below; its outer side is the front. */
-    static Shape cylinder() {
+    static GlShape cylinder() {
         int columns = SIDES + 1;
         int vertices = columns * (RINGS + 1);
         var xyz = new float[3 * vertices];
@@ -95,7 +95,7 @@ final class Shapes {
             st[2 * v + 1] = (float) up;
             paint(rgb, 3 * v, Color.HSBtoRGB((float) column / SIDES, 0.7f, 1));
         }
-        return new Shape("cylinder", false, true, xyz, normals, st, rgb, strips(SIDES, RINGS));
+        return new GlShape("cylinder", false, true, xyz, normals, st, rgb, strips(SIDES, RINGS));
     }
 
     private static int[] strips(int columns, int rows) {
@@ -116,7 +116,7 @@ final class Shapes {
      *
      * @param uneven whether the texture coordinates of its corners are no square
      */
-    static Shape quad(boolean uneven) {
+    static GlShape quad(boolean uneven) {
         float size = (float) QUAD;
         float[] xyz = {-size, -size, 0, size, -size, 0, size, size, 0, -size, size, 0};
         float[] normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
@@ -124,10 +124,10 @@ final class Shapes {
         float[] other = {-0.5f, 0, 2, 0.25f, 1.25f, 1.5f, 0.25f, 2};
         float[] rgb = {1, 0.4f, 0.4f, 0.4f, 1, 0.4f, 0.4f, 0.4f, 1, 1, 1, 1};
         int[] triangles = {0, 1, 2, 0, 2, 3};
-        return new Shape("quad", false, true, xyz, normals, uneven ? other : even, rgb, triangles);
+        return new GlShape("quad", false, true, xyz, normals, uneven ? other : even, rgb, triangles);
     }
 
-    static List<Shape> of(GlChoice choice) {
+    static List<GlShape> of(GlChoice choice) {
         return switch (choice.get(Setting.SCENE)) {
             case "quad" -> List.of(quad(choice.is(Setting.COORDINATES, "uneven")));
             case "globe" -> List.of(globe());

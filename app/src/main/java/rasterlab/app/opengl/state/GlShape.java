@@ -13,7 +13,7 @@ package rasterlab.app.opengl.state;
  * @param rgb colours of the vertices, shares
  * @param indices counter-clockwise seen from outside, for triangles
  */
-public record Shape(
+public record GlShape(
         String name,
         boolean lines,
         boolean lit,
@@ -32,13 +32,13 @@ public record Shape(
     }
 
     /** The same shape made smaller and moved. */
-    Shape scaledTo(double radius, double x, double y, double z) {
+    GlShape scaledTo(double radius, double x, double y, double z) {
         float[] moved = new float[xyz.length];
         for (int i = 0; i < xyz.length; i += 3) {
             moved[i] = (float) (xyz[i] * radius + x);
             moved[i + 1] = (float) (xyz[i + 1] * radius + y);
             moved[i + 2] = (float) (xyz[i + 2] * radius + z);
         }
-        return new Shape(name, lines, lit, moved, normals, st, rgb, indices);
+        return new GlShape(name, lines, lit, moved, normals, st, rgb, indices);
     }
 }
