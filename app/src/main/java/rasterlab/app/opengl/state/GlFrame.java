@@ -102,7 +102,7 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
 
     /** What turns with the scene, in drawing order. */
     public List<GlShape> shapes() {
-        return Shapes.of(choice);
+        return GlShapes.of(choice);
     }
 
     /** The balls that show where lights stand; they do not turn with the scene. */
@@ -114,7 +114,7 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
             double[] colour = light.diffuse().clone();
             double most = Math.max(colour[0], Math.max(colour[1], colour[2]));
             for (int c = 0; c < 3; c++) colour[c] = most > 0 ? colour[c] / most : 1;
-            lamps.add(Shapes.lamp(colour, at[0], at[1], at[2]));
+            lamps.add(GlShapes.lamp(colour, at[0], at[1], at[2]));
         }
         return List.copyOf(lamps);
     }

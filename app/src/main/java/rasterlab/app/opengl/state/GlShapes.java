@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.engine.texture.SphereMapping;
 
 /** The shapes of the lab's scenes. */
-final class Shapes {
+final class GlShapes {
     private static final int MERIDIANS = 18;
     private static final int PARALLELS = 12;
     private static final double SPHERE = 1.5;
@@ -17,7 +17,7 @@ final class Shapes {
     private static final double LAMP = 0.05;
     private static final double GLOBE = 1.35;
 
-    private Shapes() {}
+    private GlShapes() {}
 
     /** Meridians and parallels of a sphere about the y axis, as lines. */
     static GlShape wireSphere() {
