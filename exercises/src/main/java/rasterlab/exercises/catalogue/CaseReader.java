@@ -43,7 +43,7 @@ final class CaseReader {
     private final Faults faults;
     private final Optional<TopicGrading> topic;
     private final List<String> groups;
-    private final Shapes shapes;
+    private final InputTemplates shapes;
 
     /**
      * @param topic empty where it is not known: then no input is looked at
@@ -55,7 +55,7 @@ final class CaseReader {
             Faults faults,
             Optional<TopicGrading> topic,
             List<String> groups,
-            Shapes shapes) {
+            InputTemplates shapes) {
         this.folder = folder;
         this.faults = faults;
         this.topic = topic;

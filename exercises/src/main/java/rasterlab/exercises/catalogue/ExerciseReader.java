@@ -206,7 +206,7 @@ final class ExerciseReader {
     }
 
     private List<Case> cases(JsonFields fields, Optional<TopicGrading> topic, List<Group> groups) {
-        return faults.tried(() -> Shapes.read(fields))
+        return faults.tried(() -> InputTemplates.read(fields))
                 .map(
                         shapes ->
                                 new CaseReader(

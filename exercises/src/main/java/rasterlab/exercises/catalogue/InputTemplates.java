@@ -12,24 +12,24 @@ import rasterlab.exercises.score.Phrase;
  * Templates of inputs that {@code exercise.json} names, so that several cases can use one: a
  * template, or an array of turns, in which the name of another shape stands for its template.
  */
-final class Shapes {
+final class InputTemplates {
     /** A shape may be made of others, and these of simple ones. */
     private static final int DEEPEST = 3;
 
     private final JsonFields exercise;
     private final JsonNode shapes;
 
-    private Shapes(JsonFields exercise, JsonNode shapes) {
+    private InputTemplates(JsonFields exercise, JsonNode shapes) {
         this.exercise = exercise;
         this.shapes = shapes;
     }
 
-    static Shapes read(JsonFields exercise) {
+    static InputTemplates read(JsonFields exercise) {
         JsonNode shapes =
                 exercise.has("shapes")
                         ? exercise.object("shapes").tree()
                         : JsonNodeFactory.instance.objectNode();
-        Shapes read = new Shapes(exercise, shapes);
+        InputTemplates read = new InputTemplates(exercise, shapes);
         read.names().forEach(read::named);
         return read;
     }
