@@ -96,7 +96,7 @@ public final class ContractCall {
             throws IOException {
         var bytes = new BoundedBytes(most);
         DataOutputStream out = new DataOutputStream(bytes);
-        for (Object one : arguments) if (one instanceof Sheet sheet) sheet.writeTo(out);
+        for (Object one : arguments) if (one instanceof SinkSheet sheet) sheet.writeTo(out);
         if (returnsValue()) {
             Values.write(method.getReturnType(), returned, out);
             HeldArrays.write(returned, held, out);
@@ -118,14 +118,14 @@ public final class ContractCall {
         var bytes = new ByteArrayOutputStream();
         writeArguments(given, new DataOutputStream(bytes));
         var in = new DataInputStream(new ByteArrayInputStream(bytes.toByteArray()));
-        Object[] arguments = readArguments(in, most, Math.min(most, Sheet.USUAL));
+        Object[] arguments = readArguments(in, most, Math.min(most, SinkSheet.USUAL));
         byte[] before = values(arguments);
         List<Object> held = new HeldArrays().before(this, arguments);
         Object returned = null;
         try {
             returned = invoke(implementation, arguments);
         } catch (Throwable stopped) {
-            if (!Sheet.isAnyFull(arguments)) throw stopped;
+            if (!SinkSheet.isAnyFull(arguments)) throw stopped;
         }
         return answer(before, held, arguments, returned, Wire.MOST_ANSWER_BYTES);
     }
@@ -150,7 +150,7 @@ public final class ContractCall {
      * @throws BoundedBytes.Beyond if its value has more than {@code most} bytes
      */
     void addTo(ItemSum sum, Object[] arguments, Object returned, int most) throws IOException {
-        for (Object one : arguments) if (one instanceof Sheet sheet) sheet.addTo(sum);
+        for (Object one : arguments) if (one instanceof SinkSheet sheet) sheet.addTo(sum);
         if (!returnsValue() && hasSheets()) return;
         var bytes = new BoundedBytes(most);
         DataOutputStream out = new DataOutputStream(bytes);

@@ -6,7 +6,7 @@ import java.io.IOException;
 import rasterlab.contract.PixelGrid;
 
 /** A picture that a student's method reads and writes; keeps every writing in order. */
-final class GridSheet extends Sheet implements PixelGrid {
+final class GridSheet extends SinkSheet implements PixelGrid {
     private final int width;
     private final int height;
     private final int[] colours;

@@ -9,7 +9,7 @@ import rasterlab.contract.PieceSink;
 import rasterlab.contract.PolygonSink;
 
 /** Keeps polygons, as they were when they were sent. */
-final class PolygonSheet extends Sheet implements PolygonSink, PieceSink {
+final class PolygonSheet extends SinkSheet implements PolygonSink, PieceSink {
     /** The most numbers that an answer may have, over all polygons of a call. */
     private static final int MOST_NUMBERS = Wire.MOST_FRAME_BYTES / Double.BYTES / 2;
 

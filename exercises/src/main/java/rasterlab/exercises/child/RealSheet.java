@@ -8,7 +8,7 @@ import rasterlab.contract.SegmentSink;
 import rasterlab.contract.SpaceSegmentSink;
 
 /** Keeps points of the plane, or segments of plane or space, by their coordinates. */
-final class RealSheet extends Sheet implements CurvePoints, SegmentSink, SpaceSegmentSink {
+final class RealSheet extends SinkSheet implements CurvePoints, SegmentSink, SpaceSegmentSink {
     private final int width;
     private final int most;
     private double[] cells;

@@ -47,7 +47,7 @@ public final class Sheets {
      *
      * @param in where a picture is read from
      */
-    static Sheet of(Class<?> kind, DataInputStream in, int most, int room) throws IOException {
+    static SinkSheet of(Class<?> kind, DataInputStream in, int most, int room) throws IOException {
         if (kind == PixelGrid.class) return GridSheet.read(in, most);
         if (kind == Pixels.class) return new WholeSheets.OfPixels(most, room);
         if (kind == CoveragePixels.class || kind == Spans.class)
@@ -58,7 +58,7 @@ public final class Sheets {
     }
 
     /**
-     * Sends what {@link Sheet#writeTo} wrote to a sink, or into a picture, of this process; returns
+     * Sends what {@link SinkSheet#writeTo} wrote to a sink, or into a picture, of this process; returns
      * the number of items.
      */
     static int replay(Class<?> kind, DataInputStream in, Object into) throws IOException {

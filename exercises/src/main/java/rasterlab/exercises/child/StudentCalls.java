@@ -73,19 +73,19 @@ final class StudentCalls {
         int most = Math.min(in.readInt(), Wire.MOST_ITEMS);
         int mostBytes = Math.min(in.readInt(), Wire.MOST_ANSWER_BYTES);
         ContractCall method = contract.numbered(in.readInt());
-        Object[] given = method.readArguments(in, most, Math.min(most, Sheet.USUAL));
+        Object[] given = method.readArguments(in, most, Math.min(most, SinkSheet.USUAL));
         byte[] before = method.values(given);
         List<Object> held = arrays.before(method, given);
         Object returned = null;
         try {
             returned = callings.get(method.number()).call(student, given);
         } catch (Throwable e) {
-            if (!Sheet.isAnyFull(given)) {
+            if (!SinkSheet.isAnyFull(given)) {
                 threw(nonce, e);
                 return;
             }
         }
-        int status = Sheet.isAnyFull(given) ? Wire.CUT : Wire.DONE;
+        int status = SinkSheet.isAnyFull(given) ? Wire.CUT : Wire.DONE;
         byte[] answer = new byte[0];
         try {
             answer = method.answer(before, held, given, returned, mostBytes);

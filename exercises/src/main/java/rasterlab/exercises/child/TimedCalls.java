@@ -50,7 +50,7 @@ final class TimedCalls {
     boolean wasStopped() {
         return Stream.of(given)
                 .flatMap(Stream::of)
-                .anyMatch(one -> one instanceof Sheet sheet && sheet.full());
+                .anyMatch(one -> one instanceof SinkSheet sheet && sheet.full());
     }
 
     /**

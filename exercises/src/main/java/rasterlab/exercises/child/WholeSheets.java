@@ -8,7 +8,7 @@ import rasterlab.contract.Pixels;
 import rasterlab.contract.Spans;
 
 /** Keeps items of a few whole numbers each. */
-abstract class WholeSheets extends Sheet {
+abstract class WholeSheets extends SinkSheet {
     private final int width;
     private final int most;
     private int[] cells;

@@ -52,7 +52,7 @@ final class CalledHere {
         try {
             returned = call.invoke(implementation, there);
         } catch (Error stopped) {
-            if (Stream.of(there).noneMatch(one -> one instanceof Sheet sheet && sheet.full()))
+            if (Stream.of(there).noneMatch(one -> one instanceof SinkSheet sheet && sheet.full()))
                 throw stopped;
         }
         byte[] answer = call.answer(before, held, there, returned, Integer.MAX_VALUE);

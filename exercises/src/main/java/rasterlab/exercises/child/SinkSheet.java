@@ -9,7 +9,7 @@ import java.util.stream.Stream;
  * one of the same class, so that nothing tells a method whether it is timed: timed items are summed
  * up afterwards.
  */
-abstract class Sheet {
+abstract class SinkSheet {
     /** Ends a method that goes on beyond the limit. */
     private static final class Full extends Error {
         private static final long serialVersionUID = 1L;
@@ -37,7 +37,7 @@ abstract class Sheet {
 
     /** Whether one of the arguments of a call is a sheet that is full. */
     static boolean isAnyFull(Object[] arguments) {
-        return Stream.of(arguments).anyMatch(one -> one instanceof Sheet sheet && sheet.full);
+        return Stream.of(arguments).anyMatch(one -> one instanceof SinkSheet sheet && sheet.full);
     }
 
     /** Writes the number of items, then each as its contract's method has it. */
