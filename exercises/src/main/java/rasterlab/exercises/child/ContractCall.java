@@ -37,7 +37,7 @@ public final class ContractCall {
      */
     static ContractCall of(int number, Method method) {
         for (Class<?> type : method.getParameterTypes())
-            if (!Values.carries(type) && !Sheets.isKept(type)) throw cannotBeSent(method, type);
+            if (!Values.carries(type) && !SinkSheets.isKept(type)) throw cannotBeSent(method, type);
         Class<?> returned = method.getReturnType();
         if (returned != void.class && !Values.carries(returned))
             throw cannotBeSent(method, returned);
@@ -65,7 +65,7 @@ public final class ContractCall {
     public void writeArguments(Object[] arguments, DataOutputStream out) throws IOException {
         for (int i = 0; i < arguments.length; i++) {
             if (arguments[i] instanceof PixelGrid picture) GridSheet.write(picture, out);
-            else if (!Sheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
+            else if (!SinkSheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
         }
     }
 
@@ -79,8 +79,8 @@ public final class ContractCall {
         Object[] arguments = new Object[given.size()];
         for (int i = 0; i < arguments.length; i++)
             arguments[i] =
-                    Sheets.isKept(given.get(i))
-                            ? Sheets.of(given.get(i), in, most, room)
+                    SinkSheets.isKept(given.get(i))
+                            ? SinkSheets.of(given.get(i), in, most, room)
                             : Values.read(given.get(i), in);
         return arguments;
     }
@@ -140,7 +140,7 @@ public final class ContractCall {
         var bytes = new BoundedBytes(Wire.MOST_FRAME_BYTES);
         DataOutputStream out = new DataOutputStream(bytes);
         for (int i = 0; i < arguments.length; i++)
-            if (!Sheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
+            if (!SinkSheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
         return bytes.toByteArray();
     }
 
@@ -160,7 +160,7 @@ public final class ContractCall {
     }
 
     private boolean hasSheets() {
-        return given.stream().anyMatch(Sheets::isKept);
+        return given.stream().anyMatch(SinkSheets::isKept);
     }
 
     private static long[] longs(byte[] bytes) {
@@ -191,7 +191,7 @@ public final class ContractCall {
         List<Object> held = arrays.before(this, arguments);
         int items = 0;
         for (int i = 0; i < arguments.length; i++)
-            if (Sheets.isKept(given.get(i))) items += Sheets.replay(given.get(i), in, arguments[i]);
+            if (SinkSheets.isKept(given.get(i))) items += SinkSheets.replay(given.get(i), in, arguments[i]);
         Object value = null;
         if (returnsValue()) {
             value = HeldArrays.read(Values.read(method.getReturnType(), in), held, in);
@@ -205,7 +205,7 @@ public final class ContractCall {
     private boolean copied(DataInputStream in, Object[] arguments) {
         try {
             for (int i = 0; i < arguments.length; i++)
-                if (!Sheets.isKept(given.get(i)))
+                if (!SinkSheets.isKept(given.get(i)))
                     Values.copy(Values.read(given.get(i), in), arguments[i]);
             return true;
         } catch (IOException refused) {

@@ -11,7 +11,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import rasterlab.exercises.child.CompileMain;
 import rasterlab.exercises.child.RunMain;
-import rasterlab.exercises.child.Sheets;
+import rasterlab.exercises.child.SinkSheets;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
@@ -63,7 +63,7 @@ final class ChildJars implements AutoCloseable {
         Map<String, byte[]> contracts = new TreeMap<>();
         for (Class<?> contract : TopicGradings.contracts())
             contracts.putAll(ClassFiles.closure(contract, CONTRACTS));
-        for (Class<?> kind : Sheets.kinds()) contracts.putAll(ClassFiles.closure(kind, CONTRACTS));
+        for (Class<?> kind : SinkSheets.kinds()) contracts.putAll(ClassFiles.closure(kind, CONTRACTS));
         write(folder.resolve(CONTRACT), contracts);
         Map<String, byte[]> harness = new TreeMap<>();
         String own = RunMain.class.getPackageName().replace('.', '/') + '/';

@@ -202,6 +202,6 @@ class ContractCallTest {
                         .distinct()
                         .toList();
         assertTrue(sinks.contains(Pixels.class) && sinks.contains(PolygonSink.class), "" + sinks);
-        for (Class<?> sink : sinks) assertTrue(Sheets.isKept(sink), sink + " has no sheet");
+        for (Class<?> sink : sinks) assertTrue(SinkSheets.isKept(sink), sink + " has no sheet");
     }
 }

@@ -18,7 +18,7 @@ import rasterlab.contract.SpaceSegmentSink;
 import rasterlab.contract.Spans;
 
 /** The sheets for all kinds of sinks, and for pictures. */
-public final class Sheets {
+public final class SinkSheets {
     private static final List<Class<?>> KINDS =
             List.of(
                     Pixels.class,
@@ -31,7 +31,7 @@ public final class Sheets {
                     PieceSink.class,
                     PixelGrid.class);
 
-    private Sheets() {}
+    private SinkSheets() {}
 
     /** The contracts' sinks and pictures, which the child has beside an exercise's own types. */
     public static List<Class<?>> kinds() {
