@@ -74,7 +74,7 @@ public record GivenWindow(boolean upright, double[] numbers) {
                 throw new IllegalArgumentException(
                         "expected [xmin,ymin,xmax,ymax] or an array of points of 2 numbers each");
             double[] n = parts.stream().flatMapToDouble(Arrays::stream).toArray();
-            if (width == 1) Sides.requireOrdered(n[0], n[1], n[2], n[3]);
+            if (width == 1) RectangleSides.requireOrdered(n[0], n[1], n[2], n[3]);
             return new GivenWindow(width == 1, n);
         }
 

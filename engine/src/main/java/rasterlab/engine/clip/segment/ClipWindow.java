@@ -1,6 +1,6 @@
 package rasterlab.engine.clip.segment;
 
-import rasterlab.engine.clip.Sides;
+import rasterlab.engine.clip.RectangleSides;
 
 /**
  * The points with xmin ≤ x ≤ xmax and ymin ≤ y ≤ ymax; it may have no width or no height or
@@ -11,7 +11,7 @@ public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
     private static final double SPARSE = 1.0 / 1024;
 
     public ClipWindow {
-        Sides.requireOrdered(xmin, ymin, xmax, ymax);
+        RectangleSides.requireOrdered(xmin, ymin, xmax, ymax);
     }
 
     /**

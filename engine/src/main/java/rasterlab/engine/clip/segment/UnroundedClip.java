@@ -1,7 +1,7 @@
 package rasterlab.engine.clip.segment;
 
 import rasterlab.contract.SegmentSink;
-import rasterlab.engine.clip.Sides;
+import rasterlab.engine.clip.RectangleSides;
 import rasterlab.engine.clip.UnroundedInterval;
 import rasterlab.engine.geometry.Finite;
 
@@ -24,7 +24,7 @@ final class UnroundedClip {
             double x1,
             double y1,
             SegmentSink out) {
-        Sides.requireOrdered(xmin, ymin, xmax, ymax);
+        RectangleSides.requireOrdered(xmin, ymin, xmax, ymax);
         Finite.require("x of end", x0, x1);
         Finite.require("y of end", y0, y1);
         boolean beyondOneSide =

@@ -3,8 +3,8 @@ package rasterlab.engine.clip;
 import rasterlab.engine.geometry.Finite;
 
 /** The sides of an upright rectangle. */
-public final class Sides {
-    private Sides() {}
+public final class RectangleSides {
+    private RectangleSides() {}
 
     /**
      * @throws IllegalArgumentException if a side is not finite or lies beyond its opposite
