@@ -51,16 +51,16 @@ public record ArcFigure(boolean round, int centreX, int centreY, int radiusX, in
     }
 
     @Override
-    public Map<String, Spot> grips() {
-        var grips = new LinkedHashMap<String, Spot>();
-        grips.put(RADIUS_X, new Spot((double) centreX + radiusX, centreY));
-        if (!round) grips.put(RADIUS_Y, new Spot(centreX, (double) centreY + radiusY));
-        grips.put(CENTRE, new Spot(centreX, centreY));
+    public Map<String, RasterPoint> grips() {
+        var grips = new LinkedHashMap<String, RasterPoint>();
+        grips.put(RADIUS_X, new RasterPoint((double) centreX + radiusX, centreY));
+        if (!round) grips.put(RADIUS_Y, new RasterPoint(centreX, (double) centreY + radiusY));
+        grips.put(CENTRE, new RasterPoint(centreX, centreY));
         return grips;
     }
 
     @Override
-    public ArcFigure moved(String grip, Spot to) {
+    public ArcFigure moved(String grip, RasterPoint to) {
         return switch (grip) {
             case RADIUS_X -> withRadiusX(whole(Math.abs(to.x() - centreX)));
             case RADIUS_Y -> withRadiusY(whole(Math.abs(to.y() - centreY)));

@@ -13,12 +13,12 @@ import java.util.Map;
 })
 public sealed interface DrawnFigure permits ArcFigure, PenFigure, SlopeFigure {
     /** What can be moved: the name of its handle and its place. */
-    Map<String, Spot> grips();
+    Map<String, RasterPoint> grips();
 
-    DrawnFigure moved(String grip, Spot to);
+    DrawnFigure moved(String grip, RasterPoint to);
 
     /** The figure after two clicks on the ground; the same where nothing can be added. */
-    default DrawnFigure added(Spot at) {
+    default DrawnFigure added(RasterPoint at) {
         return this;
     }
 

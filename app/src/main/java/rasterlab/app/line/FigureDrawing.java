@@ -37,7 +37,7 @@ record FigureDrawing(
         PixelDifference difference,
         ExtraWrites extra,
         Deviation deviation,
-        Map<Spot, Double> decisions,
+        Map<RasterPoint, Double> decisions,
         List<Double> brightness) {
     /** A pen's figure and a chart have no pixels to step through. */
     private static final PixelRecording NO_PIXELS = new PixelRecording(1);
@@ -83,7 +83,7 @@ record FigureDrawing(
         Optional<PixelRecording> exact = exact(topics, arc);
         int right = exact.map(PixelRecording::size).orElse(topics.mostJudged());
         var pixels = new PixelRecording((int) topics.circle().mostBeforeEndless(right));
-        var decisions = new HashMap<Spot, Double>();
+        var decisions = new HashMap<RasterPoint, Double>();
         LineTrace.Ending ending = LineTrace.Ending.ENDED;
         String message = "";
         try {
@@ -128,11 +128,11 @@ record FigureDrawing(
         return drawn ? topics.exact(arc) : Optional.of(NO_PIXELS);
     }
 
-    private static void decisions(Optional<ArcWalk> walk, int most, Map<Spot, Double> decisions) {
+    private static void decisions(Optional<ArcWalk> walk, int most, Map<RasterPoint, Double> decisions) {
         if (walk.isEmpty()) return;
         ArcWalk steps = walk.get();
         for (int i = 0; i <= most && steps.advance(); i++)
-            decisions.putIfAbsent(new Spot(steps.u(), steps.v()), steps.decision());
+            decisions.putIfAbsent(new RasterPoint(steps.u(), steps.v()), steps.decision());
     }
 
     /** Whether it is what the exact figure is. */

@@ -165,11 +165,11 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
      * one for undo.
      */
     public void move(String grip, double pixelX, double pixelY) {
-        figure(old -> old.moved(grip, new Spot(pixelX, pixelY)));
+        figure(old -> old.moved(grip, new RasterPoint(pixelX, pixelY)));
     }
 
     void add(double pixelX, double pixelY) {
-        figure(old -> old.added(new Spot(pixelX, pixelY)));
+        figure(old -> old.added(new RasterPoint(pixelX, pixelY)));
     }
 
     void remove(String grip) {

@@ -34,26 +34,26 @@ final class FigureReadings {
     /** Columns and rows of that pixel from the centre. */
     String offset() {
         if (state.step() == 0) return NONE;
-        Spot offset = fromCentre();
+        RasterPoint offset = fromCentre();
         return "u = "
                 + Shown.number(offset.x(), locale())
                 + ", v = "
                 + Shown.number(offset.y(), locale());
     }
 
-    private Spot fromCentre() {
+    private RasterPoint fromCentre() {
         var arc = (ArcFigure) state.drawn().figure();
         double x = drawing.pixels().x(state.step() - 1);
         double y = drawing.pixels().y(state.step() - 1);
-        return new Spot(Math.abs(x - arc.centreX()), Math.abs(y - arc.centreY()));
+        return new RasterPoint(Math.abs(x - arc.centreX()), Math.abs(y - arc.centreY()));
     }
 
     /** What decides the pixel after that one, or after its mirror image across the diagonal. */
     String decision() {
         if (state.step() == 0 || state.finished()) return NONE;
-        Spot offset = fromCentre();
+        RasterPoint offset = fromCentre();
         Double own = drawing.decisions().get(offset);
-        if (own == null) own = drawing.decisions().get(new Spot(offset.y(), offset.x()));
+        if (own == null) own = drawing.decisions().get(new RasterPoint(offset.y(), offset.x()));
         return own == null ? NONE : Shown.number(own, locale());
     }
 

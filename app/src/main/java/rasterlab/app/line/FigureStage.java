@@ -195,7 +195,7 @@ final class FigureStage extends JPanel implements AutoCloseable {
         return points;
     }
 
-    private PlanePoint point(String grip, Spot at) {
+    private PlanePoint point(String grip, RasterPoint at) {
         String kind = grip.startsWith("point.") ? "grip.point" : grip;
         String said =
                 texts.text("figure." + kind) + " " + Shown.point(at.x(), at.y(), texts.locale());

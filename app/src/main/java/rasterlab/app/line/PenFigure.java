@@ -16,7 +16,7 @@ import rasterlab.engine.surface.Surface;
  * @param width in pixels
  * @param round whether ends and joins are round
  */
-public record PenFigure(List<Spot> points, double width, boolean round, Dashes dashes)
+public record PenFigure(List<RasterPoint> points, double width, boolean round, Dashes dashes)
         implements DrawnFigure {
     /** The picture that the pen draws into, in pixels. */
     static final int WIDTH = 60;
@@ -32,7 +32,7 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
 
     static PenFigure first() {
         return new PenFigure(
-                List.of(new Spot(6, 34), new Spot(18, 8), new Spot(30, 34), new Spot(54, 16)),
+                List.of(new RasterPoint(6, 34), new RasterPoint(18, 8), new RasterPoint(30, 34), new RasterPoint(54, 16)),
                 5,
                 true,
                 Dashes.SOLID);
@@ -48,8 +48,8 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
         picture.clear(ground);
         new Surface(picture)
                 .draw(
-                        points.stream().mapToDouble(Spot::x).toArray(),
-                        points.stream().mapToDouble(Spot::y).toArray(),
+                        points.stream().mapToDouble(RasterPoint::x).toArray(),
+                        points.stream().mapToDouble(RasterPoint::y).toArray(),
                         pen(),
                         Brush.solid(ink));
         return picture;
@@ -83,13 +83,13 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
         return new PenFigure(points, width, round, other);
     }
 
-    private PenFigure with(List<Spot> others) {
+    private PenFigure with(List<RasterPoint> others) {
         return new PenFigure(others, width, round, dashes);
     }
 
     @Override
-    public Map<String, Spot> grips() {
-        var grips = new LinkedHashMap<String, Spot>();
+    public Map<String, RasterPoint> grips() {
+        var grips = new LinkedHashMap<String, RasterPoint>();
         for (int i = 0; i < points.size(); i++) grips.put("point." + i, points.get(i));
         return grips;
     }
@@ -99,21 +99,21 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
     }
 
     @Override
-    public PenFigure moved(String grip, Spot to) {
+    public PenFigure moved(String grip, RasterPoint to) {
         var moved = new ArrayList<>(points);
         moved.set(index(grip), clamped(to));
         return with(moved);
     }
 
     /** The spot, moved to where some pixel is left in the picture if it was too far away. */
-    private static Spot clamped(Spot to) {
-        return new Spot(
+    private static RasterPoint clamped(RasterPoint to) {
+        return new RasterPoint(
                 Math.max(-WIDTH, Math.min(2 * WIDTH, to.x())),
                 Math.max(-HEIGHT, Math.min(2 * HEIGHT, to.y())));
     }
 
     @Override
-    public PenFigure added(Spot at) {
+    public PenFigure added(RasterPoint at) {
         if (points.size() == MOST) return this;
         var more = new ArrayList<>(points);
         more.add(clamped(at));

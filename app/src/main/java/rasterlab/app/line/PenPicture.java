@@ -54,7 +54,7 @@ record PenPicture(PenFigure figure) implements PlanePicture {
 
     private void paintLine(Graphics2D g, PlaneMap map, StageColours colours) {
         var path = new Path2D.Double();
-        for (Spot point : figure.points()) {
+        for (RasterPoint point : figure.points()) {
             double x = map.viewX(point.x());
             double y = map.viewY(point.y());
             if (path.getCurrentPoint() == null) path.moveTo(x, y);

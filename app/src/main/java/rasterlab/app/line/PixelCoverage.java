@@ -141,8 +141,8 @@ public record PixelCoverage(List<Shade> shades) {
 
     /** Missing is what is covered too little, by more than one level, extra what is too much. */
     PixelDifference differenceFrom(PixelCoverage exact) {
-        Map<Spot, Integer> wanted = exact.levels();
-        Map<Spot, Integer> drawn = levels();
+        Map<RasterPoint, Integer> wanted = exact.levels();
+        Map<RasterPoint, Integer> drawn = levels();
         PixelSet own = PixelSet.of(pixels());
         return new PixelDifference(
                 own.filter((x, y) -> Math.abs(excess(drawn, wanted, x, y)) <= TOLERATED),
@@ -153,8 +153,8 @@ public record PixelCoverage(List<Shade> shades) {
 
     /** The largest difference of a pixel's level. */
     int worst(PixelCoverage exact) {
-        Map<Spot, Integer> wanted = exact.levels();
-        Map<Spot, Integer> drawn = levels();
+        Map<RasterPoint, Integer> wanted = exact.levels();
+        Map<RasterPoint, Integer> drawn = levels();
         int worst = 0;
         for (PixelCoverage each : List.of(this, exact))
             for (Shade s : each.shades)
@@ -162,14 +162,14 @@ public record PixelCoverage(List<Shade> shades) {
         return worst;
     }
 
-    private static int excess(Map<Spot, Integer> drawn, Map<Spot, Integer> wanted, int x, int y) {
-        var pixel = new Spot(x, y);
+    private static int excess(Map<RasterPoint, Integer> drawn, Map<RasterPoint, Integer> wanted, int x, int y) {
+        var pixel = new RasterPoint(x, y);
         return drawn.getOrDefault(pixel, 0) - wanted.getOrDefault(pixel, 0);
     }
 
-    private Map<Spot, Integer> levels() {
-        var levels = new HashMap<Spot, Integer>();
-        for (Shade s : shades) levels.merge(new Spot(s.x, s.y), s.level, Integer::sum);
+    private Map<RasterPoint, Integer> levels() {
+        var levels = new HashMap<RasterPoint, Integer>();
+        for (Shade s : shades) levels.merge(new RasterPoint(s.x, s.y), s.level, Integer::sum);
         return levels;
     }
 }

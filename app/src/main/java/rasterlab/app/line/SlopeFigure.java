@@ -32,12 +32,12 @@ public record SlopeFigure(int degrees) implements DrawnFigure {
     }
 
     @Override
-    public Map<String, Spot> grips() {
-        return Map.of(ANGLE, new Spot(degrees, ofFullPixels(degrees)));
+    public Map<String, RasterPoint> grips() {
+        return Map.of(ANGLE, new RasterPoint(degrees, ofFullPixels(degrees)));
     }
 
     @Override
-    public SlopeFigure moved(String grip, Spot to) {
+    public SlopeFigure moved(String grip, RasterPoint to) {
         return new SlopeFigure((int) Math.max(0, Math.min(STEEPEST, Math.rint(to.x()))));
     }
 }

@@ -172,8 +172,8 @@ class FigureLabModelTest {
                     double u = Math.abs((double) drawn.pixels().x(i) - figure.centreX());
                     double v = Math.abs((double) drawn.pixels().y(i) - figure.centreY());
                     assertTrue(
-                            drawn.decisions().containsKey(new Spot(u, v))
-                                    || drawn.decisions().containsKey(new Spot(v, u)),
+                            drawn.decisions().containsKey(new RasterPoint(u, v))
+                                    || drawn.decisions().containsKey(new RasterPoint(v, u)),
                             method + ", pixel " + i + " of " + mode);
                 }
             }

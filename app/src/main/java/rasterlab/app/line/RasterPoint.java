@@ -1,4 +1,4 @@
 package rasterlab.app.line;
 
 /** A place on the raster, y down; whole numbers are pixel centres. */
-public record Spot(double x, double y) {}
+public record RasterPoint(double x, double y) {}
