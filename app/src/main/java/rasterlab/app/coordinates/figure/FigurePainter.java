@@ -52,7 +52,7 @@ final class FigurePainter {
         places = new MarkLabelPlaces(g.getClipBounds(), lines, taken);
     }
 
-    private void add(List<Line2D> lines, Spot from, Spot to) {
+    private void add(List<Line2D> lines, StagePoint from, StagePoint to) {
         if (from.isFinite() && to.isFinite())
             lines.add(new Line2D.Double(x(from), y(from), x(to), y(to)));
     }
@@ -107,27 +107,27 @@ final class FigurePainter {
                 0f);
     }
 
-    private double x(Spot at) {
+    private double x(StagePoint at) {
         return Math.max(-FAR, Math.min(FAR, map.viewX(at.x())));
     }
 
-    private double y(Spot at) {
+    private double y(StagePoint at) {
         return Math.max(-FAR, Math.min(FAR, map.viewY(at.y())));
     }
 
-    private void path(List<Spot> places) {
+    private void path(List<StagePoint> places) {
         for (int i = 1; i < places.size(); i++) {
-            Spot from = places.get(i - 1);
-            Spot to = places.get(i);
+            StagePoint from = places.get(i - 1);
+            StagePoint to = places.get(i);
             if (from.isFinite() && to.isFinite())
                 g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
         }
     }
 
-    private void area(List<Spot> corners) {
-        if (!corners.stream().allMatch(Spot::isFinite)) return;
+    private void area(List<StagePoint> corners) {
+        if (!corners.stream().allMatch(StagePoint::isFinite)) return;
         var shape = new Path2D.Double();
-        for (Spot corner : corners)
+        for (StagePoint corner : corners)
             if (shape.getCurrentPoint() == null) shape.moveTo(x(corner), y(corner));
             else shape.lineTo(x(corner), y(corner));
         shape.closePath();

@@ -7,16 +7,16 @@ import rasterlab.engine.raster.PixelMark;
 public sealed interface Mark {
     MarkInk ink();
 
-    record Line(Spot from, Spot to, MarkInk ink) implements Mark {}
+    record Line(StagePoint from, StagePoint to, MarkInk ink) implements Mark {}
 
     /** Lines through all places. */
-    record Path(List<Spot> places, MarkInk ink) implements Mark {
+    record Path(List<StagePoint> places, MarkInk ink) implements Mark {
         public Path {
             places = List.copyOf(places);
         }
     }
 
-    record Area(List<Spot> corners, MarkInk ink) implements Mark {
+    record Area(List<StagePoint> corners, MarkInk ink) implements Mark {
         public Area {
             corners = List.copyOf(corners);
         }
@@ -25,18 +25,18 @@ public sealed interface Mark {
     /**
      * @param label at its tip, "" for none
      */
-    record Arrow(Spot from, Spot to, MarkInk ink, String label) implements Mark {}
+    record Arrow(StagePoint from, StagePoint to, MarkInk ink, String label) implements Mark {}
 
     /**
      * @param label beside it, "" for none
      */
-    record Dot(Spot at, MarkInk ink, String label) implements Mark {}
+    record Dot(StagePoint at, MarkInk ink, String label) implements Mark {}
 
     /** A cross for a place that is computed, such as a vanishing point. */
-    record Cross(Spot at, MarkInk ink, String label) implements Mark {}
+    record Cross(StagePoint at, MarkInk ink, String label) implements Mark {}
 
     /** A mark around a place where a point is missing, or over one where there should be none. */
-    record Wrong(Spot at, PixelMark kind) implements Mark {
+    record Wrong(StagePoint at, PixelMark kind) implements Mark {
         @Override
         public MarkInk ink() {
             return MarkInk.WRONG;
@@ -44,8 +44,8 @@ public sealed interface Mark {
     }
 
     /** Words whose middle is there. */
-    record Words(Spot at, MarkInk ink, String label) implements Mark {}
+    record Words(StagePoint at, MarkInk ink, String label) implements Mark {}
 
     /** Words that begin there. */
-    record Beside(Spot at, MarkInk ink, String label) implements Mark {}
+    record Beside(StagePoint at, MarkInk ink, String label) implements Mark {}
 }

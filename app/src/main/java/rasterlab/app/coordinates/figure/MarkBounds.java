@@ -16,14 +16,14 @@ public final class MarkBounds {
         Rectangle2D.Double box = null;
         for (Mark mark : marks) {
             if (mark.ink().role() == MarkInk.Role.WRONG) continue;
-            for (Spot spot : spots(mark).filter(Spot::isFinite).toList())
+            for (StagePoint spot : spots(mark).filter(StagePoint::isFinite).toList())
                 if (box == null) box = new Rectangle2D.Double(spot.x(), spot.y(), 0, 0);
                 else box.add(spot.x(), spot.y());
         }
         return box == null ? new Rectangle2D.Double(0, 0, 1, 1) : box;
     }
 
-    private static Stream<Spot> spots(Mark mark) {
+    private static Stream<StagePoint> spots(Mark mark) {
         if (mark instanceof Mark.Line line) return Stream.of(line.from(), line.to());
         if (mark instanceof Mark.Path path) return path.places().stream();
         if (mark instanceof Mark.Area area) return area.corners().stream();

@@ -26,17 +26,17 @@ public record Viewpoint(double alphaDegrees, double betaDegrees) {
      * @param upright brings the space's frame to x right, y up, z towards the viewer
      * @param points three numbers each
      */
-    public List<Spot> places(List<MatrixCall> upright, double[] points) {
+    public List<StagePoint> places(List<MatrixCall> upright, double[] points) {
         var calls = new ArrayList<>(upright);
         calls.add(MatrixCall.of("TRIMETRIC", alphaDegrees, betaDegrees));
         return spots(Chains.images(3, Chains.cells(calls), points).images().coordinates(), 3);
     }
 
     /** The first two numbers of each point. */
-    public static List<Spot> spots(double[] coordinates, int dimension) {
-        var spots = new ArrayList<Spot>();
+    public static List<StagePoint> spots(double[] coordinates, int dimension) {
+        var spots = new ArrayList<StagePoint>();
         for (int i = 0; i < coordinates.length; i += dimension)
-            spots.add(new Spot(coordinates[i], coordinates[i + 1]));
+            spots.add(new StagePoint(coordinates[i], coordinates[i + 1]));
         return spots;
     }
 }

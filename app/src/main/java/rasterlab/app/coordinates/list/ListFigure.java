@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Wire;
 
 /** What the stage shows of a list after some of its steps. */
@@ -55,7 +55,7 @@ final class ListFigure {
      *     the eye
      */
     private void wire(double[] points, MarkInk ink, double[] h) {
-        List<Spot> spots = places.of(points);
+        List<StagePoint> spots = places.of(points);
         if (scene.choice().subject().wire().edges().isEmpty()) dots(spots, ink, h);
         for (Wire.Edge edge : scene.choice().subject().wire().edges()) {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
@@ -65,7 +65,7 @@ final class ListFigure {
         }
     }
 
-    private void dots(List<Spot> spots, MarkInk ink, double[] h) {
+    private void dots(List<StagePoint> spots, MarkInk ink, double[] h) {
         for (int i = 0; i < spots.size(); i++)
             marks.add(new Mark.Dot(spots.get(i), h.length == 0 || h[i] > 0 ? ink : MarkInk.WRONG, ""));
     }
@@ -77,7 +77,7 @@ final class ListFigure {
 
     /** The axes that the steps have moved. */
     private void frame(int step) {
-        List<Spot> ends = places.of(scene.frame(step, LONGER * reach()));
+        List<StagePoint> ends = places.of(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
             marks.add(new Mark.Arrow(ends.get(0), ends.get(axis + 1), MarkInk.axis(axis), MOVED[axis]));
     }

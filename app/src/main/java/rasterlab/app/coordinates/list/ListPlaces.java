@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.engine.transform.Coordinates;
 import rasterlab.engine.transform.matrix.MatrixCall;
@@ -26,19 +26,19 @@ final class ListPlaces {
     }
 
     /** One place each; it is not finite where the point has no image, or is too far to be seen. */
-    List<Spot> of(double[] points) {
-        var spots = new ArrayList<Spot>();
+    List<StagePoint> of(double[] points) {
+        var spots = new ArrayList<StagePoint>();
         for (int at = 0; at < points.length; at += dimension) {
             var one = Arrays.copyOfRange(points, at, at + dimension);
             boolean image =
                     Arrays.stream(one).allMatch(x -> Math.abs(x) <= Coordinates.LARGEST / TURNS);
-            spots.add(image ? place(one) : new Spot(Double.NaN, Double.NaN));
+            spots.add(image ? place(one) : new StagePoint(Double.NaN, Double.NaN));
         }
         return spots;
     }
 
-    private Spot place(double[] point) {
-        List<Spot> spots =
+    private StagePoint place(double[] point) {
+        List<StagePoint> spots =
                 dimension == 2
                         ? Viewpoint.spots(point, 2)
                         : viewpoint.places(List.of(MatrixCall.of("ROT3DX", -90)), point);
@@ -55,7 +55,7 @@ final class ListPlaces {
         for (int axis = 0; axis < 3; axis++) {
             var ends = new double[6];
             ends[3 + axis] = reach;
-            List<Spot> spots = of(ends);
+            List<StagePoint> spots = of(ends);
             marks.add(new Mark.Arrow(spots.get(0), spots.get(1), MarkInk.HELP, AXES[axis]));
         }
         return marks;

@@ -6,7 +6,7 @@ import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Language;
 import rasterlab.engine.raster.PixelMark;
 
@@ -37,15 +37,15 @@ final class TrialFigure {
         figure.marks.addAll(figure.places.axes(scene.reach()));
         figure.given();
         scene.made().ifPresent(figure::made);
-        for (Spot spot : figure.places.of(scene.exact().points()))
+        for (StagePoint spot : figure.places.of(scene.exact().points()))
             if (spot.isFinite()) figure.marks.add(new Mark.Cross(spot, MarkInk.OBJECT, ""));
         return new Figure(figure.marks, false);
     }
 
     /** A dotted line leads from where a point is given to where it belongs. */
     private void given() {
-        List<Spot> spots = places.of(scene.given());
-        List<Spot> right = places.of(scene.exact().points());
+        List<StagePoint> spots = places.of(scene.given());
+        List<StagePoint> right = places.of(scene.exact().points());
         for (int i = 0; i < spots.size(); i++) {
             if (!scene.inReach(scene.given(), i)) continue;
             marks.add(new Mark.Line(spots.get(i), right.get(i), MarkInk.GHOST));
@@ -54,8 +54,8 @@ final class TrialFigure {
     }
 
     private void made(TrialScene.Placed made) {
-        List<Spot> right = places.of(scene.exact().points());
-        List<Spot> spots = places.of(made.points());
+        List<StagePoint> right = places.of(scene.exact().points());
+        List<StagePoint> spots = places.of(made.points());
         MarkInk ink = MarkInk.method(scene.trial().method());
         boolean named = false;
         for (int i = 0; i < scene.fates().size(); i++) {

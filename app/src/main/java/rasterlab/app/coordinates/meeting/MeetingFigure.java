@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.engine.geometry.Line;
 
 /** The plane as its edge, the line, and where they meet. */
@@ -40,11 +40,11 @@ final class MeetingFigure {
         return Math.abs(mu) <= SideView.FARTHEST;
     }
 
-    private Spot at(double mu) {
+    private StagePoint at(double mu) {
         Line line = scene.choice().line();
-        Spot from = view.spot(line.from());
-        Spot through = view.spot(line.through());
-        return new Spot(
+        StagePoint from = view.spot(line.from());
+        StagePoint through = view.spot(line.through());
+        return new StagePoint(
                 from.x() + mu * (through.x() - from.x()), from.y() + mu * (through.y() - from.y()));
     }
 
@@ -63,9 +63,9 @@ final class MeetingFigure {
             least = Math.min(least, at(scene.exact()).x() - BEYOND);
             most = Math.max(most, at(scene.exact()).x() + BEYOND);
         }
-        marks.add(new Mark.Line(new Spot(least, 0), new Spot(most, 0), MarkInk.EDGE));
-        marks.add(new Mark.Arrow(new Spot(least, 0), new Spot(least, NORMAL), MarkInk.axis(2), "n"));
-        marks.add(new Mark.Words(new Spot(most, -NAME), MarkInk.EDGE, "n·p = c"));
+        marks.add(new Mark.Line(new StagePoint(least, 0), new StagePoint(most, 0), MarkInk.EDGE));
+        marks.add(new Mark.Arrow(new StagePoint(least, 0), new StagePoint(least, NORMAL), MarkInk.axis(2), "n"));
+        marks.add(new Mark.Words(new StagePoint(most, -NAME), MarkInk.EDGE, "n·p = c"));
     }
 
     /** The right place as a cross, the chosen method's as a dot of its colour. */

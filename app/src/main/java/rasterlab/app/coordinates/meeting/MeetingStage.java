@@ -6,7 +6,7 @@ import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.PlaneStage;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.geometry.Vector;
 
@@ -42,7 +42,7 @@ final class MeetingStage extends PlaneStage {
     }
 
     private PlanePoint point(MeetingLabModel.Grip grip, Vector at) {
-        Spot spot = model.view().spot(at);
+        StagePoint spot = model.view().spot(at);
         boolean from = grip == MeetingLabModel.Grip.FROM;
         return new PlanePoint(
                 grip.name(),

@@ -1,6 +1,6 @@
 package rasterlab.app.coordinates.meeting;
 
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.engine.geometry.Line;
 import rasterlab.engine.geometry.Plane;
 import rasterlab.engine.geometry.Vector;
@@ -52,9 +52,9 @@ record SideView(
         return plane.normal().unit().dot(point) - plane.c() / plane.normal().length();
     }
 
-    Spot spot(Vector point) {
+    StagePoint spot(Vector point) {
         Vector away = point.minus(origin);
-        return new Spot(away.dot(right) / unit, away.dot(up) / unit + height);
+        return new StagePoint(away.dot(right) / unit, away.dot(up) / unit + height);
     }
 
     /** The point of the picture's own plane that is seen there. */

@@ -7,7 +7,7 @@ import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wire;
 import rasterlab.engine.transform.MatrixMode;
@@ -40,10 +40,10 @@ final class StackFigure {
         return new Figure(figure.marks, false);
     }
 
-    private List<Spot> places(Matrix4d matrix, double[] points) {
+    private List<StagePoint> places(Matrix4d matrix, double[] points) {
         double[] moved =
                 Chains.images(3, List.of(Chains.cells(matrix)), points).images().coordinates();
-        var spots = new ArrayList<Spot>();
+        var spots = new ArrayList<StagePoint>();
         for (int i = 0; i < moved.length; i += 3) {
             double[] one = {moved[i], moved[i + 1], moved[i + 2]};
             boolean image =
@@ -51,13 +51,13 @@ final class StackFigure {
             spots.add(
                     image
                             ? viewpoint.places(List.of(MatrixCall.of("ROT3DX", -90)), one).get(0)
-                            : new Spot(Double.NaN, Double.NaN));
+                            : new StagePoint(Double.NaN, Double.NaN));
         }
         return spots;
     }
 
     private void axes(Matrix4d frame, double length, String[] names, boolean help) {
-        List<Spot> ends =
+        List<StagePoint> ends =
                 places(frame, new double[] {0, 0, 0, length, 0, 0, 0, length, 0, 0, 0, length});
         for (int axis = 0; axis < 3; axis++)
             marks.add(
@@ -69,7 +69,7 @@ final class StackFigure {
     }
 
     private void cube(Matrix4d frame) {
-        List<Spot> places = places(frame, CUBE.numbers());
+        List<StagePoint> places = places(frame, CUBE.numbers());
         for (Wire.Edge edge : CUBE.edges())
             marks.add(new Mark.Line(places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
     }

@@ -6,7 +6,7 @@ import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Language;
 
 /** The way round. */
@@ -23,13 +23,13 @@ final class TurnFigure {
         var marks = new ArrayList<Mark>();
         if (!scene.known()) return new Figure(marks, true);
         marks.add(new Mark.Path(scene.circle(), MarkInk.HELP));
-        var origin = new Spot(0, 0);
+        var origin = new StagePoint(0, 0);
         MarkInk own = MarkInk.method(scene.choice().method());
         List<TurnScene.Step> done = scene.steps().subList(0, Math.min(step, scene.steps().size()));
-        Spot start = new Spot(scene.choice().x(), scene.choice().y());
+        StagePoint start = new StagePoint(scene.choice().x(), scene.choice().y());
         marks.add(new Mark.Line(origin, start, MarkInk.GHOST));
         if (done.size() <= DOTS) {
-            var path = new ArrayList<Spot>();
+            var path = new ArrayList<StagePoint>();
             path.add(start);
             done.forEach(each -> path.add(each.at()));
             marks.add(new Mark.Path(path, MarkInk.GHOST));
@@ -52,7 +52,7 @@ final class TurnFigure {
             boolean own = each.method().equals(scene.choice().method());
             if (each.refused() || !own && !(each.error() > SEEN)) continue;
             MarkInk ink = MarkInk.method(each.method());
-            marks.add(new Mark.Line(new Spot(0, 0), each.end(), ink));
+            marks.add(new Mark.Line(new StagePoint(0, 0), each.end(), ink));
             marks.add(
                     new Mark.Dot(
                             each.end(),

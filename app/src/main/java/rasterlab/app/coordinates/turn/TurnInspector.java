@@ -21,7 +21,7 @@ import rasterlab.app.coordinates.figure.MatrixFormulas;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.coordinates.figure.SliderField;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.PlaneRotation;
 
@@ -176,7 +176,7 @@ final class TurnInspector {
     }
 
     /** Short enough for the column. */
-    private String place(Spot at) {
+    private String place(StagePoint at) {
         Locale locale = texts.locale();
         return "("
                 + Shown.number(at.x(), 2, locale)

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.study.Deviation;
@@ -24,7 +24,7 @@ import rasterlab.engine.transform.rotate.Turns;
  * @param drifts of all methods in teaching order, the user's own last where it is chosen
  */
 record TurnScene(
-        TurnChoice choice, List<Step> steps, Spot exact, List<Spot> circle, List<Drift> drifts) {
+        TurnChoice choice, List<Step> steps, StagePoint exact, List<StagePoint> circle, List<Drift> drifts) {
     /** The most turns whose way is kept. */
     static final int MOST_TURNS = 360;
 
@@ -40,7 +40,7 @@ record TurnScene(
      * @param formula what was computed, "" for a whole turn
      * @param value what that gave
      */
-    record Step(int turn, String formula, double value, Spot at) {}
+    record Step(int turn, String formula, double value, StagePoint at) {}
 
     /**
      * How one method does.
@@ -52,7 +52,7 @@ record TurnScene(
      */
     record Drift(
             String method,
-            Spot end,
+            StagePoint end,
             double error,
             boolean right,
             List<Sample> samples,
@@ -106,7 +106,7 @@ record TurnScene(
         } catch (IllegalArgumentException refused) {
             return new Drift(
                     method.name(),
-                    new Spot(Double.NaN, Double.NaN),
+                    new StagePoint(Double.NaN, Double.NaN),
                     Double.NaN,
                     false,
                     List.of(),
@@ -119,8 +119,8 @@ record TurnScene(
         return topic.compare(turns, topic.exact(turns, 1), image);
     }
 
-    private static Spot spot(Images images) {
-        return new Spot(images.coordinates()[0], images.coordinates()[1]);
+    private static StagePoint spot(Images images) {
+        return new StagePoint(images.coordinates()[0], images.coordinates()[1]);
     }
 
     private static List<Step> steps(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
@@ -136,7 +136,7 @@ record TurnScene(
                                     walk.turn(),
                                     walk.text(),
                                     walk.value(),
-                                    new Spot(walk.x(), walk.y())));
+                                    new StagePoint(walk.x(), walk.y())));
             } else {
                 for (int turn = 1; turn <= turns; turn++)
                     steps.add(
@@ -153,9 +153,9 @@ record TurnScene(
     }
 
     /** The images turned without drift. */
-    private static List<Spot> circle(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
+    private static List<StagePoint> circle(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
         PlaneRotation method = topic.method("total-angle").implementation();
-        var circle = new ArrayList<Spot>();
+        var circle = new ArrayList<StagePoint>();
         for (int i = 0; i <= CIRCLE; i++) {
             var turns = new Turns(360.0 / CIRCLE, i, new double[] {choice.x(), choice.y()});
             circle.add(spot(topic.record(method, turns, 1)));
@@ -166,7 +166,7 @@ record TurnScene(
     /** A scene of which nothing is known yet. */
     static TurnScene before(TurnChoice choice) {
         return new TurnScene(
-                choice, List.of(), new Spot(Double.NaN, Double.NaN), List.of(), List.of());
+                choice, List.of(), new StagePoint(Double.NaN, Double.NaN), List.of(), List.of());
     }
 
     boolean known() {

@@ -11,7 +11,7 @@ import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wire;
 import rasterlab.engine.transform.VanishingPoints;
@@ -51,24 +51,24 @@ final class ViewFigure {
     }
 
     /** Where the chosen vertex is on the stage; empty where it has no image. */
-    static Optional<Spot> vertex(ViewScene scene, int stage) {
+    static Optional<StagePoint> vertex(ViewScene scene, int stage) {
         var figure = new ViewFigure(scene, stage);
         int vertex = scene.choice().vertex() - 1;
         if (!scene.eyes().isEmpty() && !scene.stages().get(stage).space().deep())
-            return Optional.of(figure.eye(0).get(vertex)).filter(Spot::isFinite);
+            return Optional.of(figure.eye(0).get(vertex)).filter(StagePoint::isFinite);
         return scene.image(stage)
                 .map(image -> figure.places(image).get(vertex))
-                .filter(Spot::isFinite);
+                .filter(StagePoint::isFinite);
     }
 
-    private List<Spot> places(ViewScene.Image image) {
+    private List<StagePoint> places(ViewScene.Image image) {
         return scene.stages().get(stage).space().deep()
                 ? seen(image.numbers())
                 : Viewpoint.spots(image.numbers(), 3);
     }
 
     /** Places on the stage of points of the stage's space. */
-    private List<Spot> seen(double... points) {
+    private List<StagePoint> seen(double... points) {
         return choice.viewpoint().places(upright(), points);
     }
 
@@ -108,7 +108,7 @@ final class ViewFigure {
         }
     }
 
-    private void wire(ViewScene.Image image, List<Spot> places, MarkInk ink, String label) {
+    private void wire(ViewScene.Image image, List<StagePoint> places, MarkInk ink, String label) {
         for (Wire.Edge edge : ViewScene.HOUSE.edges()) {
             boolean right = image.inFront(edge.from()) && image.inFront(edge.to());
             marks.add(
@@ -141,13 +141,13 @@ final class ViewFigure {
         marks.add(
                 new Mark.Area(
                         List.of(
-                                new Spot(0, 0),
-                                new Spot(width, 0),
-                                new Spot(width, height),
-                                new Spot(0, height)),
+                                new StagePoint(0, 0),
+                                new StagePoint(width, 0),
+                                new StagePoint(width, height),
+                                new StagePoint(0, height)),
                         MarkInk.PLANE));
         var fit = ViewStages.fit(choice);
-        marks.add(new Mark.Cross(new Spot(fit.centreX(), fit.centreY()), MarkInk.HELP, ""));
+        marks.add(new Mark.Cross(new StagePoint(fit.centreX(), fit.centreY()), MarkInk.HELP, ""));
     }
 
     /** Left and right one over the other, or in the halves of a picture twice as wide. */
@@ -164,7 +164,7 @@ final class ViewFigure {
         return scene.eyes().get(2 * eye + (screen ? 1 : 0));
     }
 
-    private List<Spot> eye(int eye) {
+    private List<StagePoint> eye(int eye) {
         ViewScene.Image image = image(eye);
         boolean apart = choice.stereo() == Stereoscopy.SIDE_BY_SIDE;
         double way = apart ? (eye == 0 ? -1 : 1) * apart(image) : 0;
@@ -210,7 +210,7 @@ final class ViewFigure {
         for (int axis = 0; axis < 3; axis++) {
             Optional<Vector3d> found = VanishingPoints.of(all, axis);
             if (found.isEmpty() || !choice.kind().central()) continue;
-            var point = new Spot(found.get().x, found.get().y);
+            var point = new StagePoint(found.get().x, found.get().y);
             if (Math.abs(point.x()) > 1e6 || Math.abs(point.y()) > 1e6) continue;
             for (int from : FROM)
                 if (image.inFront(from))
@@ -238,7 +238,7 @@ final class ViewFigure {
 
         private void sight(ViewScene.Image image, Vector3d eye) {
             int vertex = choice.vertex() - 1;
-            List<Spot> line =
+            List<StagePoint> line =
                     seen(
                             eye.x,
                             eye.y,
@@ -283,12 +283,12 @@ final class ViewFigure {
                 z
             };
             marks.add(new Mark.Area(inEyeSpace(edge), MarkInk.PLANE));
-            List<Spot> places = inEyeSpace(points);
+            List<StagePoint> places = inEyeSpace(points);
             for (Wire.Edge each : ViewScene.HOUSE.edges())
                 marks.add(new Mark.Line(places.get(each.from()), places.get(each.to()), MarkInk.PLANE));
         }
 
-        private List<Spot> inEyeSpace(double[] planePoints) {
+        private List<StagePoint> inEyeSpace(double[] planePoints) {
             return seen(
                     Chains.images(3, List.of(Chains.cells(back)), planePoints)
                             .images()

@@ -12,7 +12,7 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Texts;
 
 /** The picture of the present stage: y upwards, or downwards where the stage's own y does so. */
@@ -30,7 +30,7 @@ final class ViewStageView extends JPanel implements AutoCloseable {
     private final PlaneView up;
     private final PlaneView down;
     private transient Rectangle2D everything = new Rectangle2D.Double(0, 0, 1, 1);
-    private transient Optional<Spot> vertex = Optional.empty();
+    private transient Optional<StagePoint> vertex = Optional.empty();
 
     ViewStageView(ViewLabModel model, Texts texts, Consumer<Throwable> onFailure) {
         this.model = model;
@@ -83,7 +83,7 @@ final class ViewStageView extends JPanel implements AutoCloseable {
         cards.show(this, shown == up ? NAME : NAME + ".down");
     }
 
-    private PlanePoint point(Spot at) {
+    private PlanePoint point(StagePoint at) {
         String said =
                 texts.text(
                         "vertex.said",

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.coordinates.figure.MarkBounds;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.geometry.Plane;
@@ -81,7 +81,7 @@ class MeetingLabModelTest {
         for (double y = 0.1; y < 0.8; y += 0.1) model.move(MeetingLabModel.Grip.THROUGH, 0.7, y);
         model.move(MeetingLabModel.Grip.THROUGH, -0.3, 0.5);
         model.endDrag();
-        Spot at = model.view().spot(model.choice().line().through());
+        StagePoint at = model.view().spot(model.choice().line().through());
         assertEquals(-0.3, at.x(), 1e-12);
         assertEquals(0.5, at.y(), 1e-12);
         model.history().undo();
@@ -92,7 +92,7 @@ class MeetingLabModelTest {
     @Test
     void pointIsNotDraggedOntoTheOther() {
         MeetingChoice before = model.choice();
-        Spot from = model.view().spot(before.line().from());
+        StagePoint from = model.view().spot(before.line().from());
         model.move(MeetingLabModel.Grip.THROUGH, from.x(), from.y());
         assertEquals(before, model.choice());
     }
