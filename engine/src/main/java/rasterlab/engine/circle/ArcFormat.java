@@ -6,7 +6,7 @@ import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.raster.AnsweredPixels;
@@ -71,9 +71,9 @@ abstract class ArcFormat<C, I> extends Format<C, I, PixelRecording> {
         }
     }
 
-    static Steps walked(String decision, ArcWalk walk) {
+    static RecordedSteps walked(String decision, ArcWalk walk) {
         var steps = new ArrayList<Step>();
         while (walk.advance()) steps.add(new Step(walk.u(), walk.v(), walk.decision()));
-        return Steps.deciding(decision, steps);
+        return RecordedSteps.deciding(decision, steps);
     }
 }

@@ -9,7 +9,7 @@ import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 
@@ -43,7 +43,7 @@ public final class PartFormat {
     }
 
     public static void requireFewStepped(int segments) {
-        Steps.requireAtMost(MOST_STEPPED, "segments", segments);
+        RecordedSteps.requireAtMost(MOST_STEPPED, "segments", segments);
     }
 
     public static List<double[]> rows(double[] numbers, int width) {

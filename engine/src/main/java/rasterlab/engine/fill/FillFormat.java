@@ -11,7 +11,7 @@ import rasterlab.engine.format.Given;
 import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.ValueSource;
 import rasterlab.engine.format.Written;
@@ -184,10 +184,10 @@ final class FillFormat extends Format<SeedFiller, FillTask, PixelRecording> {
                 task.y(),
                 task.with(),
                 task.connectivity(),
-                (y, from, to, waiting) -> Steps.add(steps, new Step(y, from, to, waiting)));
+                (y, from, to, waiting) -> RecordedSteps.add(steps, new Step(y, from, to, waiting)));
         return out -> {
             write(text, out);
-            Steps.deciding(traced.waitingMeans(), steps).write(out);
+            RecordedSteps.deciding(traced.waitingMeans(), steps).write(out);
         };
     }
 

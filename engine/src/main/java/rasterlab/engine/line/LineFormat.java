@@ -11,7 +11,7 @@ import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.raster.AnsweredPixels;
@@ -108,7 +108,7 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
     @Override
     protected void check(Call<LineRasterizer> call, Segment segment) {
         if (!(call.method() instanceof WindowedLine))
-            Steps.requireAtMost("/to", MOST_STEPS, "steps by " + call.name(), segment.steps());
+            RecordedSteps.requireAtMost("/to", MOST_STEPS, "steps by " + call.name(), segment.steps());
     }
 
     @Override

@@ -11,7 +11,7 @@ import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.polygon.Points;
@@ -158,7 +158,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             throw new Misfit(
                     "--steps",
                     "method '" + call.name() + "' has none for points at given t; give a flatness");
-        Steps.requireAtMost(
+        RecordedSteps.requireAtMost(
                 MOST_LEFT, "points on the way to all t", mostLeft(task.curve(), task.at().length));
     }
 
@@ -202,7 +202,7 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
             line.point(walk.x(), walk.y());
             steps.add(new Step(walk.t(), walk.x(), walk.y(), walk.decision()));
         }
-        return answer(task, line, null, Steps.deciding(stepped.decisionFormula(), steps));
+        return answer(task, line, null, RecordedSteps.deciding(stepped.decisionFormula(), steps));
     }
 
     /** The points that one step to a point left. */
@@ -222,6 +222,6 @@ public final class CurveFormat extends Format<CurveTracer, CurveTask, Polyline> 
         var steps = new ArrayList<List<Left>>();
         for (double t : task.at())
             steps.add(stepped.stepsAt(task.curve(), t).stream().map(Left::new).toList());
-        return answer(task, line(stepped, task), null, Steps.plainLists(steps));
+        return answer(task, line(stepped, task), null, RecordedSteps.plainLists(steps));
     }
 }

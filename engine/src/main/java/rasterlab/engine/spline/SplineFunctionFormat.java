@@ -14,7 +14,7 @@ import rasterlab.engine.format.Given;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -212,6 +212,6 @@ public final class SplineFunctionFormat
         var steps = new ArrayList<Step>();
         SplineWalk walk = stepped.walk(x, y, ends);
         while (walk.advance()) steps.add(new Step(walk.phase(), walk.index(), walk.decision()));
-        return Steps.deciding(stepped.decisionFormula(), steps);
+        return RecordedSteps.deciding(stepped.decisionFormula(), steps);
     }
 }

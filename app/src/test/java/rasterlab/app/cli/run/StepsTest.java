@@ -29,7 +29,7 @@ import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipFormat;
 import rasterlab.engine.clip.volume.VolumeWalk;
 import rasterlab.engine.format.GivenUp;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.polygon.inside.EdgeWalk;
 import rasterlab.engine.polygon.inside.PolygonTestFormat;
 import rasterlab.engine.polygon.inside.SteppedPolygonTest;
@@ -74,8 +74,8 @@ class StepsTest {
     @Test
     void stepsAreNotKeptBeyondTheMostOfOneAnswer() {
         var steps = new ArrayList<Integer>(Collections.nCopies(999_999, 7));
-        Steps.add(steps, 7);
-        var more = assertThrows(GivenUp.class, () -> Steps.add(steps, 7));
+        RecordedSteps.add(steps, 7);
+        var more = assertThrows(GivenUp.class, () -> RecordedSteps.add(steps, 7));
         assertEquals(
                 "--steps: more than 1000000 steps, the most that one answer may have",
                 more.getMessage());

@@ -10,7 +10,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -82,7 +82,7 @@ final class PolygonClipFormat extends Format<PolygonClipper, PolygonInWindow, Li
     protected void check(Call<PolygonClipper> call, PolygonInWindow input) {
         if (!call.steps()) return;
         call.stepped(SteppedPolygonClipper.class);
-        Steps.requireAtMost(PartFormat.MOST_STEPPED, "corners", input.subject().length / 2);
+        RecordedSteps.requireAtMost(PartFormat.MOST_STEPPED, "corners", input.subject().length / 2);
     }
 
     private record Step(String at, double[] polygon) implements Written {
@@ -100,6 +100,6 @@ final class PolygonClipFormat extends Format<PolygonClipper, PolygonInWindow, Li
         PolygonWalk walk =
                 call.stepped(SteppedPolygonClipper.class).walk(input.window(), input.subject());
         while (walk.advance()) steps.add(new Step(walk.at(), walk.polygon()));
-        return Steps.deciding(DECISION, steps);
+        return RecordedSteps.deciding(DECISION, steps);
     }
 }

@@ -16,7 +16,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -126,7 +126,7 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
         }
         ClippedEnds left = capture.captured();
         if (!call.steps()) return out -> PartFormat.write(left.parts(), out);
-        Steps steps = steps(method, segments, s -> method.walk(corners, s[0], s[1], s[2], s[3]));
+        RecordedSteps steps = steps(method, segments, s -> method.walk(corners, s[0], s[1], s[2], s[3]));
         return out -> {
             PartFormat.write(left.parts(), out);
             steps.write(out);
@@ -147,11 +147,11 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
                         + takes);
     }
 
-    private static Steps steps(
+    private static RecordedSteps steps(
             SteppedSegmentClipper method,
             List<double[]> segments,
             Function<double[], SegmentWalk> walk) {
-        return Steps.decidingLists(
+        return RecordedSteps.decidingLists(
                 method.decisionFormula(),
                 segments.stream().map(s -> drained(walk.apply(s))).toList());
     }

@@ -9,7 +9,7 @@ import rasterlab.engine.clip.PartFormat;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -90,7 +90,7 @@ public final class VolumeClipFormat extends Format<VolumeClipper, SegmentsInVolu
     @Override
     protected Written steps(Call<VolumeClipper> call, SegmentsInVolume input) {
         SteppedVolumeClipper stepped = call.stepped(SteppedVolumeClipper.class);
-        return Steps.decidingLists(
+        return RecordedSteps.decidingLists(
                 stepped.decisionFormula(),
                 input.segments().stream().map(s -> drained(stepped, input.zmin(), s)).toList());
     }

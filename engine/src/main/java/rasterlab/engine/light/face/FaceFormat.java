@@ -8,7 +8,7 @@ import rasterlab.contract.LitFace;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.light.LightFormat;
@@ -133,9 +133,9 @@ final class FaceFormat extends Format<FaceShader, FacePoints, double[]> {
                 points.face(),
                 points.weights(),
                 (place, normal, intensity) ->
-                        Steps.add(
+                        RecordedSteps.add(
                                 all,
                                 new Evaluation(place.clone(), normal.clone(), intensity.clone())));
-        return Steps.plain(all);
+        return RecordedSteps.plain(all);
     }
 }

@@ -9,7 +9,7 @@ import rasterlab.contract.VertexNormals;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -99,7 +99,7 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
     protected void check(Call<VertexNormals> call, Triangles surface) {
         if (!call.steps()) return;
         call.stepped(SteppedNormals.class);
-        Steps.requireAtMost(MOST_STEPPED, "corners of triangles", surface.triangles().length);
+        RecordedSteps.requireAtMost(MOST_STEPPED, "corners of triangles", surface.triangles().length);
     }
 
     /** A face's normal added to a vertex's sum. */
@@ -126,6 +126,6 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
                 surface,
                 new Images(walk.normals(), 3),
                 null,
-                Steps.deciding(stepped.weightFormula(), steps));
+                RecordedSteps.deciding(stepped.weightFormula(), steps));
     }
 }

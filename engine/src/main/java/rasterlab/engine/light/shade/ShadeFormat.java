@@ -9,7 +9,7 @@ import rasterlab.contract.PointShader;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.light.LightFormat;
@@ -154,11 +154,11 @@ final class ShadeFormat extends Format<PointShader, LitPoints, Shades> {
     }
 
     /** The terms one by one, and the cut where there is something to cut. */
-    private static Steps steps(Terms terms, double[] intensity) {
+    private static RecordedSteps steps(Terms terms, double[] intensity) {
         List<Addition> steps = terms.additions();
         if (!Arrays.equals(terms.sum(), intensity))
             steps.add(new Addition("cut to [0, 1]", intensity, intensity));
-        return Steps.plain(steps.stream().map(Step::new).toList());
+        return RecordedSteps.plain(steps.stream().map(Step::new).toList());
     }
 
     private static void write(Terms terms, ValueSink out) throws IOException {

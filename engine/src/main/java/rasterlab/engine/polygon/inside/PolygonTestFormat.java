@@ -8,7 +8,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.polygon.Membership;
@@ -60,10 +60,10 @@ public final class PolygonTestFormat extends MembershipFormat<PointInPolygon> {
     @Override
     protected void check(Call<PointInPolygon> call, ShapeAndPoints input) {
         long work = (long) input.corners().size() * input.points().size();
-        Steps.requireAtMost("/points", MOST_WORK, WORK, work);
+        RecordedSteps.requireAtMost("/points", MOST_WORK, WORK, work);
         if (!call.steps()) return;
         call.stepped(SteppedPolygonTest.class);
-        Steps.requireAtMost(MOST_STEPS, WORK, work);
+        RecordedSteps.requireAtMost(MOST_STEPS, WORK, work);
     }
 
     @Override
@@ -96,7 +96,7 @@ public final class PolygonTestFormat extends MembershipFormat<PointInPolygon> {
                     steps.add(drained(walk));
                     return walk.inside();
                 },
-                Steps.decidingLists(stepped.countFormula(), steps));
+                RecordedSteps.decidingLists(stepped.countFormula(), steps));
     }
 
     private static List<Step> drained(EdgeWalk walk) {

@@ -9,7 +9,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.polygon.Points;
@@ -119,7 +119,7 @@ final class PolygonFillFormat extends Format<PolygonFiller, PolygonTask, PixelRe
                 call.stepped(SteppedPolygon.class)
                         .walk(task.x(), task.y(), task.rule(), task.width(), task.height());
         while (walk.advance())
-            Steps.add(steps, new Step(walk.y(), walk.from(), walk.to(), walk.crossings()));
-        return Steps.deciding(DECISION, steps);
+            RecordedSteps.add(steps, new Step(walk.y(), walk.from(), walk.to(), walk.crossings()));
+        return RecordedSteps.deciding(DECISION, steps);
     }
 }

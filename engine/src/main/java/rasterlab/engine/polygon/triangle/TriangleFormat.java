@@ -8,7 +8,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.polygon.Membership;
@@ -57,7 +57,7 @@ public final class TriangleFormat extends MembershipFormat<PointInTriangle> {
     protected void check(Call<PointInTriangle> call, ShapeAndPoints input) {
         if (!call.steps()) return;
         call.stepped(SteppedTriangleTest.class);
-        Steps.requireAtMost(MOST_STEPPED, "points", input.points().size());
+        RecordedSteps.requireAtMost(MOST_STEPPED, "points", input.points().size());
     }
 
     @Override
@@ -94,7 +94,7 @@ public final class TriangleFormat extends MembershipFormat<PointInTriangle> {
                     steps.add(drained(walk));
                     return walk.inside();
                 },
-                Steps.decidingLists(stepped.valueFormula(), steps));
+                RecordedSteps.decidingLists(stepped.valueFormula(), steps));
     }
 
     private static List<Step> drained(SideWalk walk) {

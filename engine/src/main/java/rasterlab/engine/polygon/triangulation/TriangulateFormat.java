@@ -9,7 +9,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.polygon.Points;
@@ -92,7 +92,7 @@ final class TriangulateFormat extends Format<Triangulator, Points, Triangles> {
         SteppedTriangulator stepped = call.stepped(SteppedTriangulator.class);
         List<Cut> cuts = cuts(stepped, polygon);
         int[] corners = cuts.stream().flatMapToInt(TriangulateFormat::corners).toArray();
-        Steps steps = Steps.deciding(stepped.choice() + VALUE, cuts);
+        RecordedSteps steps = RecordedSteps.deciding(stepped.choice() + VALUE, cuts);
         return answer(polygon, new Triangles(corners), null, steps);
     }
 

@@ -8,7 +8,7 @@ import rasterlab.contract.TextureFilter;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -131,7 +131,7 @@ final class FilterFormat extends Format<TextureFilter, FilteredPixels, double[]>
 
     @Override
     protected Written steps(Call<TextureFilter> call, FilteredPixels pixels) {
-        return Steps.decidingLists(
+        return RecordedSteps.decidingLists(
                 SHARE,
                 call.stepped(SteppedFilter.class).texels(pixels).stream()
                         .map(texels -> texels.stream().map(Step::new).toList())

@@ -7,7 +7,7 @@ import rasterlab.contract.AxisRotation;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -81,7 +81,7 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
     protected void check(Call<AxisRotation> call, AxisTurn turn) {
         if (!call.steps()) return;
         call.stepped(SteppedAxisRotation.class);
-        Steps.requireAtMost(MOST_STEPPED, "points", turn.points().length / 3);
+        RecordedSteps.requireAtMost(MOST_STEPPED, "points", turn.points().length / 3);
     }
 
     /** One step by its words, and where it left the points. */
@@ -103,6 +103,6 @@ final class AxisFormat extends Format<AxisRotation, AxisTurn, Images> {
         var steps = new ArrayList<Step>();
         while (walk.advance()) steps.add(new Step(walk.text(), walk.points()));
         var turned = new Images(steps.get(steps.size() - 1).points(), 3);
-        return answer(turn, turned, null, Steps.plain(steps));
+        return answer(turn, turned, null, RecordedSteps.plain(steps));
     }
 }

@@ -11,7 +11,7 @@ import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -155,7 +155,7 @@ final class TransformFormat extends Format<PointTransformer, Chain, Output> {
     @Override
     protected void check(Call<PointTransformer> call, Chain chain) {
         if (call.steps())
-            Steps.requireAtMost(
+            RecordedSteps.requireAtMost(
                     MOST_STEPPED,
                     "points times matrices",
                     (long) chain.points().length / chain.dimension() * chain.matrices().length);

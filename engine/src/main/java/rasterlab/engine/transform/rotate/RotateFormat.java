@@ -9,7 +9,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -83,10 +83,10 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
     @Override
     protected void check(Call<PlaneRotation> call, Turns turns) {
         long work = turns.points().length / 2L * turns.times();
-        Steps.requireAtMost("/times", MOST_WORK, WORK, work);
+        RecordedSteps.requireAtMost("/times", MOST_WORK, WORK, work);
         if (!call.steps()) return;
         call.stepped(SteppedRotation.class);
-        Steps.requireAtMost(MOST_TURNS, WORK, work);
+        RecordedSteps.requireAtMost(MOST_TURNS, WORK, work);
     }
 
     /** One formula of one turn, what it gave, and where the point was then. */
@@ -114,7 +114,7 @@ public final class RotateFormat extends Format<PlaneRotation, Turns, Images> {
                     drained(
                             stepped.walk(turns.degrees(), turns.times(), points[i], points[i + 1]),
                             left));
-        return answer(turns, new Images(left.toArray(), 2), null, Steps.plainLists(steps));
+        return answer(turns, new Images(left.toArray(), 2), null, RecordedSteps.plainLists(steps));
     }
 
     private static List<Step> drained(TurnWalk walk, GrowingDoubles left) {

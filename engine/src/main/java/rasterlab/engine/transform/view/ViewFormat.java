@@ -7,7 +7,7 @@ import rasterlab.contract.EyeView;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -80,7 +80,7 @@ public final class ViewFormat extends Format<EyeView, ViewTask, Images> {
     protected void check(Call<EyeView> call, ViewTask look) {
         if (!call.steps()) return;
         call.stepped(SteppedView.class);
-        Steps.requireAtMost(MOST_STEPPED, "points", look.points().length / 3);
+        RecordedSteps.requireAtMost(MOST_STEPPED, "points", look.points().length / 3);
     }
 
     /** A formula with what it gave. */
@@ -105,6 +105,6 @@ public final class ViewFormat extends Format<EyeView, ViewTask, Images> {
                             .stream()
                             .map(Step::new)
                             .toList());
-        return Steps.plainLists(steps);
+        return RecordedSteps.plainLists(steps);
     }
 }

@@ -10,7 +10,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -93,7 +93,7 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
         double[] to = given.get(TO, depths);
         if (given.has(TO) && !given.has(PIXELS))
             throw new Misfit("/pixels", "missing, to needs it");
-        Steps.requireAtMost(
+        RecordedSteps.requireAtMost(
                 "/pixels",
                 DepthRows.MOST_DEPTHS,
                 "surfaces times pixels",
@@ -190,6 +190,6 @@ final class DepthBufferFormat extends Format<DepthFormat, DepthRows, StoredDepth
             while (walk.advance());
             lists.add(steps);
         }
-        return Steps.decidingLists(format.decisionFormula(), lists);
+        return RecordedSteps.decidingLists(format.decisionFormula(), lists);
     }
 }

@@ -7,7 +7,7 @@ import rasterlab.contract.VisibleFaces;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.scene.VertexNumbers;
@@ -106,7 +106,7 @@ final class VisibleFacesFormat extends Format<VisibleFaces, Body, SeenFaces> {
             out.startArray();
             for (Judged each : all) out.flag(each.visible);
             out.endArray();
-            Steps.deciding(stepped.decision(), all).write(out);
+            RecordedSteps.deciding(stepped.decision(), all).write(out);
         };
     }
 }

@@ -9,7 +9,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.OpenShape;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.raster.Raster;
@@ -200,8 +200,8 @@ final class HiddenSurfacesFormat extends Format<Visibility, SurfaceView, FacePic
         SteppedVisibility stepped = call.stepped(SteppedVisibility.class);
         var all = new ArrayList<Step>();
         DrawnFaces drawn =
-                DrawnFaces.watched(stepped, view, step -> Steps.add(all, new Step(step)));
-        return answer(view, drawn, Steps.deciding(stepped.decision(), all));
+                DrawnFaces.watched(stepped, view, step -> RecordedSteps.add(all, new Step(step)));
+        return answer(view, drawn, RecordedSteps.deciding(stepped.decision(), all));
     }
 
     /** The next thing that a method did. */

@@ -8,7 +8,7 @@ import rasterlab.contract.DepthOrder;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -115,7 +115,7 @@ final class DepthOrderFormat extends Format<DepthOrder, Sight, Painting> {
         OrderWalk walk = stepped.walk(sight, painting::add);
         var steps = new ArrayList<Step>();
         while (walk.advance()) steps.add(new Step(walk.step()));
-        return answer(sight, painting, null, Steps.deciding(stepped.decision(), steps));
+        return answer(sight, painting, null, RecordedSteps.deciding(stepped.decision(), steps));
     }
 
     /** A polygon painted, moved or cut. */

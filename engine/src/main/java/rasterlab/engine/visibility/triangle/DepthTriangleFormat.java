@@ -8,7 +8,7 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.Shape;
-import rasterlab.engine.format.Steps;
+import rasterlab.engine.format.RecordedSteps;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -80,7 +80,7 @@ final class DepthTriangleFormat
     public DepthTriangles read(Given given) {
         List<double[]> triangles = given.get(TRIANGLES);
         List<Integer> size = given.get(SIZE);
-        Steps.requireAtMost(
+        RecordedSteps.requireAtMost(
                 "/size",
                 DepthTriangles.MOST_LOOKS,
                 "pixels times triangles",
@@ -147,10 +147,10 @@ final class DepthTriangleFormat
                             input.height());
             while (walk.advance()) {
                 int at = walk.y() * input.width() + walk.x();
-                Steps.add(steps, new Step(t + 1, walk.x(), walk.y(), walk.depth(), stored[at]));
+                RecordedSteps.add(steps, new Step(t + 1, walk.x(), walk.y(), walk.depth(), stored[at]));
                 stored[at] = Math.min(stored[at], walk.depth());
             }
         }
-        return Steps.deciding(DECISION, steps);
+        return RecordedSteps.deciding(DECISION, steps);
     }
 }

@@ -9,7 +9,7 @@ import java.util.List;
  * <p>A walk is drained where the method runs, never while its answer is written: one that crashes
  * must not leave half an answer behind.
  */
-public final class Steps implements Written {
+public final class RecordedSteps implements Written {
     /** The most steps that one answer may have. */
     public static final int MOST = 1_000_000;
 
@@ -17,7 +17,7 @@ public final class Steps implements Written {
     private final List<? extends Written> steps;
     private final List<? extends List<? extends Written>> lists;
 
-    private Steps(
+    private RecordedSteps(
             String formula,
             List<? extends Written> steps,
             List<? extends List<? extends Written>> lists) {
@@ -27,24 +27,24 @@ public final class Steps implements Written {
     }
 
     /** Steps that decide by a value. */
-    public static Steps deciding(String formula, List<? extends Written> steps) {
-        return new Steps(formula, steps, null);
+    public static RecordedSteps deciding(String formula, List<? extends Written> steps) {
+        return new RecordedSteps(formula, steps, null);
     }
 
     /** Steps that decide nothing. */
-    public static Steps plain(List<? extends Written> steps) {
-        return new Steps(null, steps, null);
+    public static RecordedSteps plain(List<? extends Written> steps) {
+        return new RecordedSteps(null, steps, null);
     }
 
     /** A list of steps that decide by a value for each thing that was walked for. */
-    public static Steps decidingLists(
+    public static RecordedSteps decidingLists(
             String formula, List<? extends List<? extends Written>> lists) {
-        return new Steps(formula, null, lists);
+        return new RecordedSteps(formula, null, lists);
     }
 
     /** A list of steps that decide nothing for each thing that was walked for. */
-    public static Steps plainLists(List<? extends List<? extends Written>> lists) {
-        return new Steps(null, null, lists);
+    public static RecordedSteps plainLists(List<? extends List<? extends Written>> lists) {
+        return new RecordedSteps(null, null, lists);
     }
 
     /**
