@@ -14,7 +14,7 @@ public final class Ray {
     private static final int MOST_DEGREE = 6;
 
     final Polynomial equation = new Polynomial(MOST_DEGREE);
-    final Stretch stretch = new Stretch(this);
+    final RayStretch stretch = new RayStretch(this);
     double ox;
     double oy;
     double oz;

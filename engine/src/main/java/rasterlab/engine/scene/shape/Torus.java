@@ -71,7 +71,7 @@ public record Torus(double major, double minor) implements SceneShape, Patch {
 
     @Override
     public void meet(Ray ray) {
-        Stretch stretch = ray.stretch;
+        RayStretch stretch = ray.stretch;
         if (!stretch.cutToBall(ROOM * (major + minor))) return;
         equation(ray, stretch);
         int roots = ray.equation.roots(-1, 1);
@@ -89,7 +89,7 @@ public record Torus(double major, double minor) implements SceneShape, Patch {
      * C)}. Its value at 0 is multiplied out of what it is the product of, which keeps the digits of
      * the small factor.
      */
-    private void equation(Ray ray, Stretch stretch) {
+    private void equation(Ray ray, RayStretch stretch) {
         double px = ray.x(stretch.middle());
         double py = ray.y(stretch.middle());
         double pz = ray.z(stretch.middle());

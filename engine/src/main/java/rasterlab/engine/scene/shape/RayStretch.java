@@ -4,14 +4,14 @@ package rasterlab.engine.scene.shape;
  * The part of a ray inside something simple, beyond its least t and before the nearest place met:
  * {@code t = middle + half·τ} with τ from −1 to 1.
  */
-final class Stretch {
+final class RayStretch {
     private final Ray ray;
     private double begin;
     private double end;
     private double middle;
     private double half;
 
-    Stretch(Ray ray) {
+    RayStretch(Ray ray) {
         this.ray = ray;
     }
 
