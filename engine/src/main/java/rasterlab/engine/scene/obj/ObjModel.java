@@ -16,7 +16,7 @@ public final class ObjModel {
     private final double[] places;
     private final double[] normals;
     private final Faces faces;
-    private final Strokes strokes;
+    private final LinesAndPoints strokes;
     private final List<ObjMaterial> materials;
     private final List<String> notes;
 
@@ -24,7 +24,7 @@ public final class ObjModel {
             Vertices vertices,
             double[] normals,
             Faces faces,
-            Strokes strokes,
+            LinesAndPoints strokes,
             List<ObjMaterial> materials,
             List<String> notes) {
         positions = vertices.positions.all();

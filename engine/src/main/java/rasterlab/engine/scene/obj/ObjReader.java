@@ -26,7 +26,7 @@ public final class ObjReader {
     private final Materials materials;
     private final Notes notes = new Notes();
     private final Faces faces = new Faces();
-    private final Strokes strokes = new Strokes();
+    private final LinesAndPoints strokes = new LinesAndPoints();
     private int material = Faces.NONE;
     private int smoothing;
     private long triangles;

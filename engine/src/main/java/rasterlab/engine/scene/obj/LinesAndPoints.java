@@ -1,7 +1,7 @@
 package rasterlab.engine.scene.obj;
 
 /** Lines and points of a model: pairs of vertices, two times the same for a point. */
-final class Strokes {
+final class LinesAndPoints {
     private final Ints vertices = new Ints();
     private final Ints materials = new Ints();
 
