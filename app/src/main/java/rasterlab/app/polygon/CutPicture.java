@@ -49,12 +49,12 @@ record CutPicture(
 
     @Override
     public List<Line2D> lines(PlaneMap map, Rectangle view) {
-        return PathLines.of(Strokes.ring(figure.corners(), map), view);
+        return PathLines.of(FigureLines.ring(figure.corners(), map), view);
     }
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        var strokes = new Strokes(g, map, colours);
+        var strokes = new FigureLines(g, map, colours);
         List<Cut> made = answer.cuts().subList(0, Math.min(step, answer.steps()));
         strokes.area(figure.corners(), colours.axis(), 40);
         Color colour = PolygonColours.OWN.of(method);
@@ -84,7 +84,7 @@ record CutPicture(
         return List.of(corners.get(cut.a()), corners.get(cut.b()), corners.get(cut.c()));
     }
 
-    private void paintStep(Strokes strokes, Cut cut, StageColours colours) {
+    private void paintStep(FigureLines strokes, Cut cut, StageColours colours) {
         List<PolygonPoint> corners = corners(cut);
         strokes.line(corners.get(0), corners.get(2), colours.focus(), 4);
     }
@@ -97,7 +97,7 @@ record CutPicture(
     }
 
     /** Each in its triangle, and clear of labels and of the numbers before it where it can be. */
-    private void number(Strokes strokes, List<Cut> made) {
+    private void number(FigureLines strokes, List<Cut> made) {
         var full = new ArrayList<Rectangle>(taken);
         for (int i = 0; i < made.size(); i++) {
             Cut cut = made.get(i);

@@ -55,12 +55,12 @@ record InsidePicture(
 
     @Override
     public List<Line2D> lines(PlaneMap map, Rectangle view) {
-        return PathLines.of(Strokes.ring(figure.corners(), map), view);
+        return PathLines.of(FigureLines.ring(figure.corners(), map), view);
     }
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        var strokes = new Strokes(g, map, colours);
+        var strokes = new FigureLines(g, map, colours);
         ClassificationField judged = field(g, map, cancelled);
         var field = new FieldPainter(g, map, colours, judged);
         Color first = PolygonColours.OWN.of(method);
@@ -135,13 +135,13 @@ record InsidePicture(
         return !answer.pointwise() || point < step;
     }
 
-    private void paintStep(Graphics2D g, PlaneMap map, Strokes strokes, StageColours colours) {
+    private void paintStep(Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
         if (answer.pointwise()) paintAnswer(g, map, strokes, colours);
         else paintSide(strokes, colours);
     }
 
     /** A ring round the point that the step is about, with what is said of it. */
-    private void paintAnswer(Graphics2D g, PlaneMap map, Strokes strokes, StageColours colours) {
+    private void paintAnswer(Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
         PolygonPoint point = figure.points().get(step - 1);
         double x = map.viewX(point.x());
         double y = map.viewY(point.y());
@@ -153,7 +153,7 @@ record InsidePicture(
         strokes.words(said, point, 0, (int) RING);
     }
 
-    private void paintSide(Strokes strokes, StageColours colours) {
+    private void paintSide(FigureLines strokes, StageColours colours) {
         InsideAnswer.AskedSide side = answer.sides().get(step - 1);
         PolygonPoint point = figure.points().get(0);
         PolygonPoint from = figure.corners().get(side.from());

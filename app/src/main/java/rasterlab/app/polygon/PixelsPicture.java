@@ -43,7 +43,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     @Override
     public List<Line2D> lines(PlaneMap map, Rectangle view) {
         return figure instanceof FillFigure fill
-                ? PathLines.of(Strokes.ring(fill.corners(), map), view)
+                ? PathLines.of(FigureLines.ring(fill.corners(), map), view)
                 : List.of();
     }
 
@@ -95,7 +95,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
         }
         g.setColor(colours.axis());
         g.drawRect(whole.x, whole.y, whole.width, whole.height);
-        var strokes = new Strokes(g, map, colours);
+        var strokes = new FigureLines(g, map, colours);
         if (figure instanceof FillFigure fill) {
             strokes.outline(fill.corners(), colours.ground(), 4);
             strokes.outline(fill.corners(), colours.ink(), 1.8f);
@@ -172,7 +172,7 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
     private void paintStep(
             Graphics2D g,
             PlaneMap map,
-            Strokes strokes,
+            FigureLines strokes,
             StageColours colours,
             BufferedImage image) {
         int run = step - 1;

@@ -14,7 +14,7 @@ import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 
 /** Lines of a figure on the stage. */
-final class Strokes {
+final class FigureLines {
     /** The number of view units beyond which Java2D's own clipping loses precision. */
     private static final double FAR = 1e6;
 
@@ -22,7 +22,7 @@ final class Strokes {
     private final PlaneMap map;
     private final StageColours colours;
 
-    Strokes(Graphics2D g, PlaneMap map, StageColours colours) {
+    FigureLines(Graphics2D g, PlaneMap map, StageColours colours) {
         this.g = g;
         this.map = map;
         this.colours = colours;
