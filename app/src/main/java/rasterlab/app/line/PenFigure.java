@@ -8,7 +8,7 @@ import java.util.Map;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.surface.Brush;
 import rasterlab.engine.surface.Pen;
-import rasterlab.engine.surface.Surface;
+import rasterlab.engine.surface.DrawingSurface;
 
 /**
  * A line from point to point and the pen that draws it.
@@ -46,7 +46,7 @@ public record PenFigure(List<RasterPoint> points, double width, boolean round, D
     Raster picture(int ground, int ink) {
         var picture = new Raster(WIDTH, HEIGHT);
         picture.clear(ground);
-        new Surface(picture)
+        new DrawingSurface(picture)
                 .draw(
                         points.stream().mapToDouble(RasterPoint::x).toArray(),
                         points.stream().mapToDouble(RasterPoint::y).toArray(),

@@ -25,7 +25,7 @@ class SurfacePictureTest {
         var raster = new Raster(7, 5);
         double[] x = {1, 6, 6, 1};
         double[] y = {1, 1, 4, 4};
-        new Surface(raster).fill(x, y, FillRule.EVEN_ODD, brush);
+        new DrawingSurface(raster).fill(x, y, FillRule.EVEN_ODD, brush);
         assertEquals(picture, text(raster));
     }
 
@@ -62,7 +62,7 @@ class SurfacePictureTest {
     void aPenDrawsTheLine(String picture, Pen pen, double[] x, double[] y) {
         String[] rows = picture.split(" ");
         var raster = new Raster(rows[0].length(), rows.length);
-        new Surface(raster).draw(x, y, pen, INK);
+        new DrawingSurface(raster).draw(x, y, pen, INK);
         assertEquals(picture, text(raster));
     }
 
@@ -105,7 +105,7 @@ class SurfacePictureTest {
     private static String dot(Pen pen) {
         var raster = new Raster(4, 4);
         double[] place = {1.5, 1.5};
-        new Surface(raster).draw(place, place, pen, INK);
+        new DrawingSurface(raster).draw(place, place, pen, INK);
         return text(raster);
     }
 
@@ -140,7 +140,7 @@ class SurfacePictureTest {
         assertThrows(IllegalArgumentException.class, () -> new Pen(1, false, 3, 0));
         assertThrows(IllegalArgumentException.class, () -> Brush.rows('#', 0));
         assertThrows(IllegalArgumentException.class, () -> Brush.pattern(new int[][] {{}}));
-        var surface = new Surface(new Raster(9, 9));
+        var surface = new DrawingSurface(new Raster(9, 9));
         double[] endless = {0, 1e300};
         assertThrows(
                 IllegalArgumentException.class,

@@ -6,11 +6,11 @@ import rasterlab.engine.polygon.scan.ScanlinePolygon;
 import rasterlab.engine.raster.Raster;
 
 /** Draws polygons and lines with brushes and pens into a picture. */
-public final class Surface {
+public final class DrawingSurface {
     private final PolygonFiller filler = new ScanlinePolygon();
     private final Raster picture;
 
-    public Surface(Raster picture) {
+    public DrawingSurface(Raster picture) {
         this.picture = picture;
     }
 
