@@ -4,7 +4,7 @@ import io.ktor.http.HttpStatusCode
 import kotlinx.serialization.json.Json
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.problem.ProblemDocument
-import rasterlab.grader.web.Texts
+import rasterlab.grader.web.PageTexts
 import rasterlab.grader.web.plainErrorPage
 
 /** An answer that the door gives itself, as bytes made before anybody asks; it ends the connection. */
@@ -20,7 +20,7 @@ internal class Refusal(
             Json.encodeToString(ProblemDocument("urn:rasterlab:problem:$code", status.description, status.value, detail)),
         )
     private val pages =
-        LANGUAGES.associateWith { answer("text/html; charset=utf-8", plainErrorPage(Texts.of(it), status, code)) }
+        LANGUAGES.associateWith { answer("text/html; charset=utf-8", plainErrorPage(PageTexts.of(it), status, code)) }
 
     /** A page for people, a problem document for programs. */
     fun answer(asker: Asker): ByteArray = if (asker.person) pages.getValue(asker.language) else problem

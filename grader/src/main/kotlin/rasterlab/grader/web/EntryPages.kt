@@ -98,7 +98,7 @@ private suspend fun ApplicationCall.respondWelcome(problem: String?) {
 }
 
 private fun FlowContent.entry(
-    texts: Texts,
+    texts: PageTexts,
     kind: String,
     action: String,
     fields: FlowContent.() -> Unit,

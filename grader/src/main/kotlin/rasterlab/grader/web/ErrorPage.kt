@@ -17,7 +17,7 @@ import rasterlab.grader.problem.ProblemPage
 
 /** The page of a failure that is met before any page can be asked for: by itself, without styles and scripts. */
 fun plainErrorPage(
-    texts: Texts,
+    texts: PageTexts,
     status: HttpStatusCode,
     code: String,
 ): String =

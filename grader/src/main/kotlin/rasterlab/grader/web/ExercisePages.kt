@@ -120,7 +120,7 @@ private suspend fun ApplicationCall.respondExercises(
 
 /** A topic: what prepares for its exercises, and these. */
 private fun FlowContent.chapter(
-    texts: Texts,
+    texts: PageTexts,
     chapter: Chapter,
     deadlines: Map<String, Instant>,
     bests: Map<String, Int?>?,
@@ -151,7 +151,7 @@ private val UTC_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'").w
 
 /** Tells its kind, its points, and how long it takes where that is known. */
 private fun about(
-    texts: Texts,
+    texts: PageTexts,
     exercise: Exercise,
 ): String {
     val minutes = exercise.minutes()
@@ -163,7 +163,7 @@ private fun about(
 }
 
 private fun state(
-    texts: Texts,
+    texts: PageTexts,
     exercise: Exercise,
     bests: Map<String, Int?>,
 ): String {
@@ -241,7 +241,7 @@ private const val ONCE = "once"
 private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "") else this
 
 private fun FlowContent.handIn(
-    texts: Texts,
+    texts: PageTexts,
     exercise: Exercise,
     sheet: String,
 ) {

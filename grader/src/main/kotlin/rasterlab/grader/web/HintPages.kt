@@ -51,7 +51,7 @@ fun Route.hintPages(
 
 /** The steps that were shown, and what the next one costs. */
 fun FlowContent.hintSteps(
-    texts: Texts,
+    texts: PageTexts,
     exercise: Exercise,
     taken: List<TakenHint>,
     formulas: Formulas,
@@ -80,7 +80,7 @@ fun FlowContent.hintSteps(
 
 /** Who was shown which hints. */
 fun FlowContent.hintTable(
-    texts: Texts,
+    texts: PageTexts,
     exercises: Exercises,
     uses: List<HintUse>,
 ) = div("scroll") {

@@ -137,7 +137,7 @@ private suspend fun ApplicationCall.respondDesk(
 }
 
 private fun FlowContent.courseList(
-    texts: Texts,
+    texts: PageTexts,
     courses: Map<Course, List<Enrolled>>,
 ) {
     if (courses.isEmpty()) p { +texts.say("instructor.none") }
@@ -159,7 +159,7 @@ private fun FlowContent.courseList(
 }
 
 private fun FlowContent.studentList(
-    texts: Texts,
+    texts: PageTexts,
     students: List<Enrolled>,
 ) = ul {
     students.forEach { student ->
@@ -176,7 +176,7 @@ private fun FlowContent.studentList(
 }
 
 private fun FlowContent.latest(
-    texts: Texts,
+    texts: PageTexts,
     exercises: Exercises,
     submissions: Submissions,
 ) {

@@ -28,7 +28,7 @@ data class MessagePart(
 
 /** A message in which long JSON is shortened, to be opened below it. */
 fun FlowContent.message(
-    texts: Texts,
+    texts: PageTexts,
     message: String,
 ) {
     p { sentence(message) }
@@ -43,7 +43,7 @@ fun FlowOrPhrasingContent.sentence(message: String) =
 
 /** What [sentence] leaves out. */
 fun FlowContent.folded(
-    texts: Texts,
+    texts: PageTexts,
     message: String,
 ) {
     partsOf(message).filter { it.isFolded }.forEach { part ->

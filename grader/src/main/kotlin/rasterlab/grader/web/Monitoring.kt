@@ -49,7 +49,7 @@ private val PROMETHEUS_TEXT = ContentType.parse("text/plain; version=0.0.4; char
 
 /** The description that stands beside this class, with the version that the build gave the program. */
 private val openApi by lazy {
-    val text = checkNotNull(Texts::class.java.getResource("openapi.json")) { "openapi.json is missing" }.readText()
+    val text = checkNotNull(PageTexts::class.java.getResource("openapi.json")) { "openapi.json is missing" }.readText()
     val description = Json.parseToJsonElement(text).jsonObject
     val info = description.getValue("info").jsonObject + ("version" to JsonPrimitive(ProductVersion.text()))
     JsonObject(description + ("info" to JsonObject(info))).toString()

@@ -37,7 +37,7 @@ import rasterlab.grader.exercise.LANGUAGES
 
 /** Answers with a page: heading, navigation for this role, and [content]. */
 suspend fun ApplicationCall.respondPage(
-    texts: Texts,
+    texts: PageTexts,
     who: Identity?,
     heading: String,
     status: HttpStatusCode = HttpStatusCode.OK,
@@ -71,7 +71,7 @@ suspend fun ApplicationCall.respondPage(
 }
 
 private fun FlowContent.navigation(
-    texts: Texts,
+    texts: PageTexts,
     who: Identity?,
     path: String,
 ) = nav {

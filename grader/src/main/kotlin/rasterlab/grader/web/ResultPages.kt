@@ -56,7 +56,7 @@ fun Route.resultPages(
 
 /** What the deadline means for this submission, where there is one. */
 private fun FlowContent.deadline(
-    texts: Texts,
+    texts: PageTexts,
     view: SubmissionView,
 ) {
     val due = view.deadline?.let { Instant.parse(it).forPeople() } ?: return

@@ -43,7 +43,7 @@ import kotlin.jvm.optionals.getOrNull
  * @param files that show failed cases in the lab
  */
 fun DIV.result(
-    texts: Texts,
+    texts: PageTexts,
     view: SubmissionView,
     source: String,
     files: LabFiles,
@@ -72,7 +72,7 @@ fun DIV.result(
 }
 
 private fun FlowContent.progress(
-    texts: Texts,
+    texts: PageTexts,
     view: SubmissionView,
 ) {
     if (view.verdict != null) return
@@ -88,7 +88,7 @@ private fun FlowContent.progress(
 
 /** @param byKind whether they are of several kinds, as those of programs are */
 private fun FlowContent.points(
-    texts: Texts,
+    texts: PageTexts,
     points: PublishedPoints,
     byKind: Boolean,
 ) {
@@ -109,7 +109,7 @@ private fun FlowContent.points(
 }
 
 private fun FlowContent.diagnostics(
-    texts: Texts,
+    texts: PageTexts,
     diagnostics: List<PublishedDiagnostic>,
     source: String,
 ) = section {
@@ -129,7 +129,7 @@ private fun FlowContent.diagnostics(
 }
 
 private fun place(
-    texts: Texts,
+    texts: PageTexts,
     diagnostic: PublishedDiagnostic,
 ) = if (diagnostic.column > 0) {
     texts.say("result.line.column", diagnostic.line, diagnostic.column)
@@ -138,7 +138,7 @@ private fun place(
 }
 
 private fun FlowContent.case(
-    texts: Texts,
+    texts: PageTexts,
     case: PublishedCase,
     files: LabFiles,
     address: String,
@@ -158,7 +158,7 @@ private fun FlowContent.case(
 
 /** The way from a failed case to the lab, where both methods draw it side by side. */
 private fun FlowContent.inLab(
-    texts: Texts,
+    texts: PageTexts,
     case: String,
     files: LabFiles,
     address: String,
@@ -189,7 +189,7 @@ private fun FlowContent.inLab(
 }
 
 private fun earned(
-    texts: Texts,
+    texts: PageTexts,
     case: PublishedCase,
 ) = if (case.points < 0) {
     CaseReport.pointsOf(case.points, case.of)
@@ -201,7 +201,7 @@ private fun isOfPixels(difference: PublishedPicture) =
     difference.kind == CasePicture.DIFFERENCE && difference.rows().isNotEmpty()
 
 private fun FlowContent.pictures(
-    texts: Texts,
+    texts: PageTexts,
     case: String,
     pictures: List<PublishedPicture>,
 ) {

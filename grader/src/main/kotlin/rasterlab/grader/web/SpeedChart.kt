@@ -30,7 +30,7 @@ import kotlin.math.sin
  * which takes its colours, and as a table for whoever does not see it.
  */
 fun FlowContent.speedChart(
-    texts: Texts,
+    texts: PageTexts,
     speed: PublishedSpeed,
 ) = section("speed") {
     val drawn = SpeedDrawing(texts, speed)
@@ -46,7 +46,7 @@ fun FlowContent.speedChart(
 }
 
 private fun FlowContent.figures(
-    texts: Texts,
+    texts: PageTexts,
     drawn: SpeedDrawing,
 ) = table {
     thead {
@@ -69,7 +69,7 @@ private fun FlowContent.figures(
 
 /** What a chart of speed says and how it is drawn, in one language. */
 private class SpeedDrawing(
-    private val texts: Texts,
+    private val texts: PageTexts,
     private val speed: PublishedSpeed,
 ) {
     private val locale = Locale.forLanguageTag(texts.language)

@@ -24,14 +24,14 @@ fun Instant.forPeople(): String = MINUTE.format(this)
 
 /** One student's attempts at one exercise. */
 fun FlowContent.attemptTable(
-    texts: Texts,
+    texts: PageTexts,
     exercises: Exercises,
     rows: List<Listed>,
 ) = listing(texts, exercises, rows, listOf("attempt" to ::attemptLink))
 
 /** Everybody's submissions. */
 fun FlowContent.classTable(
-    texts: Texts,
+    texts: PageTexts,
     exercises: Exercises,
     rows: List<Listed>,
 ) = listing(
@@ -48,15 +48,15 @@ fun FlowContent.classTable(
 )
 
 private fun attemptLink(
-    texts: Texts,
+    texts: PageTexts,
     row: Listed,
 ) = texts.say("table.attempt.number", row.submission.attempt)
 
 private fun FlowContent.listing(
-    texts: Texts,
+    texts: PageTexts,
     exercises: Exercises,
     rows: List<Listed>,
-    first: List<Pair<String, (Texts, Listed) -> String>>,
+    first: List<Pair<String, (PageTexts, Listed) -> String>>,
 ) = div("scroll") {
     table {
         thead {
@@ -102,7 +102,7 @@ private fun FlowContent.listing(
 
 /** A verdict, or the state as long as there is none: told by sign, colour and word. */
 fun FlowOrPhrasingContent.status(
-    texts: Texts,
+    texts: PageTexts,
     verdict: String?,
     state: String,
 ) {

@@ -52,7 +52,7 @@ class ErrorPagesTest {
                 val answer = send(HttpMethod.Post, "/sign-in", language, form = "token=abc")
                 assertEquals(401, answer.status.value)
                 val page = answer.bodyAsText()
-                assertTrue(Texts.of(language).problem("bad-token") in page, page)
+                assertTrue(PageTexts.of(language).problem("bad-token") in page, page)
                 assertTrue("action=\"/sign-in\"" in page, "there is no form to try again")
             }
         }
@@ -112,7 +112,7 @@ class ErrorPagesTest {
     ) {
         val page = answer.bodyAsText()
         assertTrue("lang=\"$language\"" in page, page)
-        assertTrue(Texts.of(language).problem(code) in page, page)
+        assertTrue(PageTexts.of(language).problem(code) in page, page)
         assertTrue("<a href=\"/\">" in page, "no way back: $page")
     }
 

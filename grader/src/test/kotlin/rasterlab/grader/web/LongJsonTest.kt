@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test
 class LongJsonTest {
     private val long = """{"polygon":[${List(40) { "[$it,$it]" }.joinToString(",")}]}"""
 
-    private fun html(message: String) = createHTML(prettyPrint = false).div { message(Texts.of("en"), message) }
+    private fun html(message: String) = createHTML(prettyPrint = false).div { message(PageTexts.of("en"), message) }
 
     @Test
     fun longJsonIsFoldedAndWhole() {

@@ -333,7 +333,7 @@ class PagesTest {
     private fun texts(file: String): Map<String, String> =
         Properties()
             .apply {
-                Texts::class.java.getResourceAsStream(file).use { load(it?.reader(Charsets.UTF_8)) }
+                PageTexts::class.java.getResourceAsStream(file).use { load(it?.reader(Charsets.UTF_8)) }
             }.entries
             .associate { (key, text) -> key.toString() to text.toString() }
 

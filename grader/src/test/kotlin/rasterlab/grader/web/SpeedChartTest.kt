@@ -18,7 +18,7 @@ class SpeedChartTest {
         figures: SpeedFigures,
         language: String,
         topic: String = "line",
-    ) = createHTML(prettyPrint = false).div { speedChart(Texts.of(language), PublishedSpeed.of(topic, figures)) }
+    ) = createHTML(prettyPrint = false).div { speedChart(PageTexts.of(language), PublishedSpeed.of(topic, figures)) }
 
     @Test
     @DisplayName("the star or a method is missing, or stands where another one does")

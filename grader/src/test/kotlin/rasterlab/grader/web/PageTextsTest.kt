@@ -5,11 +5,11 @@ import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.exercises.Grading
 
-class TextsTest {
+class PageTextsTest {
     @ParameterizedTest(name = "page names another longest source than is accepted: {0}")
     @ValueSource(strings = ["en", "ru"])
     fun `names the longest source`(language: String) {
-        val text = Texts.of(language).problem("too-large")
+        val text = PageTexts.of(language).problem("too-large")
         assertTrue(" ${Grading.MOST_SOURCE_BYTES / 1024} " in text, text)
     }
 }

@@ -11,7 +11,7 @@ import java.util.Locale
 const val LANGUAGE_COOKIE = "lang"
 
 /** The words of the pages in one language. */
-class Texts private constructor(
+class PageTexts private constructor(
     val language: String,
 ) {
     private val wording = Wording("rasterlab.grader.web.texts", Locale.forLanguageTag(language))
@@ -48,7 +48,7 @@ class Texts private constructor(
     companion object {
         private val OTHERS = Regex("[^a-z]+")
 
-        fun of(language: String) = Texts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
+        fun of(language: String) = PageTexts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
     }
 }
 
@@ -56,7 +56,7 @@ class Texts private constructor(
  * The texts in the language that `?lang=`, the cookie or the browser asks for, the first that is
  * spoken here.
  */
-fun ApplicationCall.texts(): Texts {
+fun ApplicationCall.texts(): PageTexts {
     val asked = listOfNotNull(request.rawQueryParameters["lang"], request.cookies[LANGUAGE_COOKIE, CookieEncoding.RAW])
-    return Texts.of((asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty())
+    return PageTexts.of((asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty())
 }
