@@ -3,7 +3,7 @@ package rasterlab.engine.pipeline.direct;
 import java.util.Optional;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.pipeline.surface.TextureFilter;
+import rasterlab.engine.pipeline.surface.TexelFilter;
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.LaidTexture;
 
@@ -30,12 +30,12 @@ public record DirectLook(Light light, TextureMode texture) {
         return texture == TextureMode.NONE ? Optional.empty() : finish.texture();
     }
 
-    TextureFilter filter() {
+    TexelFilter filter() {
         return switch (texture) {
-            case NEAREST -> TextureFilter.NEAREST;
-            case LINEAR -> TextureFilter.LINEAR;
-            case MIPMAP, AUTO -> TextureFilter.MIPMAP;
-            case AFFINE_NEAREST -> TextureFilter.AFFINE_NEAREST;
+            case NEAREST -> TexelFilter.NEAREST;
+            case LINEAR -> TexelFilter.LINEAR;
+            case MIPMAP, AUTO -> TexelFilter.MIPMAP;
+            case AFFINE_NEAREST -> TexelFilter.AFFINE_NEAREST;
             case NONE -> throw new AssertionError("no texture is laid, so none is looked up");
         };
     }

@@ -22,17 +22,17 @@ public final class TexelPixels implements PixelColors {
     private static final Set<VertexQuantity> COORDINATES = EnumSet.of(TEXTURE_S, TEXTURE_T);
 
     private final TextureSampler sampler;
-    private final TextureFilter filter;
+    private final TexelFilter filter;
     private final Optional<TextureMatrix> matrix;
 
     private TexelPixels(
-            TextureSampler sampler, TextureFilter filter, Optional<TextureMatrix> matrix) {
+            TextureSampler sampler, TexelFilter filter, Optional<TextureMatrix> matrix) {
         this.sampler = sampler;
         this.filter = filter;
         this.matrix = matrix;
     }
 
-    public TexelPixels(TextureSampler sampler, TextureFilter filter) {
+    public TexelPixels(TextureSampler sampler, TexelFilter filter) {
         this(sampler, filter, Optional.empty());
     }
 
@@ -48,12 +48,12 @@ public final class TexelPixels implements PixelColors {
 
     @Override
     public Set<VertexQuantity> wantsSlopes() {
-        return filter == TextureFilter.MIPMAP ? COORDINATES : Set.of();
+        return filter == TexelFilter.MIPMAP ? COORDINATES : Set.of();
     }
 
     @Override
     public Set<VertexQuantity> affine() {
-        return filter == TextureFilter.AFFINE_NEAREST ? COORDINATES : Set.of();
+        return filter == TexelFilter.AFFINE_NEAREST ? COORDINATES : Set.of();
     }
 
     @Override
@@ -65,12 +65,12 @@ public final class TexelPixels implements PixelColors {
     void look(PixelBatch batch, int[] texel) {
         float[] s = batch.values(TEXTURE_S);
         float[] t = batch.values(TEXTURE_T);
-        if (filter == TextureFilter.MIPMAP) {
+        if (filter == TexelFilter.MIPMAP) {
             lookTrilinear(batch, s, t, texel);
             return;
         }
         if (matrix.isPresent()) matrix.get().transform(batch.count, s, t);
-        if (filter == TextureFilter.LINEAR) sampler.linear(batch.lanes(), batch.count, s, t, texel);
+        if (filter == TexelFilter.LINEAR) sampler.linear(batch.lanes(), batch.count, s, t, texel);
         else sampler.nearest(batch.lanes(), batch.count, s, t, texel);
     }
 

@@ -35,7 +35,7 @@ public final class TexturedPixels implements PixelColors {
      */
     public TexturedPixels(
             TextureSampler sampler,
-            TextureFilter filter,
+            TexelFilter filter,
             TextureEnvironment environment,
             PixelColors under) {
         this(new TexelPixels(sampler, filter), environment, under);

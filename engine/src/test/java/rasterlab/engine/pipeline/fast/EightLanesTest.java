@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
-import rasterlab.engine.pipeline.surface.TextureFilter;
+import rasterlab.engine.pipeline.surface.TexelFilter;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
@@ -43,11 +43,11 @@ class EightLanesTest {
                             .over(new Surface.Flat(VertexColors.own()))
                             .with(Blending.OVER.dropBelow(90)),
                     new Surface.PerPixel(new ColoredPixels()).with(Blending.OVER.withoutDepth()),
-                    textured(TextureFilter.NEAREST),
-                    textured(TextureFilter.LINEAR),
-                    textured(TextureFilter.MIPMAP));
+                    textured(TexelFilter.NEAREST),
+                    textured(TexelFilter.LINEAR),
+                    textured(TexelFilter.MIPMAP));
 
-    private static Surface textured(TextureFilter filter) {
+    private static Surface textured(TexelFilter filter) {
         int[] argb = new Random(1983).ints(64 * 32).toArray();
         var texture = Texture.of(64, 32, 4, argb);
         var sampler = new TextureSampler(texture, Wrap.REPEAT, Wrap.REPEAT);

@@ -38,7 +38,7 @@ final class LitSurfaces {
         return new Surface.Smooth(new LitVertices(lighting(), false));
     }
 
-    static Surface.PerPixel textured(TextureFilter filter, PixelColors under) {
+    static Surface.PerPixel textured(TexelFilter filter, PixelColors under) {
         var environment = TextureEnvironment.of(TextureEnvironment.Mode.MODULATE, CHECKS);
         var sampler = new TextureSampler(CHECKS, Wrap.REPEAT, Wrap.MIRRORED);
         return new Surface.PerPixel(new TexturedPixels(sampler, filter, environment, under));
@@ -52,11 +52,11 @@ final class LitSurfaces {
                 flat,
                 new Surface.PerPixel(phong),
                 new Surface.PerPixel(new LitPixels(lighting(), true)),
-                textured(TextureFilter.NEAREST, new ColoredPixels()).over(gouraud()),
-                textured(TextureFilter.LINEAR, new ColoredPixels()).over(flat),
-                textured(TextureFilter.MIPMAP, phong),
-                textured(TextureFilter.AFFINE_NEAREST, phong),
-                textured(TextureFilter.MIPMAP, phong).with(Blending.GLASS),
-                textured(TextureFilter.NEAREST, phong).with(Blending.OVER.dropBelow(100)));
+                textured(TexelFilter.NEAREST, new ColoredPixels()).over(gouraud()),
+                textured(TexelFilter.LINEAR, new ColoredPixels()).over(flat),
+                textured(TexelFilter.MIPMAP, phong),
+                textured(TexelFilter.AFFINE_NEAREST, phong),
+                textured(TexelFilter.MIPMAP, phong).with(Blending.GLASS),
+                textured(TexelFilter.NEAREST, phong).with(Blending.OVER.dropBelow(100)));
     }
 }

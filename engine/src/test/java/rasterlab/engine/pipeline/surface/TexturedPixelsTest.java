@@ -85,7 +85,7 @@ class TexturedPixelsTest {
         return out.raster().argb();
     }
 
-    private static TexturedPixels pixels(TextureSampler sampler, TextureFilter filter) {
+    private static TexturedPixels pixels(TextureSampler sampler, TexelFilter filter) {
         return new TexturedPixels(
                 sampler,
                 filter,
@@ -101,18 +101,18 @@ class TexturedPixelsTest {
         Look nearest = (sampler, s, t, lambda) -> sampler.nearest(s, t);
         Look linear = (sampler, s, t, lambda) -> sampler.linear(s, t);
         return Stream.of(
-                argumentSet("coordinates are affine", TextureFilter.NEAREST, nearest, 40),
-                argumentSet("neighbours are not mixed", TextureFilter.LINEAR, linear, 4),
+                argumentSet("coordinates are affine", TexelFilter.NEAREST, nearest, 40),
+                argumentSet("neighbours are not mixed", TexelFilter.LINEAR, linear, 4),
                 argumentSet(
                         "level of detail is wrong",
-                        TextureFilter.MIPMAP,
+                        TexelFilter.MIPMAP,
                         (Look) TextureSampler::trilinear,
                         4));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
-    void showsWhatTheRayMeets(TextureFilter filter, Look look, int bound) {
+    void showsWhatTheRayMeets(TexelFilter filter, Look look, int bound) {
         for (Wrap wrap : Wrap.values()) {
             var sampler = new TextureSampler(WAVES, wrap, wrap);
             int[] argb = draw(pixels(sampler, filter));
@@ -144,8 +144,8 @@ class TexturedPixelsTest {
     @Test
     void affineCoordinatesAreFarOff() {
         var sampler = new TextureSampler(WAVES, Wrap.REPEAT, Wrap.REPEAT);
-        int[] right = draw(pixels(sampler, TextureFilter.NEAREST));
-        int[] wrong = draw(pixels(sampler, TextureFilter.AFFINE_NEAREST));
+        int[] right = draw(pixels(sampler, TexelFilter.NEAREST));
+        int[] wrong = draw(pixels(sampler, TexelFilter.AFFINE_NEAREST));
         int off = 0;
         for (int i = 0; i < right.length; i++)
             if (Math.abs((right[i] >> 8 & 255) - (wrong[i] >> 8 & 255)) > 30) off++;
@@ -155,7 +155,7 @@ class TexturedPixelsTest {
     /** A matrix with a division: its slopes must follow the coordinates. */
     @ParameterizedTest(name = "the {0} texture does not follow the matrix")
     @MethodSource("filters")
-    void theMatrixMovesCoordinatesAndSlopes(TextureFilter filter) {
+    void theMatrixMovesCoordinatesAndSlopes(TexelFilter filter) {
         var matrix =
                 new TextureMatrix(
                         new Matrix4d(2, 0.5, 0, 0, 0.3, 3, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1));
@@ -167,7 +167,7 @@ class TexturedPixelsTest {
                     double[] st = st(each, x + 0.5, y + 0.5);
                     double lambda = lambda(each, x + 0.5, y + 0.5);
                     int expected =
-                            filter == TextureFilter.MIPMAP
+                            filter == TexelFilter.MIPMAP
                                     ? sampler.trilinear(st[0], st[1], lambda)
                                     : sampler.linear(st[0], st[1]);
                     assertNear(expected, argb[y * WIDTH + x], 6, Wrap.REPEAT, y * WIDTH + x);
@@ -177,7 +177,7 @@ class TexturedPixelsTest {
 
     @ParameterizedTest(name = "{0}: texels alone are not those that replace colours")
     @EnumSource
-    void texelsAloneAreThoseThatReplaceColours(TextureFilter filter) {
+    void texelsAloneAreThoseThatReplaceColours(TexelFilter filter) {
         var sampler = new TextureSampler(WAVES, Wrap.REPEAT, Wrap.MIRRORED);
         var alone = new TexelPixels(sampler, filter);
         assertArrayEquals(draw(pixels(sampler, filter)), draw(alone));
@@ -185,8 +185,8 @@ class TexturedPixelsTest {
                 draw(pixels(sampler, filter).moved(DIVIDING)), draw(alone.moved(DIVIDING)));
     }
 
-    static Stream<TextureFilter> filters() {
-        return Stream.of(TextureFilter.LINEAR, TextureFilter.MIPMAP);
+    static Stream<TexelFilter> filters() {
+        return Stream.of(TexelFilter.LINEAR, TexelFilter.MIPMAP);
     }
 
     private static double[] st(TextureMatrix matrix, double x, double y) {

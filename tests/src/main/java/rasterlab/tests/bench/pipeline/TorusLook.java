@@ -7,7 +7,7 @@ import rasterlab.engine.pipeline.fast.Blending;
 import rasterlab.engine.pipeline.fast.DistantLight;
 import rasterlab.engine.pipeline.fast.Surface;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
-import rasterlab.engine.pipeline.surface.TextureFilter;
+import rasterlab.engine.pipeline.surface.TexelFilter;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureEnvironment;
@@ -21,12 +21,12 @@ enum TorusLook {
     NEAREST(
             "Gouraud and nearest texel",
             3,
-            light -> textured(light, TextureFilter.NEAREST),
+            light -> textured(light, TexelFilter.NEAREST),
             GlProgram::textured),
     TRILINEAR(
             "Gouraud and trilinear texture",
             2,
-            light -> textured(light, TextureFilter.MIPMAP),
+            light -> textured(light, TexelFilter.MIPMAP),
             GlProgram::textured),
     GLASS(
             "half transparent",
@@ -97,7 +97,7 @@ enum TorusLook {
                 });
     }
 
-    private static Surface textured(DistantLight light, TextureFilter filter) {
+    private static Surface textured(DistantLight light, TexelFilter filter) {
         Texture waves = waves();
         var pixels =
                 new TexturedPixels(

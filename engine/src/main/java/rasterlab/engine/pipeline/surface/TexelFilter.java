@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline.surface;
 
 /** How a pixel gets its colour from the texels. */
-public enum TextureFilter {
+public enum TexelFilter {
     /** The texel that the pixel's centre lies in. */
     NEAREST,
     /** The four texels around the centre, of the picture itself. */
