@@ -11,7 +11,7 @@ import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.HazardTrial;
@@ -67,7 +67,7 @@ final class LightVerdicts implements AutoCloseable {
         var verdicts = new LinkedHashMap<String, Verdict.Kind>();
         for (String name : LitBody.NORMALS) {
             Images found = normals(body.withNormals(name));
-            Deviation off = topic.compare(new Triangles(new double[0], new int[0]), right, found);
+            Deviation off = topic.compare(new TriangleSurface(new double[0], new int[0]), right, found);
             verdicts.put(name, kind(topic, off));
         }
         return verdicts;

@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.light.face.FacePoints;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.light.shade.LitPoints;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.SphericalView;
@@ -149,12 +149,12 @@ final class LitInputs {
     }
 
     /** The body's faces as triangles, each face cut from its first corner. */
-    static Triangles body(LightChoice choice) {
-        return given(choice, Triangles.class)
+    static TriangleSurface body(LightChoice choice) {
+        return given(choice, TriangleSurface.class)
                 .orElseGet(() -> triangles(choice.body().scene().mesh()));
     }
 
-    private static Triangles triangles(Mesh mesh) {
+    private static TriangleSurface triangles(Mesh mesh) {
         var xyz = new double[3 * mesh.vertexCount()];
         for (int v = 0; v < mesh.vertexCount(); v++) {
             xyz[3 * v] = mesh.x(v);
@@ -175,7 +175,7 @@ final class LitInputs {
                                                                                                 face,
                                                                                                 at))))
                         .toArray();
-        return new Triangles(xyz, corners);
+        return new TriangleSurface(xyz, corners);
     }
 
     private static <I> Optional<I> given(LightChoice choice, Class<I> type) {

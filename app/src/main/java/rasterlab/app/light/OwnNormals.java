@@ -7,7 +7,7 @@ import rasterlab.app.mine.OwnProgram;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.light.UnitVector;
 import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.study.WrongLength;
 import rasterlab.engine.transform.Images;
@@ -55,7 +55,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
     private static final class Asked implements VertexNormals {
         private final NormalsTopic topic = new NormalsTopic();
         private final VertexNormals program;
-        private Triangles surface;
+        private TriangleSurface surface;
         private Images found;
 
         Asked(OwnMethods own) {
@@ -64,7 +64,7 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
 
         @Override
         public double[] normals(double[] vertices, int[] triangles) {
-            surface = new Triangles(vertices, triangles);
+            surface = new TriangleSurface(vertices, triangles);
             found = topic.record(program, surface, Integer.MAX_VALUE);
             var usable = new double[found.coordinates().length];
             for (int i = 0; i < found.size(); i++) {

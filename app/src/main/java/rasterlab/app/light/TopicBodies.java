@@ -17,7 +17,7 @@ import rasterlab.engine.light.Substance;
 import rasterlab.engine.light.face.FacePoints;
 import rasterlab.engine.light.face.FaceTopic;
 import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.light.shade.LitPoints;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.naming.Named;
@@ -71,7 +71,7 @@ final class TopicBodies {
     /** The method if its normals are those that the body is shown with, and the lab has it not. */
     private static String ownNormals(Object input, String method) {
         boolean shown = method.isEmpty() || LitBody.NORMALS.contains(method);
-        return input instanceof Triangles && !shown ? method : "";
+        return input instanceof TriangleSurface && !shown ? method : "";
     }
 
     /** The body's scene; its light and its finish are the choice's. */
@@ -125,11 +125,11 @@ final class TopicBodies {
                 own.isEmpty()
                         ? new LitBody(body, LitBody.COARSEST, method.isEmpty() ? "plain" : method)
                         : new LitBody(body + "/" + own, LitBody.COARSEST, LitBody.OWN);
-        return first.with(shown).with(facing((Triangles) input)).with(MIDDLE).withArrows(true);
+        return first.with(shown).with(facing((TriangleSurface) input)).with(MIDDLE).withArrows(true);
     }
 
     /** Looks slantingly at the side that most of the surface has; at a closed one, as usual. */
-    private static SphericalView facing(Triangles bare) {
+    private static SphericalView facing(TriangleSurface bare) {
         Mesh mesh = TopicMesh.of(bare, "").mesh();
         var side = new Vector3d();
         for (int face = 0; face < mesh.faceCount(); face++)

@@ -11,7 +11,7 @@ import rasterlab.contract.LitPoint;
 import rasterlab.engine.light.UnitVector;
 import rasterlab.engine.light.face.FacePoints;
 import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.light.shade.LitPoints;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.SphericalView;
@@ -44,7 +44,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
     static TopicMesh of(Object input, String method) {
         if (input instanceof FacePoints points) return face(points.face());
         if (input instanceof LitPoints points) return point(points.points().get(0));
-        return body((Triangles) input, method);
+        return body((TriangleSurface) input, method);
     }
 
     private static TopicMesh face(LitFace face) {
@@ -116,7 +116,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
     }
 
     /** Made larger by a power of two, which changes no normal. */
-    private static TopicMesh body(Triangles bare, String method) {
+    private static TopicMesh body(TriangleSurface bare, String method) {
         var unlike = new ArrayList<Unlike>();
         double[] xyz = moved(bare.vertices(), middle(bare.vertices()));
         int exponent = Math.getExponent(REACH / largest(xyz));
@@ -145,7 +145,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
     }
 
     /** The normals that the method finds for the input's own numbers. */
-    private static Mesh withNormals(Mesh mesh, Triangles bare, String method, List<Unlike> unlike) {
+    private static Mesh withNormals(Mesh mesh, TriangleSurface bare, String method, List<Unlike> unlike) {
         var topic = new NormalsTopic();
         double[] found =
                 topic.record(topic.method(method).implementation(), bare, Integer.MAX_VALUE)

@@ -13,7 +13,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.contract.LitPoint;
 import rasterlab.engine.light.face.FacePoints;
 import rasterlab.engine.light.face.FaceTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.light.shade.FormulaShader;
 
 /** Inputs of the topics about light that a body, a lamp and an eye of the lab make. */
@@ -111,7 +111,7 @@ class LitInputsTest {
     @Test
     void bodyIsCutIntoTrianglesOfItsOwnCorners() {
         model.choose(choice -> choice.with(new LitBody("cube", 12, LitBody.OWN)));
-        Triangles cube = LitInputs.body(model.state().choice());
+        TriangleSurface cube = LitInputs.body(model.state().choice());
         assertEquals(8 * 3, cube.vertices().length);
         assertEquals(12 * 3, cube.triangles().length);
     }

@@ -17,7 +17,7 @@ import rasterlab.contract.LitPoint;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 import rasterlab.engine.light.shade.LitPoints;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.scene.Mesh;
@@ -68,13 +68,13 @@ class TopicBodiesTest {
 
     @Test
     void methodsOwnNormalsAreShownWhereTheyHaveADirection() {
-        Triangles roof = input(new NormalsTopic().hazards(), "roof-with-a-long-side");
+        TriangleSurface roof = input(new NormalsTopic().hazards(), "roof-with-a-long-side");
         TopicMesh own = TopicMesh.of(roof, "plain-textbook");
         assertEquals(Unlike.Kind.NORMALS_LENGTHENED, own.unlike().get(0).kind());
         assertTrue(own.mesh().hasNormals());
         assertEquals(0, own.mesh().cornerNormal(0, 0, 0), 1e-12);
         assertEquals(1, own.mesh().cornerNormal(0, 0, 2), 1e-12);
-        Triangles tiny = input(new NormalsTopic().hazards(), "tiny-faces");
+        TriangleSurface tiny = input(new NormalsTopic().hazards(), "tiny-faces");
         TopicMesh faces = TopicMesh.of(tiny, "plain-textbook");
         assertEquals(
                 List.of(Unlike.Kind.SCALED, Unlike.Kind.FACE_NORMAL),

@@ -3,7 +3,7 @@ package rasterlab.engine.border;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.light.UnitVector;
 import rasterlab.engine.light.normals.NormalsTopic;
-import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.light.normals.TriangleSurface;
 
 /** Small surfaces whose faces are no slivers and do not cancel out, as the method's text says. */
 final class NormalsBorders {
@@ -16,7 +16,7 @@ final class NormalsBorders {
         return Border.of(new NormalsTopic(), NormalsBorders::surface).slow(0.3);
     }
 
-    private static Triangles surface(Draws draws) {
+    private static TriangleSurface surface(Draws draws) {
         int vertices = 3 + draws.pick(3);
         var xyz = new double[3 * vertices];
         double unit = draws.coin() ? 1 : draws.number(Double.MIN_VALUE, LARGEST_UNIT);
@@ -32,7 +32,7 @@ final class NormalsBorders {
             corners[i + 2] = (corners[i] + 2) % vertices;
         }
         requireClear(xyz, corners);
-        return new Triangles(xyz, corners);
+        return new TriangleSurface(xyz, corners);
     }
 
     /** Passes where every face has corners apart and vertices have a say that is left. */

@@ -17,7 +17,7 @@ final class ExactNormals {
 
     private ExactNormals() {}
 
-    static double[] of(Triangles surface) {
+    static double[] of(TriangleSurface surface) {
         int count = surface.vertices().length / 3;
         var sums = new BigDecimal[count][];
         for (int i = 0; i < count; i++) sums[i] = zero();
@@ -60,7 +60,7 @@ final class ExactNormals {
                 cross.divide(scale, DIGITS).doubleValue(), dot.divide(scale, DIGITS).doubleValue());
     }
 
-    private static BigDecimal[] edge(Triangles surface, int from, int to) {
+    private static BigDecimal[] edge(TriangleSurface surface, int from, int to) {
         var edge = new BigDecimal[3];
         double[] xyz = surface.vertices();
         for (int c = 0; c < 3; c++)

@@ -19,7 +19,7 @@ abstract class FaceSums implements NormalsWalk {
      * @throws IllegalArgumentException as {@link SteppedNormals#normals} does
      */
     FaceSums(double[] vertices, int[] triangles) {
-        Triangles.require(vertices, triangles);
+        TriangleSurface.require(vertices, triangles);
         this.vertices = vertices;
         this.triangles = triangles;
         sums = new double[vertices.length];

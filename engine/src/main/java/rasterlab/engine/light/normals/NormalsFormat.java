@@ -18,7 +18,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
 
 /** Normals of vertices from outside: {@code vertices}, {@code triangles}; {@code normals} out. */
-final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
+final class NormalsFormat extends Format<VertexNormals, TriangleSurface, Images> {
     /** The most corners whose steps one answer has. */
     private static final int MOST_STEPPED = 300_000;
 
@@ -42,7 +42,7 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
     private static final Field<?> NORMALS =
             Field.required("normals", Shape.list(Shape.numbersOrNull(3, 3)));
 
-    NormalsFormat(Topic<VertexNormals, Triangles, Images> topic) {
+    NormalsFormat(Topic<VertexNormals, TriangleSurface, Images> topic) {
         super(topic);
     }
 
@@ -70,17 +70,17 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
     }
 
     @Override
-    public Triangles read(Given given) {
+    public TriangleSurface read(Given given) {
         int[] corners = given.get(TRIANGLES).stream().flatMapToInt(Arrays::stream).toArray();
         try {
-            return new Triangles(given.get(VERTICES), corners);
+            return new TriangleSurface(given.get(VERTICES), corners);
         } catch (IllegalArgumentException e) {
             throw given.misfit(e);
         }
     }
 
     @Override
-    protected Given given(Triangles surface) {
+    protected Given given(TriangleSurface surface) {
         return new Given()
                 .with(VERTICES, surface.vertices())
                 .with(
@@ -91,12 +91,12 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
     }
 
     @Override
-    public void write(Triangles input, Images images, ValueSink out) throws IOException {
+    public void write(TriangleSurface input, Images images, ValueSink out) throws IOException {
         out.points(NORMALS.name(), images.coordinates(), 3);
     }
 
     @Override
-    protected void check(Call<VertexNormals> call, Triangles surface) {
+    protected void check(Call<VertexNormals> call, TriangleSurface surface) {
         if (!call.steps()) return;
         call.stepped(SteppedNormals.class);
         RecordedSteps.requireAtMost(MOST_STEPPED, "corners of triangles", surface.triangles().length);
@@ -115,7 +115,7 @@ final class NormalsFormat extends Format<VertexNormals, Triangles, Images> {
 
     /** {@inheritDoc} With steps the normals are those of the walk. */
     @Override
-    protected Written answered(Call<VertexNormals> call, Triangles surface) {
+    protected Written answered(Call<VertexNormals> call, TriangleSurface surface) {
         if (!call.steps()) return super.answered(call, surface);
         SteppedNormals stepped = call.stepped(SteppedNormals.class);
         NormalsWalk walk = stepped.walk(surface.vertices(), surface.triangles());

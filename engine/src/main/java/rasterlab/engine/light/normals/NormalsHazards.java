@@ -18,15 +18,15 @@ final class NormalsHazards {
 
     private NormalsHazards() {}
 
-    static List<Hazard<Triangles>> all() {
+    static List<Hazard<TriangleSurface>> all() {
         return Stream.of(solids(), degenerate()).flatMap(List::stream).toList();
     }
 
-    private static List<Hazard<Triangles>> solids() {
+    private static List<Hazard<TriangleSurface>> solids() {
         return List.of(
                 hazard(
                         "flat",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0},
                                 new int[] {0, 1, 2, 0, 2, 3}),
                         EXACT,
@@ -34,15 +34,15 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "to-the-outside",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 0, 2, 0, 3, 0, 1}, new int[] {0, 1, 2}),
                         EXACT,
                         EXACT,
                         EXACT),
-                hazard("cube-cut-one-way", new Triangles(CUBE, cube()), WRONG, WRONG, WRONG),
+                hazard("cube-cut-one-way", new TriangleSurface(CUBE, cube()), WRONG, WRONG, WRONG),
                 hazard(
                         "roof-with-a-long-side",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {
                                     0, 0, 1, 0, 1, 1, 10, 0, -9, 10, 1, -9, -1, 0, 0, -1, 1, 0
                                 },
@@ -52,11 +52,11 @@ final class NormalsHazards {
                         WRONG));
     }
 
-    private static List<Hazard<Triangles>> degenerate() {
+    private static List<Hazard<TriangleSurface>> degenerate() {
         return List.of(
                 hazard(
                         "zero-area-face",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0},
                                 new int[] {0, 1, 2, 0, 1, 3}),
                         WRONG,
@@ -64,7 +64,7 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "both-sides-of-a-sheet",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
                                 new int[] {0, 1, 2, 0, 2, 1}),
                         EXACT,
@@ -72,7 +72,7 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "vertex-without-a-face",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5},
                                 new int[] {0, 1, 2}),
                         WRONG,
@@ -80,7 +80,7 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "tiny-faces",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 1e-100, 0, 0, 0, 1e-100, 0},
                                 new int[] {0, 1, 2}),
                         WRONG,
@@ -88,7 +88,7 @@ final class NormalsHazards {
                         EXACT),
                 hazard(
                         "smallest-face",
-                        new Triangles(
+                        new TriangleSurface(
                                 new double[] {0, 0, 0, 1e-200, 0, 0, 0, 1e-200, 0},
                                 new int[] {0, 1, 2}),
                         WRONG,
@@ -104,9 +104,9 @@ final class NormalsHazards {
         };
     }
 
-    private static Hazard<Triangles> hazard(
+    private static Hazard<TriangleSurface> hazard(
             String name,
-            Triangles surface,
+            TriangleSurface surface,
             Verdict.Kind textbook,
             Verdict.Kind plain,
             Verdict.Kind area) {

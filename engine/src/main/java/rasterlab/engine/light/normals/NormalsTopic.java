@@ -22,7 +22,7 @@ import rasterlab.engine.transform.Images;
  * 10⁻¹² counts as exact: a mean of many faces adds their roundings. A normal is usable within 0.02,
  * about 1°, which moves a diffuse intensity by at most 5 of 255 levels.
  */
-public final class NormalsTopic implements Topic<VertexNormals, Triangles, Images> {
+public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface, Images> {
     private static final double CORRECT = 1e-12;
     private static final double USABLE = 0.02;
 
@@ -47,12 +47,12 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
-    public List<Hazard<Triangles>> hazards() {
+    public List<Hazard<TriangleSurface>> hazards() {
         return NormalsHazards.all();
     }
 
     @Override
-    public List<Workload<Triangles>> workloads() {
+    public List<Workload<TriangleSurface>> workloads() {
         return NormalsWorkloads.all();
     }
 
@@ -62,24 +62,24 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
-    public Images run(VertexNormals method, Triangles surface, int limit) {
+    public Images run(VertexNormals method, TriangleSurface surface, int limit) {
         double[] normals = method.normals(surface.vertices(), surface.triangles());
         WrongLength.require(surface.vertices().length, normals.length, "numbers");
         return new Images(normals, 3).first(limit);
     }
 
     @Override
-    public long spend(VertexNormals method, Triangles surface) {
+    public long spend(VertexNormals method, TriangleSurface surface) {
         return method.normals(surface.vertices(), surface.triangles()).length / 3;
     }
 
     @Override
-    public Images exact(Triangles surface, int limit) {
+    public Images exact(TriangleSurface surface, int limit) {
         return new Images(ExactNormals.of(surface), 3).first(limit);
     }
 
     @Override
-    public Deviation compare(Triangles surface, Images exact, Images actual) {
+    public Deviation compare(TriangleSurface surface, Images exact, Images actual) {
         double worst = 0;
         String first = "";
         double[] right = exact.coordinates();
@@ -116,7 +116,7 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
-    public Map<String, Long> operations(VertexNormals method, Triangles surface) {
+    public Map<String, Long> operations(VertexNormals method, TriangleSurface surface) {
         if (!(method instanceof SteppedNormals stepped)) return Map.of();
         NormalsWalk walk = stepped.walk(surface.vertices(), surface.triangles());
         long added = 0;
@@ -135,7 +135,7 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     }
 
     @Override
-    public Format<VertexNormals, Triangles, Images> format() {
+    public Format<VertexNormals, TriangleSurface, Images> format() {
         return new NormalsFormat(this);
     }
 }

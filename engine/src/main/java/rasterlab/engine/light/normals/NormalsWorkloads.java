@@ -8,10 +8,10 @@ import rasterlab.engine.study.Workload;
 final class NormalsWorkloads {
     private NormalsWorkloads() {}
 
-    static List<Workload<Triangles>> all() {
-        var workloads = new ArrayList<Workload<Triangles>>();
+    static List<Workload<TriangleSurface>> all() {
+        var workloads = new ArrayList<Workload<TriangleSurface>>();
         for (int parallels : new int[] {4, 12, 36}) {
-            Triangles sphere = sphere(2 * parallels, parallels);
+            TriangleSurface sphere = sphere(2 * parallels, parallels);
             int vertices = sphere.vertices().length / 3;
             workloads.add(new Workload<>("sphere-" + vertices, vertices, List.of(sphere)));
         }
@@ -25,7 +25,7 @@ final class NormalsWorkloads {
      * @param meridians at least 3
      * @param parallels rows of faces, at least 2
      */
-    static Triangles sphere(int meridians, int parallels) {
+    static TriangleSurface sphere(int meridians, int parallels) {
         var vertices = new double[3 * (2 + meridians * (parallels - 1))];
         vertices[2] = -1;
         vertices[vertices.length - 1] = 1;
@@ -51,6 +51,6 @@ final class NormalsWorkloads {
                 triangles.addAll(List.of(here + column, above + next, above + column));
             }
         }
-        return new Triangles(vertices, triangles.stream().mapToInt(Integer::intValue).toArray());
+        return new TriangleSurface(vertices, triangles.stream().mapToInt(Integer::intValue).toArray());
     }
 }

@@ -64,7 +64,7 @@ class VertexNormalsTest {
     @ParameterizedTest(name = "{0} points into the sphere or beside its radius")
     @ValueSource(strings = {"plain", "area", "angle"})
     void normalsOfASphereAreItsRadii(String name) {
-        Triangles sphere = NormalsWorkloads.sphere(48, 24);
+        TriangleSurface sphere = NormalsWorkloads.sphere(48, 24);
         double[] normals = method(name).normals(sphere.vertices(), sphere.triangles());
         assertArrayEquals(sphere.vertices(), normals, 0.05, name);
     }

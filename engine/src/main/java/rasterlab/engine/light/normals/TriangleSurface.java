@@ -9,8 +9,8 @@ import rasterlab.engine.geometry.VertexNumber;
  * @param vertices x, y, z of each vertex, one after the other
  * @param triangles three vertex numbers from 0 of each face, counter-clockwise seen from outside
  */
-public record Triangles(double[] vertices, int[] triangles) {
-    public Triangles {
+public record TriangleSurface(double[] vertices, int[] triangles) {
+    public TriangleSurface {
         require(vertices, triangles);
         vertices = vertices.clone();
         triangles = triangles.clone();
