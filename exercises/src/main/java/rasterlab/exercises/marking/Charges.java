@@ -22,7 +22,7 @@ final class Charges {
     private final Set<String> charged;
     private final Map<String, String> standIns = new HashMap<>();
 
-    private Charges(Exercise exercise, Collection<TriedCase> cases) {
+    private Charges(Exercise exercise, Collection<CaseTrial> cases) {
         this.exercise = exercise;
         this.charged =
                 cases.stream()
@@ -37,15 +37,15 @@ final class Charges {
     }
 
     /** Charges by which a mistake that its own cases did not meet is paid wherever it is met. */
-    static Charges wherever(Exercise exercise, Collection<TriedCase> cases) {
+    static Charges wherever(Exercise exercise, Collection<CaseTrial> cases) {
         return new Charges(exercise, cases);
     }
 
     /** Charges by which a mistake that its own cases did not meet is paid by the first other. */
-    static Charges once(Exercise exercise, Collection<TriedCase> cases) {
+    static Charges once(Exercise exercise, Collection<CaseTrial> cases) {
         Charges charges = new Charges(exercise, cases);
         Map<String, String> standIns = new HashMap<>();
-        for (TriedCase tried : cases)
+        for (CaseTrial tried : cases)
             for (TriedCall call : charges.counted(tried))
                 charges.metAlone(call)
                         .forEach(mistake -> standIns.putIfAbsent(mistake, tried.one().name()));
@@ -83,7 +83,7 @@ final class Charges {
      * The calls that count for that case and are not right: those of a case on one mistake count
      * where they meet it, as long as half of its calls are right.
      */
-    List<TriedCall> counted(TriedCase tried) {
+    List<TriedCall> counted(CaseTrial tried) {
         List<TriedCall> wrong =
                 tried.calls().stream()
                         .filter(call -> !call.right() && !isPaidElsewhere(tried.one(), call))
@@ -97,7 +97,7 @@ final class Charges {
     }
 
     /** The first of them. */
-    Optional<TriedCall> first(TriedCase tried) {
+    Optional<TriedCall> first(CaseTrial tried) {
         return counted(tried).stream().findFirst();
     }
 

@@ -25,7 +25,7 @@ import rasterlab.exercises.score.Message;
  */
 public final class Marking {
     private final Exercise exercise;
-    private final List<TriedCase> cases = new ArrayList<>();
+    private final List<CaseTrial> cases = new ArrayList<>();
     private final Map<TriedCall, Finding> shown = new IdentityHashMap<>();
     private Worth byAll;
     private Worth byOpen;
@@ -36,19 +36,19 @@ public final class Marking {
     }
 
     private void weigh() {
-        List<TriedCase> open = cases.stream().filter(TriedCase::open).toList();
+        List<CaseTrial> open = cases.stream().filter(CaseTrial::open).toList();
         byAll = new Worth(cases, Charges.wherever(exercise, cases));
         byOpen = new Worth(open, Charges.once(exercise, open));
     }
 
     /** Adds a case and gives its line by what is known now, which later cases may change. */
-    public CaseReport add(TriedCase tried) {
+    public CaseReport add(CaseTrial tried) {
         put(tried);
         return report(tried);
     }
 
     /** Adds a case, or what more is known of one. */
-    public void put(TriedCase tried) {
+    public void put(CaseTrial tried) {
         int known = names().indexOf(tried.one().name());
         if (known < 0) cases.add(tried);
         else cases.set(known, tried);
@@ -56,7 +56,7 @@ public final class Marking {
     }
 
     /** The added cases, in order. */
-    public List<TriedCase> cases() {
+    public List<CaseTrial> cases() {
         return List.copyOf(cases);
     }
 
@@ -74,14 +74,14 @@ public final class Marking {
 
     /** The public cases that are right and yet pay nothing, for the hidden ones are not. */
     public List<Case> withheld() {
-        return cases.stream().filter(this::isWithheld).map(TriedCase::one).toList();
+        return cases.stream().filter(this::isWithheld).map(CaseTrial::one).toList();
     }
 
-    private boolean isWithheld(TriedCase tried) {
+    private boolean isWithheld(CaseTrial tried) {
         return tried.open() && byOpen.pays(tried) && !byAll.holdsOnHidden(tried);
     }
 
-    private Worth worth(TriedCase tried) {
+    private Worth worth(CaseTrial tried) {
         return tried.open() ? byOpen : byAll;
     }
 
@@ -103,7 +103,7 @@ public final class Marking {
     /** One line for each case, in their order. */
     public List<CaseReport> reports() {
         List<CaseReport> reports = new ArrayList<>();
-        for (TriedCase tried : cases) reports.add(report(tried));
+        for (CaseTrial tried : cases) reports.add(report(tried));
         return reports;
     }
 
@@ -112,7 +112,7 @@ public final class Marking {
         return new SharedCause(cases).said();
     }
 
-    private CaseReport report(TriedCase tried) {
+    private CaseReport report(CaseTrial tried) {
         if (tried.untried().isPresent()) return report(tried.one(), tried.untried().get(), "");
         Optional<TriedCall> wrong = worth(tried).charges().first(tried);
         if (wrong.isPresent()) {
@@ -126,12 +126,12 @@ public final class Marking {
     }
 
     /** Nothing is told of a case whose mistakes are paid for elsewhere. */
-    private static Finding held(TriedCase tried) {
+    private static Finding held(CaseTrial tried) {
         if (!tried.calls().stream().allMatch(TriedCall::right)) return Finding.OK;
         return Finding.of(GradingVerdict.OK, tried.calls().get(0).call().held());
     }
 
-    private static String scene(TriedCase tried) {
+    private static String scene(CaseTrial tried) {
         return tried.calls().get(0).call().scene();
     }
 

@@ -16,11 +16,11 @@ import rasterlab.exercises.score.Message;
  * them; where none do, a mistake that all wrong calls have beside others.
  */
 final class SharedCause {
-    private final List<TriedCase> cases;
+    private final List<CaseTrial> cases;
     private final List<TriedCall> wrong;
     private final List<TriedCall> right;
 
-    SharedCause(List<TriedCase> cases) {
+    SharedCause(List<CaseTrial> cases) {
         this.cases = cases;
         List<TriedCall> all = calls(false);
         List<TriedCall> telling = telling(all);
@@ -151,7 +151,7 @@ final class SharedCause {
     /** The example of a public case: no hidden input may be told. */
     private Optional<Message> example() {
         return cases.stream()
-                .filter(TriedCase::open)
+                .filter(CaseTrial::open)
                 .flatMap(tried -> tried.calls().stream())
                 .filter(call -> !call.right())
                 .map(call -> call.inQuestion().example())

@@ -10,10 +10,10 @@ import rasterlab.exercises.score.Message;
 
 /** The worth of cases as far as it follows from the given ones alone. */
 final class Worth {
-    private final List<TriedCase> cases;
+    private final List<CaseTrial> cases;
     private final Charges charges;
 
-    Worth(List<TriedCase> cases, Charges charges) {
+    Worth(List<CaseTrial> cases, Charges charges) {
         this.cases = List.copyOf(cases);
         this.charges = charges;
     }
@@ -22,23 +22,23 @@ final class Worth {
         return charges;
     }
 
-    boolean pays(TriedCase tried) {
+    boolean pays(CaseTrial tried) {
         return passes(tried) && unearned(tried).isEmpty();
     }
 
-    private boolean passes(TriedCase tried) {
+    private boolean passes(CaseTrial tried) {
         return tried.untried().isEmpty() && charges.counted(tried).isEmpty();
     }
 
     /** Why a case whose own calls are right pays nothing; empty where it pays. */
-    Optional<Finding> unearned(TriedCase tried) {
+    Optional<Finding> unearned(CaseTrial tried) {
         return isRefusalAlone(tried)
                 ? Optional.of(Finding.of(GradingVerdict.RUNTIME_ERROR, Message.of("group.refused")))
                 : Optional.empty();
     }
 
     /** A refusal pays only where the other cases of its group are right. */
-    private boolean isRefusalAlone(TriedCase tried) {
+    private boolean isRefusalAlone(CaseTrial tried) {
         return tried.refused() && !othersAreRight(tried.one());
     }
 
@@ -47,18 +47,18 @@ final class Worth {
      * is none, whether any case is.
      */
     private boolean othersAreRight(Case one) {
-        List<TriedCase> others = drawn(inGroupOf(one));
+        List<CaseTrial> others = drawn(inGroupOf(one));
         return others.isEmpty()
                 ? drawn(tried -> true).stream().anyMatch(this::passes)
                 : others.stream().allMatch(this::passes);
     }
 
-    private List<TriedCase> drawn(Predicate<TriedCase> wanted) {
+    private List<CaseTrial> drawn(Predicate<CaseTrial> wanted) {
         return cases.stream().filter(wanted).filter(tried -> !tried.refused()).toList();
     }
 
     /** Whether the hidden cases let a public case pay that is right by itself. */
-    boolean holdsOnHidden(TriedCase tried) {
+    boolean holdsOnHidden(CaseTrial tried) {
         return !isRefusalAlone(tried) && halfOfHiddenIsRight(tried.one());
     }
 
@@ -67,18 +67,18 @@ final class Worth {
      * nothing speaks against.
      */
     private boolean halfOfHiddenIsRight(Case one) {
-        List<TriedCase> hidden =
+        List<CaseTrial> hidden =
                 cases.stream().filter(inGroupOf(one)).filter(tried -> !tried.open()).toList();
         long all = hidden.stream().mapToLong(tried -> Math.max(1, tried.calls().size())).sum();
         return 2 * hidden.stream().mapToLong(this::rightCalls).sum() >= all;
     }
 
-    private long rightCalls(TriedCase tried) {
+    private long rightCalls(CaseTrial tried) {
         if (isRefusalAlone(tried)) return 0;
         return tried.calls().size() - charges.counted(tried).size();
     }
 
-    private static Predicate<TriedCase> inGroupOf(Case one) {
+    private static Predicate<CaseTrial> inGroupOf(Case one) {
         return tried -> tried.one().group().equals(one.group());
     }
 }

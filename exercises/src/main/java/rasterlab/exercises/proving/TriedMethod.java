@@ -14,7 +14,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
-import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
@@ -74,7 +74,7 @@ public final class TriedMethod {
                     List<TriedCall> tried = new ArrayList<>();
                     for (TopicGrading.Call call : calls)
                         tried.add(TriedCall.answered(call, answer(call, method)));
-                    marking.put(TriedCase.tried(one, tried));
+                    marking.put(CaseTrial.tried(one, tried));
                 });
         return new TriedMethod(exercise, marking);
     }
@@ -175,7 +175,7 @@ public final class TriedMethod {
                 .isPresent();
     }
 
-    private static Stream<Finding> findings(TriedCase tried) {
+    private static Stream<Finding> findings(CaseTrial tried) {
         return tried.calls().stream().map(TriedCall::finding).filter(one -> !one.right());
     }
 }

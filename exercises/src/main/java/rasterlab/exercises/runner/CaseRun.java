@@ -13,7 +13,7 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.TriedCall;
-import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
@@ -45,18 +45,18 @@ final class CaseRun {
     /**
      * @throws ChildLost when the child was killed from outside: no fault of the student's
      */
-    TriedCase tryOut(Case one) throws ChildLost, InterruptedException {
+    CaseTrial tryOut(Case one) throws ChildLost, InterruptedException {
         List<TriedCall> tried = new ArrayList<>();
         Shrinking shrinking = new Shrinking(student);
         for (Call call : topic.calls(one, exercise.tolerance(), seed)) {
             Optional<Finding> over = student.over();
-            if (over.isPresent()) return TriedCase.untried(one, over.get());
+            if (over.isPresent()) return CaseTrial.untried(one, over.get());
             TriedCall next = student.call(call);
             tried.add(shrinking.of(next));
             if (next.answer().isEmpty()) break;
             keep(one, next.answer().get());
         }
-        return TriedCase.tried(one, tried);
+        return CaseTrial.tried(one, tried);
     }
 
     private void keep(Case one, Answer answer) {
@@ -75,9 +75,9 @@ final class CaseRun {
      *
      * @return the cases in which an answer differs from the first
      */
-    List<TriedCase> repeat(List<TriedCase> cases) throws ChildLost, InterruptedException {
+    List<CaseTrial> repeat(List<CaseTrial> cases) throws ChildLost, InterruptedException {
         List<TriedCall> all = new ArrayList<>();
-        for (TriedCase tried : cases)
+        for (CaseTrial tried : cases)
             for (TriedCall call : tried.calls()) if (call.answer().isPresent()) all.add(call);
         Collections.shuffle(all, new Random(~seed));
         Map<TriedCall, TriedCall> differing = new IdentityHashMap<>();
@@ -88,8 +88,8 @@ final class CaseRun {
             if (second.answer().isPresent()) repeated.add(first.call());
             if (!first.isRepeatedBy(second)) differing.put(first, notRepeatable(first.call()));
         }
-        Map<Case, TriedCase> changed = new LinkedHashMap<>();
-        for (TriedCase tried : cases)
+        Map<Case, CaseTrial> changed = new LinkedHashMap<>();
+        for (CaseTrial tried : cases)
             if (tried.calls().stream().anyMatch(differing::containsKey))
                 changed.put(tried.one(), tried.with(differing));
         return List.copyOf(changed.values());

@@ -8,7 +8,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.TriedCall;
-import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.SpeedFigures;
@@ -35,7 +35,7 @@ final class FiguresRun {
             SpeedTrial.Outcome speed,
             TopicGrading.Timing timing,
             Models.Model model,
-            List<TriedCase> cases) {
+            List<CaseTrial> cases) {
         List<TriedCall> judged =
                 cases.stream()
                         .filter(FiguresRun::counts)
@@ -55,7 +55,7 @@ final class FiguresRun {
     }
 
     /** What hidden cases found is not told, and hazards ask for more than accuracy. */
-    private static boolean counts(TriedCase tried) {
+    private static boolean counts(CaseTrial tried) {
         return tried.one().kind() == Kind.ACCURACY && tried.one().visibility() == Disclosure.OPEN;
     }
 

@@ -16,7 +16,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.Marking;
-import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
@@ -114,7 +114,7 @@ final class GradingRun {
                             unloaded.isPresent()
                                     ? untried(marking, one, unloaded.get())
                                     : cases.tryOut(one)));
-        List<TriedCase> differing = cases.repeat(marking.cases());
+        List<CaseTrial> differing = cases.repeat(marking.cases());
         differing.forEach(marking::put);
         List<CaseReport> reports = marking.reports();
         SpeedTrial.Outcome speed =
@@ -133,8 +133,8 @@ final class GradingRun {
     }
 
     /** The first case tells why the method cannot be loaded. */
-    private static TriedCase untried(Marking marking, Case one, Finding unloaded) {
-        return TriedCase.untried(
+    private static CaseTrial untried(Marking marking, Case one, Finding unloaded) {
+        return CaseTrial.untried(
                 one,
                 marking.cases().isEmpty()
                         ? unloaded
@@ -142,7 +142,7 @@ final class GradingRun {
     }
 
     /** The first input whose answer differed, where it may be told. */
-    private static Optional<Message> notRepeatable(List<TriedCase> differing) {
+    private static Optional<Message> notRepeatable(List<CaseTrial> differing) {
         if (differing.isEmpty()) return Optional.empty();
         Message input =
                 differing.stream()

@@ -21,7 +21,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Cause;
@@ -92,14 +92,14 @@ class LineVerdictsTest {
         lines.add("  the rest: " + Long.toHexString(hidden.getValue()));
     }
 
-    private static TriedCase tried(MarkedMethod marked, String name) {
+    private static CaseTrial tried(MarkedMethod marked, String name) {
         return marked.marking().cases().stream()
                 .filter(one -> one.one().name().equals(name))
                 .findFirst()
                 .orElseThrow();
     }
 
-    private static String line(CaseReport report, TriedCase tried) {
+    private static String line(CaseReport report, CaseTrial tried) {
         return "  %s: %s %d of %d | %s | %s | %s | %s | scene %s"
                 .formatted(
                         report.name(),

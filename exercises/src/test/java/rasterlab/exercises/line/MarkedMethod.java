@@ -12,7 +12,7 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
-import rasterlab.exercises.marking.TriedCase;
+import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
@@ -27,11 +27,11 @@ record MarkedMethod(Exercise exercise, Marking marking) {
         return new MarkedMethod(exercise, marking);
     }
 
-    private static TriedCase tried(Exercise exercise, Case one, LineRasterizer method, long seed) {
+    private static CaseTrial tried(Exercise exercise, Case one, LineRasterizer method, long seed) {
         List<Call> calls = TopicGradings.named("line").calls(one, exercise.tolerance(), seed);
         List<TriedCall> tried = new ArrayList<>();
         for (Call call : calls) tried.add(TriedCall.answered(call, answer(method, call)));
-        return TriedCase.tried(one, tried);
+        return CaseTrial.tried(one, tried);
     }
 
     private static Answer answer(LineRasterizer method, Call call) {

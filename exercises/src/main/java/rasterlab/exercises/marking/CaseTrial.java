@@ -13,24 +13,24 @@ import rasterlab.exercises.score.Finding;
  * @param calls as far as they were tried
  * @param untried why no call was tried; nothing where some were
  */
-public record TriedCase(Case one, List<TriedCall> calls, Optional<Finding> untried) {
-    public TriedCase {
+public record CaseTrial(Case one, List<TriedCall> calls, Optional<Finding> untried) {
+    public CaseTrial {
         calls = List.copyOf(calls);
         if (calls.isEmpty() == untried.isEmpty())
             throw new IllegalArgumentException(
                     "case '" + one.name() + "' must either be tried or have a reason why not");
     }
 
-    public static TriedCase tried(Case one, List<TriedCall> calls) {
-        return new TriedCase(one, calls, Optional.empty());
+    public static CaseTrial tried(Case one, List<TriedCall> calls) {
+        return new CaseTrial(one, calls, Optional.empty());
     }
 
-    public static TriedCase untried(Case one, Finding reason) {
-        return new TriedCase(one, List.of(), Optional.of(reason));
+    public static CaseTrial untried(Case one, Finding reason) {
+        return new CaseTrial(one, List.of(), Optional.of(reason));
     }
 
     /** The same with some calls replaced. */
-    public TriedCase with(Map<TriedCall, TriedCall> replaced) {
+    public CaseTrial with(Map<TriedCall, TriedCall> replaced) {
         return tried(one, calls.stream().map(call -> replaced.getOrDefault(call, call)).toList());
     }
 
