@@ -9,7 +9,7 @@ import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.exercises.drawing.PixelPictures;
-import rasterlab.exercises.pixels.Turns;
+import rasterlab.exercises.pixels.PixelOrder;
 import rasterlab.exercises.score.CasePicture;
 
 /**
@@ -31,7 +31,7 @@ final class FormPixels {
         PixelRecording right = pixels(exact);
         PixelRecording mine = pixels(actual);
         PixelDifference difference = PixelDifference.of(right, mine);
-        PixelSet amiss = PixelSet.of(new Turns(right, mine).amiss(difference));
+        PixelSet amiss = PixelSet.of(new PixelOrder(right, mine).amiss(difference));
         PixelSet again = amiss.filter(difference.right()::contains);
         return Stream.of(difference.missing(), difference.extra(), again)
                 .filter(set -> !set.isEmpty())

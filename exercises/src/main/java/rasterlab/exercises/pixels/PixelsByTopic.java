@@ -175,7 +175,7 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
     protected final List<CasePicture> pictures(
             I input, PixelRecording right, PixelRecording actual) {
         PixelDifference difference = PixelDifference.of(right, actual);
-        PixelSet amiss = PixelSet.of(new Turns(right, actual).amiss(difference));
+        PixelSet amiss = PixelSet.of(new PixelOrder(right, actual).amiss(difference));
         return FirstDifference.of(right, actual)
                 .map(
                         first ->

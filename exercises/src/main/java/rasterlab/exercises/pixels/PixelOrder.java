@@ -5,7 +5,7 @@ import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 
 /** The order in which pixels are drawn, which a picture of them does not show. */
-public record Turns(PixelRecording wanted, PixelRecording actual) {
+public record PixelOrder(PixelRecording wanted, PixelRecording actual) {
     /**
      * Pixels that are drawn again; where each is drawn once and they are the right ones, those out
      * of turn.
