@@ -22,9 +22,9 @@ final class FillBench {
     /** All boxes together, in pixels: about seven pictures. */
     private static final int AREA = 6_000_000;
 
-    private final Turns.Length length;
+    private final InterleavedTimes.Length length;
 
-    FillBench(Turns.Length length) {
+    FillBench(InterleavedTimes.Length length) {
         this.length = length;
     }
 
@@ -58,7 +58,7 @@ final class FillBench {
                         target.forgetDepths();
                         GL11C.glFinish();
                     });
-            var times = new Turns(length, runs.toArray(Runnable[]::new));
+            var times = new InterleavedTimes(length, runs.toArray(Runnable[]::new));
             int[] peer = target.read();
             var rows = new ArrayList<Row>();
             for (int k = 0; k < ways.size(); k++)

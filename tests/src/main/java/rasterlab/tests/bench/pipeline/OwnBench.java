@@ -24,9 +24,9 @@ final class OwnBench {
     /** Faces round the torus that the page of the course draws: 10,000 or so in all. */
     private static final int DETAIL = 140;
 
-    private final Turns.Length length;
+    private final InterleavedTimes.Length length;
 
-    OwnBench(Turns.Length length) {
+    OwnBench(InterleavedTimes.Length length) {
         this.length = length;
     }
 
@@ -39,7 +39,7 @@ final class OwnBench {
         int[] argb = new int[1920 * 1080];
         float[] depth = new float[1920 * 1080];
         var times =
-                new Turns(
+                new InterleavedTimes(
                         length.times(5),
                         () -> pipeline.drawOn(1, nothing, view, surface, out, () -> false),
                         () -> {
@@ -63,7 +63,7 @@ final class OwnBench {
         var graphics = shown.createGraphics();
         graphics.setComposite(AlphaComposite.Src);
         var times =
-                new Turns(
+                new InterleavedTimes(
                         length.times(5),
                         () -> graphics.drawImage(picture.image(), 0, 0, null),
                         () -> System.arraycopy(picture.argb(), 0, copy, 0, copy.length));
@@ -87,7 +87,7 @@ final class OwnBench {
         int[] argb = new int[cells];
         float[] depth = new float[cells];
         var times =
-                new Turns(
+                new InterleavedTimes(
                         length,
                         () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                         () -> {
@@ -113,7 +113,7 @@ final class OwnBench {
         var alone = new Raster(SCENE.width(), SCENE.height());
         try (var one = new TrianglePipeline(1)) {
             var times =
-                    new Turns(
+                    new InterleavedTimes(
                             length,
                             () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                             () -> one.drawOn(1, mesh, view, surface, alone, () -> false));
@@ -137,7 +137,7 @@ final class OwnBench {
         var read = new Raster(SCENE.width(), SCENE.height());
         try (var renderer = new Renderer()) {
             var times =
-                    new Turns(
+                    new InterleavedTimes(
                             length,
                             () -> renderer.render(fast, out, () -> false),
                             () -> renderer.render(plain, read, () -> false));
@@ -175,7 +175,7 @@ final class OwnBench {
         int[] x = new int[3];
         int[] y = new int[3];
         var times =
-                new Turns(
+                new InterleavedTimes(
                         length,
                         () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                         () -> {

@@ -12,7 +12,7 @@ final class PipelineJobs {
     private static final int[][] SIZES = {{1280, 720}, {1920, 1080}};
     private static final int[] TRIANGLES = {10_000, 100_000, 1_000_000};
 
-    private final Turns.Length length;
+    private final InterleavedTimes.Length length;
     private final List<Way> ways;
     private final List<Job> all = new ArrayList<>();
 
@@ -23,7 +23,7 @@ final class PipelineJobs {
     record Job(String work, boolean openGl, List<String> options, Supplier<List<Row>> rows) {}
 
     private PipelineJobs(boolean quick, List<Way> ways) {
-        length = Turns.Length.of(quick);
+        length = InterleavedTimes.Length.of(quick);
         this.ways = ways;
         addTori(Runtime.getRuntime().availableProcessors());
         addFills();

@@ -10,9 +10,9 @@ import rasterlab.engine.raster.Raster;
  * depths afterwards, and both are told so.
  */
 final class TorusBench {
-    private final Turns.Length length;
+    private final InterleavedTimes.Length length;
 
-    TorusBench(Turns.Length length) {
+    TorusBench(InterleavedTimes.Length length) {
         this.length = length;
     }
 
@@ -31,7 +31,7 @@ final class TorusBench {
         }
         try (var torus = new GlTorus(scene, look, mesh)) {
             runs.add(torus::draw);
-            var times = new Turns(length, runs.toArray(Runnable[]::new));
+            var times = new InterleavedTimes(length, runs.toArray(Runnable[]::new));
             int[] peer = torus.read();
             var rows = new ArrayList<Row>();
             for (int k = 0; k < ways.size(); k++)

@@ -10,7 +10,7 @@ import java.util.Locale;
  * <p>A turn is {@value #RUNS} runs on end, as one way draws an animation: most of them find in the
  * caches what the way itself left there, not another one.
  */
-final class Turns {
+final class InterleavedTimes {
     private static final int RUNS = 8;
 
     private final double[][] millis;
@@ -34,7 +34,7 @@ final class Turns {
         }
     }
 
-    Turns(Length length, Runnable... ways) {
+    InterleavedTimes(Length length, Runnable... ways) {
         millis = new double[ways.length][length.turns * RUNS];
         warmUp(length.warmUpSeconds, ways);
         for (int turn = 0; turn < length.turns; turn++)
