@@ -38,7 +38,7 @@ public final class OpenGlPanel extends LabPanel {
         texts = Texts.of("opengl", language);
         inspector = new OpenGlInspector(model, texts);
         stage = new OpenGlStage(model, texts, model::open);
-        player = new StepPlayer(Texts.of("canvas", language), new Turntable(model), this::angle);
+        player = new StepPlayer(Texts.of("canvas", language), new GlTurntable(model), this::angle);
         player.reserve(texts.text("turntable", "359"));
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());

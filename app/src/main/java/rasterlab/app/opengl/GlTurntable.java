@@ -3,10 +3,10 @@ package rasterlab.app.opengl;
 import rasterlab.app.canvas.TurnSteps;
 
 /** Turns the scene about its upright axis as the step player plays it. */
-final class Turntable extends TurnSteps {
+final class GlTurntable extends TurnSteps {
     private final OpenGlLabModel model;
 
-    Turntable(OpenGlLabModel model) {
+    GlTurntable(OpenGlLabModel model) {
         super(180);
         this.model = model;
     }
