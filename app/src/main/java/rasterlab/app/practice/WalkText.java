@@ -18,7 +18,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.Asked;
 import rasterlab.exercises.document.OwnJson;
-import rasterlab.exercises.predicting.Values;
+import rasterlab.exercises.predicting.StepValues;
 
 /** Tells in words what the picture shows: the input, and the steps that are made. */
 final class WalkText {
@@ -98,7 +98,7 @@ final class WalkText {
             return StreamSupport.stream(value.spliterator(), false)
                     .map(one -> number(one, locale))
                     .collect(joining(Shown.apart(locale), "(", ")"));
-        String told = Values.told(value);
+        String told = StepValues.told(value);
         char comma = DecimalFormatSymbols.getInstance(locale).getDecimalSeparator();
         return value.isNumber() ? told.replace('.', comma) : told;
     }

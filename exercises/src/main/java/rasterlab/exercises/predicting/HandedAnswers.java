@@ -90,13 +90,13 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
             answer.word(asked.field(), asked.words());
             return;
         }
-        if (!Values.isOfForm(expected, value))
+        if (!StepValues.isOfForm(expected, value))
             throw answer.wrong(
                     asked.field(),
                     expected.isBoolean()
                             ? Phrase.of("field.flag", shown(value))
                             : expected.isArray()
-                                    ? Phrase.of("predict.form", Values.form(expected), shown(value))
+                                    ? Phrase.of("predict.form", StepValues.form(expected), shown(value))
                                     : Phrase.of("predict.number", shown(value)));
     }
 

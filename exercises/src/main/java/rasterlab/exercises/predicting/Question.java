@@ -69,12 +69,12 @@ public record Question(
      */
     public boolean isRight(JsonNode answer, double tolerance) {
         return !isOpen(answer)
-                && Values.same(right(), answer, Math.max(tolerance, rules.tolerance()));
+                && StepValues.same(right(), answer, Math.max(tolerance, rules.tolerance()));
     }
 
     /** The verdict on an answer in words: what was answered, what is right, and why. */
     public Message said(JsonNode answer) {
-        String right = Values.told(right());
+        String right = StepValues.told(right());
         Message verdict =
                 isOpen(answer)
                         ? Message.of("predict.open", right)
@@ -87,7 +87,7 @@ public record Question(
     private String answered(JsonNode answer) {
         ObjectNode part = JsonNodeFactory.instance.objectNode();
         for (Asked one : rules.asked()) part.set(one.field(), answer.path(one.field()));
-        return Values.told(part);
+        return StepValues.told(part);
     }
 
     /** What decides on the step, with the value where there is one. */
@@ -95,7 +95,7 @@ public record Question(
         String english = rules.reason().words("en");
         String russian = rules.reason().words("ru");
         return reason().map(
-                        value -> Message.of("predict.why", english, russian, Values.told(value)))
+                        value -> Message.of("predict.why", english, russian, StepValues.told(value)))
                 .orElseGet(() -> Message.of("in-both-languages", english, russian));
     }
 }

@@ -8,7 +8,7 @@ import java.math.MathContext;
 import java.util.stream.StreamSupport;
 
 /** Values of steps: whether two are the same, and how people are told one. */
-public final class Values {
+public final class StepValues {
     /** Significant digits of a number that is told. */
     private static final MathContext TOLD = new MathContext(7);
 
@@ -21,7 +21,7 @@ public final class Values {
      */
     private static final int PLAIN_DIGITS = 10;
 
-    private Values() {}
+    private StepValues() {}
 
     /**
      * Whether an answer is right. Fields of it that the right one has not do not matter.
@@ -62,7 +62,7 @@ public final class Values {
     static String form(JsonNode right) {
         if (right.isArray())
             return StreamSupport.stream(right.spliterator(), false)
-                    .map(Values::form)
+                    .map(StepValues::form)
                     .collect(joining(", ", "[", "]"));
         return "0";
     }
@@ -75,7 +75,7 @@ public final class Values {
                     .collect(joining(", "));
         if (value.isArray())
             return StreamSupport.stream(value.spliterator(), false)
-                    .map(Values::told)
+                    .map(StepValues::told)
                     .collect(joining(", ", "(", ")"));
         return value.isNumber() ? number(value) : value.asText();
     }
