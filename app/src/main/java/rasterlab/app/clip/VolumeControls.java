@@ -78,7 +78,7 @@ final class VolumeControls {
     }
 
     private void turned() {
-        var view = new Viewpoint(alpha.getValue(), beta.getValue());
+        var view = new VolumeViewpoint(alpha.getValue(), beta.getValue());
         model.volume(old -> old.withView(view));
     }
 

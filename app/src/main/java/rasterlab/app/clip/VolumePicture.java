@@ -7,7 +7,7 @@ import rasterlab.engine.transform.ProjectionMatrices;
 /** Where points of the normalised space are in the picture of the space that is shown. */
 final class VolumePicture {
     private final VolumeSpace space;
-    private final Viewpoint view;
+    private final VolumeViewpoint view;
     private final Matrix4d toShown;
     private final Matrix4d toNormalised;
 

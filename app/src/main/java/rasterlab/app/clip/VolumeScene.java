@@ -20,7 +20,7 @@ public record VolumeScene(
         String comparison,
         Screen screen,
         VolumeSpace space,
-        Viewpoint view)
+        VolumeViewpoint view)
         implements ClipScene {
     /** Segments the lab can show at once. */
     static final int MOST = 8;
@@ -42,7 +42,7 @@ public record VolumeScene(
                 "",
                 Screen.FIRST,
                 VolumeSpace.NORMALISED,
-                Viewpoint.FIRST);
+                VolumeViewpoint.FIRST);
     }
 
     VolumeScene showing(SegmentsInVolume input) {
@@ -83,7 +83,7 @@ public record VolumeScene(
         return new VolumeScene(zmin, segments, method, comparison, screen, other, view);
     }
 
-    VolumeScene withView(Viewpoint other) {
+    VolumeScene withView(VolumeViewpoint other) {
         return new VolumeScene(zmin, segments, method, comparison, screen, space, other);
     }
 

@@ -267,7 +267,7 @@ class ClipLabModelTest {
     void pointIsMovedWhereItIsSeen() {
         model.chooseMode(ClipMode.VOLUME);
         for (VolumeSpace space : List.of(VolumeSpace.EYE, VolumeSpace.NORMALISED)) {
-            model.volume(old -> old.withSpace(space).withView(new Viewpoint(-30, 25)));
+            model.volume(old -> old.withSpace(space).withView(new VolumeViewpoint(-30, 25)));
             model.move(ClipGrip.end(0, 1), 0.3, -0.4);
             ClipPoint seen = model.state().choice().volume().grips().get(ClipGrip.end(0, 1));
             assertEquals(0.3, seen.x(), 1e-12, space.name());

@@ -117,17 +117,17 @@ class ClipPictureTest {
     /** z points away from whom sees x to the right and y upwards. */
     @Test
     void nearFaceIsTurnedToTheEye() {
-        var ahead = new Viewpoint(0, 0);
+        var ahead = new VolumeViewpoint(0, 0);
         assertTrue(ahead.faces(new SpacePoint(0, 0, -1)));
         assertFalse(ahead.faces(new SpacePoint(0, 0, 1)));
-        assertTrue(Viewpoint.FIRST.faces(new SpacePoint(1, 0, 0)), "seen from the right");
-        assertTrue(Viewpoint.FIRST.faces(new SpacePoint(0, 1, 0)), "seen from above");
+        assertTrue(VolumeViewpoint.FIRST.faces(new SpacePoint(1, 0, 0)), "seen from the right");
+        assertTrue(VolumeViewpoint.FIRST.faces(new SpacePoint(0, 1, 0)), "seen from above");
     }
 
     @Test
     void boxAfterTheDivisionIsSquare() {
         VolumeScene scene =
-                VolumeScene.first().withSpace(VolumeSpace.CANONICAL).withView(new Viewpoint(0, 0));
+                VolumeScene.first().withSpace(VolumeSpace.CANONICAL).withView(new VolumeViewpoint(0, 0));
         for (ClipMark.Line edge : lines(drawn(scene, 0), ClipMark.Ink.WINDOW).toList())
             for (ClipPoint corner : edge.points()) {
                 assertEquals(1, Math.abs(corner.x()), 1e-12);

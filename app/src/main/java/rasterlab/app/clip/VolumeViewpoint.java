@@ -11,11 +11,11 @@ import rasterlab.engine.transform.ProjectionMatrices;
  * @param alphaDegrees α, in [−180, 180]
  * @param betaDegrees β, in [−90, 90]; from above where it is below 0
  */
-public record Viewpoint(double alphaDegrees, double betaDegrees) {
+public record VolumeViewpoint(double alphaDegrees, double betaDegrees) {
     /** The view from the right and above, the eye at the left. */
-    static final Viewpoint FIRST = new Viewpoint(50, -18);
+    static final VolumeViewpoint FIRST = new VolumeViewpoint(50, -18);
 
-    public Viewpoint {
+    public VolumeViewpoint {
         if (!(Math.abs(alphaDegrees) <= 180) || !(Math.abs(betaDegrees) <= 90))
             throw new IllegalArgumentException(
                     "alpha must be in [-180, 180] and beta in [-90, 90], got "
@@ -25,8 +25,8 @@ public record Viewpoint(double alphaDegrees, double betaDegrees) {
     }
 
     /** The viewpoint turned further; β stops at its ends. */
-    Viewpoint turned(double alpha, double beta) {
-        return new Viewpoint(
+    VolumeViewpoint turned(double alpha, double beta) {
+        return new VolumeViewpoint(
                 Math.IEEEremainder(alphaDegrees + alpha, 360),
                 Math.max(-90, Math.min(90, betaDegrees + beta)));
     }
