@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.coordinates.figure.Viewpoint;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**
@@ -50,8 +50,8 @@ public record ListChoice(
         return subject.wire().dimension();
     }
 
-    Wire wire() {
-        return new Wire(dimension(), points, subject.wire().edges());
+    Wireframe wire() {
+        return new Wireframe(dimension(), points, subject.wire().edges());
     }
 
     /** The matrix that is selected, by its name; empty where none is or it has no name. */

@@ -6,7 +6,7 @@ import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.StagePoint;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 
 /** What the stage shows of a list after some of its steps. */
 final class ListFigure {
@@ -57,7 +57,7 @@ final class ListFigure {
     private void wire(double[] points, MarkInk ink, double[] h) {
         List<StagePoint> spots = places.of(points);
         if (scene.choice().subject().wire().edges().isEmpty()) dots(spots, ink, h);
-        for (Wire.Edge edge : scene.choice().subject().wire().edges()) {
+        for (Wireframe.Edge edge : scene.choice().subject().wire().edges()) {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
             marks.add(
                     new Mark.Line(

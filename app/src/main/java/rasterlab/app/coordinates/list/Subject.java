@@ -3,25 +3,25 @@ package rasterlab.app.coordinates.list;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.naming.Named;
 
 /** What is transformed. */
 public enum Subject {
-    SQUARE(Wire.square()),
-    TRIANGLE(Wire.triangle()),
-    HOUSE(Wire.house()),
-    CUBE(Wire.cube()),
+    SQUARE(Wireframe.square()),
+    TRIANGLE(Wireframe.triangle()),
+    HOUSE(Wireframe.house()),
+    CUBE(Wireframe.cube()),
     /** Points of space by themselves, as an input of a topic has them. */
-    POINTS(Wire.point());
+    POINTS(Wireframe.point());
 
-    private final transient Wire wire;
+    private final transient Wireframe wire;
 
-    Subject(Wire wire) {
+    Subject(Wireframe wire) {
         this.wire = wire;
     }
 
-    Wire wire() {
+    Wireframe wire() {
         return wire;
     }
 

@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.joml.Matrix4d;
 import rasterlab.app.coordinates.figure.ChainCommand;
 import rasterlab.app.coordinates.figure.Chains;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 
 /**
  * The shell command that computes where the corners of the newest cube go. The program itself,
@@ -23,7 +23,7 @@ final class CubeCommand {
                 ChainCommand.of(
                         List.of(ChainCommand.cells(4, Chains.cells(newest))),
                         3,
-                        Wire.cube().numbers(),
+                        Wireframe.cube().numbers(),
                         "double"));
     }
 }

@@ -9,13 +9,13 @@ import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.transform.MatrixMode;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /** The cubes that a program drew, and the frame in which the next one would be. */
 final class StackFigure {
-    private static final Wire CUBE = Wire.cube();
+    private static final Wireframe CUBE = Wireframe.cube();
     private static final String[] AXES = {"x", "y", "z"};
     private static final String[] MOVED = {"x′", "y′", "z′"};
     private static final double FIXED = 3;
@@ -70,7 +70,7 @@ final class StackFigure {
 
     private void cube(Matrix4d frame) {
         List<StagePoint> places = places(frame, CUBE.numbers());
-        for (Wire.Edge edge : CUBE.edges())
+        for (Wireframe.Edge edge : CUBE.edges())
             marks.add(new Mark.Line(places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
     }
 }

@@ -13,7 +13,7 @@ import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.transform.VanishingPoints;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
@@ -109,7 +109,7 @@ final class ViewFigure {
     }
 
     private void wire(ViewScene.Image image, List<StagePoint> places, MarkInk ink, String label) {
-        for (Wire.Edge edge : ViewScene.HOUSE.edges()) {
+        for (Wireframe.Edge edge : ViewScene.HOUSE.edges()) {
             boolean right = image.inFront(edge.from()) && image.inFront(edge.to());
             marks.add(
                     new Mark.Line(
@@ -284,7 +284,7 @@ final class ViewFigure {
             };
             marks.add(new Mark.Area(inEyeSpace(edge), MarkInk.PLANE));
             List<StagePoint> places = inEyeSpace(points);
-            for (Wire.Edge each : ViewScene.HOUSE.edges())
+            for (Wireframe.Edge each : ViewScene.HOUSE.edges())
                 marks.add(new Mark.Line(places.get(each.from()), places.get(each.to()), MarkInk.PLANE));
         }
 

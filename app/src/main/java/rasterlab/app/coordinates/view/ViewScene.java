@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import rasterlab.app.coordinates.figure.Chains;
-import rasterlab.app.coordinates.figure.Wire;
+import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.transform.PerspectiveAmount;
@@ -61,7 +61,7 @@ record ViewScene(
         }
     }
 
-    static final Wire HOUSE = Wire.house();
+    static final Wireframe HOUSE = Wireframe.house();
 
     static ViewScene of(TransformTopic topic, ViewChoice choice) {
         PointTransformer method = topic.method(choice.method()).implementation();

@@ -13,22 +13,22 @@ import rasterlab.engine.scene.Mesh;
  * @param points numbers one after the other
  * @param edges each the numbers of two points, from 0
  */
-public record Wire(int dimension, List<Double> points, List<Edge> edges) {
+public record Wireframe(int dimension, List<Double> points, List<Edge> edges) {
     /** Numbers of two points. */
     public record Edge(int from, int to) {}
 
-    public Wire {
+    public Wireframe {
         points = List.copyOf(points);
         edges = List.copyOf(edges);
     }
 
     /** The course's house in metres, its vertices 1 to 10 in their order. */
-    public static Wire house() {
-        return new Wire(3, list(House.vertices()), edges(House.mesh()));
+    public static Wireframe house() {
+        return new Wireframe(3, list(House.vertices()), edges(House.mesh()));
     }
 
     /** The corner of a unit cube at the origin, its edges along the axes. */
-    public static Wire cube() {
+    public static Wireframe cube() {
         double[] points = {
             0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, //
             0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1
@@ -36,16 +36,16 @@ public record Wire(int dimension, List<Double> points, List<Edge> edges) {
         int[][] faces = {
             {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}
         };
-        return new Wire(3, list(points), edges(new Mesh(points, faces)));
+        return new Wireframe(3, list(points), edges(new Mesh(points, faces)));
     }
 
     /** The corner of the unit cube that is farthest from the origin. */
-    public static Wire point() {
-        return new Wire(3, List.of(1.0, 1.0, 1.0), List.of());
+    public static Wireframe point() {
+        return new Wireframe(3, List.of(1.0, 1.0, 1.0), List.of());
     }
 
     /** The unit square with a letter F in it, whose mirror image looks different. */
-    public static Wire square() {
+    public static Wireframe square() {
         return plane(
                 new double[] {
                     0, 0, 1, 0, 1, 1, 0, 1, //
@@ -55,14 +55,14 @@ public record Wire(int dimension, List<Double> points, List<Edge> edges) {
     }
 
     /** The triangle that the course turns by 90°. */
-    public static Wire triangle() {
+    public static Wireframe triangle() {
         return plane(new double[] {3, -1, 4, 1, 2, 1}, new int[][] {{0, 1}, {1, 2}, {2, 0}});
     }
 
-    private static Wire plane(double[] points, int[][] pairs) {
+    private static Wireframe plane(double[] points, int[][] pairs) {
         var edges = new ArrayList<Edge>();
         for (int[] pair : pairs) edges.add(new Edge(pair[0], pair[1]));
-        return new Wire(2, list(points), edges);
+        return new Wireframe(2, list(points), edges);
     }
 
     private static List<Double> list(double[] numbers) {
