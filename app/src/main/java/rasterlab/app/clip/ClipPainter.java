@@ -47,7 +47,7 @@ final class ClipPainter {
     private final Color second;
     private final InView inView;
     private final List<Rectangle> labels;
-    private final WordPlaces words;
+    private final SignWordPlaces words;
 
     /**
      * @param other name of a second method, "" for none
@@ -67,7 +67,7 @@ final class ClipPainter {
         second = ClipColours.OWN.of(other);
         this.labels = labels;
         inView = new InView(map, g.getClipBounds());
-        words = new WordPlaces(g.getClipBounds(), labels);
+        words = new SignWordPlaces(g.getClipBounds(), labels);
     }
 
     /**

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Where words beside signs stand: over no handle, and over no words that stand already. */
-final class WordPlaces {
+final class SignWordPlaces {
     /** View units between a sign and its words, across and up, the nearest first. */
     private static final int[] AWAY = {12, 26};
 
@@ -16,7 +16,7 @@ final class WordPlaces {
      * @param view what is seen
      * @param handles with the points' labels
      */
-    WordPlaces(Rectangle view, List<Rectangle> handles) {
+    SignWordPlaces(Rectangle view, List<Rectangle> handles) {
         this.view = view;
         taken = new ArrayList<>(handles);
     }
