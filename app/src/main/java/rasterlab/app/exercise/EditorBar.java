@@ -121,7 +121,7 @@ final class EditorBar extends JPanel {
     private void answerSteps(Exercise exercise, String source) {
         Beginning beginning = model.beginning();
         model.begin(
-                Work.of(Work.Phase.READING),
+                BackgroundWork.of(BackgroundWork.Phase.READING),
                 tell -> {
                     HandedAnswers begun = beginning.sheet(source);
                     return () -> lab.answerSteps(exercise.id(), begun);

@@ -1,6 +1,6 @@
 package rasterlab.app.exercise;
 
-import static rasterlab.app.exercise.Work.Phase.JOINING;
+import static rasterlab.app.exercise.BackgroundWork.Phase.JOINING;
 
 import java.net.URI;
 import java.util.Optional;
@@ -51,7 +51,7 @@ final class Enrolment {
 
     private void join(URI server, Joining joining) {
         model.begin(
-                Work.of(JOINING),
+                BackgroundWork.of(JOINING),
                 tell -> {
                     var account = joining.with(new CourseServer(server, patience));
                     return () -> use(account);

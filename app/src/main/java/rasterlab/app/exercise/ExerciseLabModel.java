@@ -1,8 +1,8 @@
 package rasterlab.app.exercise;
 
-import static rasterlab.app.exercise.Work.Phase.CHECKING;
-import static rasterlab.app.exercise.Work.Phase.READING;
-import static rasterlab.app.exercise.Work.Phase.SENDING;
+import static rasterlab.app.exercise.BackgroundWork.Phase.CHECKING;
+import static rasterlab.app.exercise.BackgroundWork.Phase.READING;
+import static rasterlab.app.exercise.BackgroundWork.Phase.SENDING;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -192,7 +192,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Begins anew with the exercise's own text, or with a new sheet. */
     public void restoreStarter() {
-        beginning().give(this::type, this::tell, (task, no) -> begin(Work.of(READING), task, no));
+        beginning().give(this::type, this::tell, (task, no) -> begin(BackgroundWork.of(READING), task, no));
     }
 
     /** Shows the next hint, or asks the server what it costs. */
@@ -264,7 +264,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String source = state.source();
         int of = untried().size() + 1;
         begin(
-                new Work(CHECKING, 0, of, List.of()),
+                new BackgroundWork(CHECKING, 0, of, List.of()),
                 tell -> {
                     Outcome outcome =
                             checking.outcome(
@@ -310,7 +310,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String key = key(about);
         var submitting = Submitting.to(account, patience, exercise.form());
         begin(
-                Work.of(SENDING),
+                BackgroundWork.of(SENDING),
                 tell -> {
                     UnreadableSheet.check(exercise, source);
                     Outcome outcome =
@@ -336,20 +336,20 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     private void judged(List<TriedCase> cases, int of) {
-        publish(changed().work(new Work(CHECKING, cases.size(), of, cases)));
+        publish(changed().work(new BackgroundWork(CHECKING, cases.size(), of, cases)));
     }
 
-    void begin(Work first, Background.Task task, Consumer<IOException> failed) {
+    void begin(BackgroundWork first, Background.Task task, Consumer<IOException> failed) {
         if (state().work().running()) return;
         publish(changed().work(first).notice(Notice.NONE).joining(JoinAnswer.NONE));
-        background.begin(task, () -> publish(changed().work(Work.NONE)), failed);
+        background.begin(task, () -> publish(changed().work(BackgroundWork.NONE)), failed);
     }
 
     /** Gives up what runs. */
     public void cancel() {
         if (!state().work().running()) return;
         background.cancel();
-        publish(changed().work(Work.NONE).notice(Notice.of(state.work().givenUp())));
+        publish(changed().work(BackgroundWork.NONE).notice(Notice.of(state.work().givenUp())));
     }
 
     private void accept(Exercise exercise, Outcome outcome) {

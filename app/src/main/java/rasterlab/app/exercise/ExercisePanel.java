@@ -222,7 +222,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
         var listening = new AtomicReference<Runnable>();
         Consumer<ExerciseState> tellRest =
                 state -> {
-                    if (state.work().phase() != Work.Phase.CHECKING) resting.countDown();
+                    if (state.work().phase() != BackgroundWork.Phase.CHECKING) resting.countDown();
                 };
         EventQueue.invokeLater(
                 () -> {

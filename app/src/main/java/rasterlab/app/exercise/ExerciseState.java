@@ -21,7 +21,7 @@ record ExerciseState(
         String source,
         List<DraftFile.Other> otherDrafts,
         Optional<Outcome> outcome,
-        Work work,
+        BackgroundWork work,
         Notice notice,
         Notice unsaved,
         Optional<Account> account,
@@ -37,7 +37,7 @@ record ExerciseState(
                 source,
                 List.of(),
                 Optional.empty(),
-                Work.NONE,
+                BackgroundWork.NONE,
                 Notice.NONE,
                 Notice.NONE,
                 Optional.empty(),
@@ -46,7 +46,7 @@ record ExerciseState(
 
     /** Whether a server is asked to let a student join. */
     boolean joins() {
-        return work.phase() == Work.Phase.JOINING;
+        return work.phase() == BackgroundWork.Phase.JOINING;
     }
 
     /** Whether the outcome speaks of the text as it is now. */

@@ -11,7 +11,7 @@ final class ExerciseStateChange {
     private String source;
     private List<DraftFile.Other> otherDrafts;
     private Optional<Outcome> outcome;
-    private Work work;
+    private BackgroundWork work;
     private Notice notice;
     private Notice unsaved;
     private Optional<Account> account;
@@ -50,7 +50,7 @@ final class ExerciseStateChange {
         return this;
     }
 
-    ExerciseStateChange work(Work next) {
+    ExerciseStateChange work(BackgroundWork next) {
         work = next;
         return this;
     }

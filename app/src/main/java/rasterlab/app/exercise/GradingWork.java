@@ -1,20 +1,20 @@
 package rasterlab.app.exercise;
 
-import static rasterlab.app.exercise.Work.Phase.GRADING;
-import static rasterlab.app.exercise.Work.Phase.WAITING;
+import static rasterlab.app.exercise.BackgroundWork.Phase.GRADING;
+import static rasterlab.app.exercise.BackgroundWork.Phase.WAITING;
 
 import java.util.List;
 import java.util.function.Consumer;
 
 /** Tells how a submission gets on as work that runs. */
-record GradingWork(Consumer<Work> told) implements Submitting.Follower {
+record GradingWork(Consumer<BackgroundWork> told) implements Submitting.Follower {
     @Override
     public void waits(int position) {
-        told.accept(new Work(WAITING, position, 0, List.of()));
+        told.accept(new BackgroundWork(WAITING, position, 0, List.of()));
     }
 
     @Override
     public void judged(List<TriedCase> cases) {
-        told.accept(new Work(GRADING, cases.size(), 0, cases));
+        told.accept(new BackgroundWork(GRADING, cases.size(), 0, cases));
     }
 }

@@ -103,7 +103,7 @@ final class ResultHead extends JPanel {
         where.setToolTipText(said.isolation().in(texts.language()));
     }
 
-    private void show(Work work) {
+    private void show(BackgroundWork work) {
         progress.setVisible(work.running());
         progress.setIndeterminate(work.of() == 0 || work.done() == 0);
         progress.setMaximum(Math.max(1, work.of()));
@@ -115,7 +115,7 @@ final class ResultHead extends JPanel {
         progress.revalidate();
     }
 
-    private static String nothingYet(Work.Phase phase) {
+    private static String nothingYet(BackgroundWork.Phase phase) {
         return switch (phase) {
             case NONE, READING -> "none";
             case JOINING -> "joining";

@@ -55,12 +55,12 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane before = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(before, Work.NONE, outcome);
+                    show(before, BackgroundWork.NONE, outcome);
                     assertEquals(SMALLEST, cases(before).getSelectedRow());
                     cases(before).setRowSelectionInterval(2, 2);
                     before.close();
                     ResultPane after = pane(language, kept, FAILURES::add);
-                    show(after, Work.NONE, outcome);
+                    show(after, BackgroundWork.NONE, outcome);
                     assertEquals(2, cases(after).getSelectedRow());
                     after.close();
                 });
@@ -73,9 +73,9 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(pane, BackgroundWork.NONE, Optional.of(wrong()));
                     cases(pane).setRowSelectionInterval(2, 2);
-                    show(pane, Work.NONE, Optional.of(wrong("another text")));
+                    show(pane, BackgroundWork.NONE, Optional.of(wrong("another text")));
                     assertEquals(SMALLEST, cases(pane).getSelectedRow());
                     pane.close();
                 });
@@ -89,13 +89,13 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, Work.NONE, Optional.empty());
+                    show(pane, BackgroundWork.NONE, Optional.empty());
                     cases(pane).setRowSelectionInterval(4, 4);
-                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(pane, BackgroundWork.NONE, Optional.of(wrong()));
                     cases(pane).setRowSelectionInterval(2, 2);
                     show(pane, judged(1), Optional.empty());
                     assertEquals(2, cases(pane).getSelectedRow());
-                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(pane, BackgroundWork.NONE, Optional.of(wrong()));
                     assertEquals(2, cases(pane).getSelectedRow());
                     pane.close();
                 });
@@ -108,10 +108,10 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(pane, BackgroundWork.NONE, Optional.of(wrong()));
                     show(
                             pane,
-                            Work.NONE,
+                            BackgroundWork.NONE,
                             Optional.of(ShownResult.outcome(GradingVerdict.TIME_LIMIT)));
                     assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
@@ -129,7 +129,7 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, Work.NONE, broughtBack);
+                    show(pane, BackgroundWork.NONE, broughtBack);
                     assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
                 });
@@ -142,7 +142,7 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, Work.NONE, Optional.of(ShownResult.outcome(GradingVerdict.OK)));
+                    show(pane, BackgroundWork.NONE, Optional.of(ShownResult.outcome(GradingVerdict.OK)));
                     assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
                 });
@@ -168,11 +168,11 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane before = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(before, Work.NONE, Optional.of(outcome));
+                    show(before, BackgroundWork.NONE, Optional.of(outcome));
                     cases(before).setRowSelectionInterval(1, 1);
                     before.close();
                     ResultPane after = pane(Language.RUSSIAN, kept, FAILURES::add);
-                    show(after, Work.NONE, Optional.of(outcome));
+                    show(after, BackgroundWork.NONE, Optional.of(outcome));
                     assertEquals(1, cases(after).getSelectedRow());
                     assertEquals("скрытый 2", cases(after).getValueAt(1, 1));
                     after.close();
@@ -196,8 +196,8 @@ class CaseChoiceTest {
                 });
     }
 
-    private static Work grading(TriedCase... cases) {
-        return new Work(Work.Phase.GRADING, cases.length, 0, List.of(cases));
+    private static BackgroundWork grading(TriedCase... cases) {
+        return new BackgroundWork(BackgroundWork.Phase.GRADING, cases.length, 0, List.of(cases));
     }
 
     @Test
@@ -208,14 +208,14 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, Work.NONE, before);
-                    show(pane, Work.of(Work.Phase.JOINING), before);
+                    show(pane, BackgroundWork.NONE, before);
+                    show(pane, BackgroundWork.of(BackgroundWork.Phase.JOINING), before);
                     assertEquals("wrong", cases(pane).getValueAt(3, 3));
-                    show(pane, new Work(Work.Phase.CHECKING, 0, 9, List.of()), before);
+                    show(pane, new BackgroundWork(BackgroundWork.Phase.CHECKING, 0, 9, List.of()), before);
                     assertEquals("wrong", cases(pane).getValueAt(3, 3));
                     show(pane, judged(1), before);
                     assertEquals("–", cases(pane).getValueAt(3, 3));
-                    show(pane, Work.NONE, before);
+                    show(pane, BackgroundWork.NONE, before);
                     assertEquals("wrong", cases(pane).getValueAt(3, 3));
                     pane.close();
                 });
@@ -229,7 +229,7 @@ class CaseChoiceTest {
                 () -> {
                     ShownResult.install(LabTheme.LIGHT, 14);
                     made.set(pane(Language.RUSSIAN, kept, FAILURES::add));
-                    show(made.get(), Work.NONE, Optional.of(wrong()));
+                    show(made.get(), BackgroundWork.NONE, Optional.of(wrong()));
                 });
         OffscreenPainter.paint(made.get(), 775, 140);
         EventQueue.invokeAndWait(() -> assertTrue(seen(made.get(), SMALLEST), "out of sight"));
@@ -277,7 +277,7 @@ class CaseChoiceTest {
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
                     show(pane, judged(4), Optional.empty());
                     assertEquals("–", cases(pane).getValueAt(3, 3));
-                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(pane, BackgroundWork.NONE, Optional.of(wrong()));
                     assertEquals("wrong", cases(pane).getValueAt(3, 3));
                     pane.close();
                 });
@@ -299,16 +299,16 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.RUSSIAN, kept, FAILURES::add);
-                    show(pane, Work.NONE, Optional.of(outcome));
+                    show(pane, BackgroundWork.NONE, Optional.of(outcome));
                     String reason = ((JTextArea) named(pane, "reason")).getText();
                     assertEquals(called ? "Наименьший контрпример: это так" : "это так", reason);
                     pane.close();
                 });
     }
 
-    private static Work judged(int cases) {
+    private static BackgroundWork judged(int cases) {
         List<TriedCase> all = wrong().cases();
-        return new Work(Work.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
+        return new BackgroundWork(BackgroundWork.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
     }
 
     private static JTable cases(ResultPane pane) {

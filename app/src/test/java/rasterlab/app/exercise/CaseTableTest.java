@@ -72,7 +72,7 @@ class CaseTableTest {
                 () -> {
                     ResultPane pane = ShownResult.pane(Language.RUSSIAN, failure -> {});
                     Outcome outcome = ShownResult.outcome(verdict);
-                    ShownResult.show(pane, Work.NONE, Optional.of(outcome));
+                    ShownResult.show(pane, BackgroundWork.NONE, Optional.of(outcome));
                     var head = (JLabel) ShownResult.named(pane, "result.verdict");
                     var table = new CaseTable(texts, () -> {});
                     table.setSize(280, 200);

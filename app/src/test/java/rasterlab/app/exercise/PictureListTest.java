@@ -121,7 +121,7 @@ class PictureListTest {
                 () -> {
                     ShownResult.install(LabTheme.LIGHT, 14);
                     ResultPane pane = ShownResult.pane(Language.RUSSIAN, failure -> {});
-                    ShownResult.show(pane, Work.NONE, Optional.of(twoCases()));
+                    ShownResult.show(pane, BackgroundWork.NONE, Optional.of(twoCases()));
                     var canvas = (CaseCanvas) ShownResult.named(pane, "case.picture");
                     var view = (NameChooser) ShownResult.named(pane, "view");
                     CaseTable table = (CaseTable) ShownResult.named(pane, "cases");

@@ -44,7 +44,7 @@ class ReadableWordsTest {
     private void requireReadable(GradingVerdict verdict) {
         ResultPane pane = ShownResult.pane(Language.ENGLISH, failure -> {});
         Outcome outcome = ShownResult.outcome(verdict);
-        ShownResult.show(pane, Work.NONE, Optional.of(outcome));
+        ShownResult.show(pane, BackgroundWork.NONE, Optional.of(outcome));
         Container head = ShownResult.named(pane, "result.verdict").getParent();
         for (Component said : head.getComponents())
             if (said instanceof JLabel) requireReadable(said);

@@ -84,14 +84,14 @@ class RemarkListTest {
     void messagesGoWithTheirText() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    var checking = new Work(Work.Phase.CHECKING, 0, 9, List.of());
-                    assertTrue(tellsRemarks("class A {", "class A {", Work.NONE));
+                    var checking = new BackgroundWork(BackgroundWork.Phase.CHECKING, 0, 9, List.of());
+                    assertTrue(tellsRemarks("class A {", "class A {", BackgroundWork.NONE));
                     assertTrue(tellsRemarks("class A {", "class A {", checking));
                     assertFalse(tellsRemarks("class A {", "class A { }", checking));
                 });
     }
 
-    private static boolean tellsRemarks(String refused, String source, Work work) {
+    private static boolean tellsRemarks(String refused, String source, BackgroundWork work) {
         var pane = ShownResult.pane(Language.ENGLISH, failure -> {});
         var outcome =
                 new Outcome(

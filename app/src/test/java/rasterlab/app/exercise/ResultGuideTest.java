@@ -49,12 +49,12 @@ class ResultGuideTest {
         "SENDING, 0, 0, true, sending",
         "WAITING, 2, 0, true, place 2 in the queue"
     })
-    void barTellsOnlyWhatIsDone(Work.Phase phase, int done, int of, boolean unknown, String said)
+    void barTellsOnlyWhatIsDone(BackgroundWork.Phase phase, int done, int of, boolean unknown, String said)
             throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
                     ResultPane pane = pane(Language.ENGLISH, FAILURES::add);
-                    show(pane, new Work(phase, done, of, List.of()), Optional.empty());
+                    show(pane, new BackgroundWork(phase, done, of, List.of()), Optional.empty());
                     var bar = (JProgressBar) named(pane, "progress");
                     assertEquals(unknown, bar.isIndeterminate());
                     assertEquals(said, bar.getString());
@@ -76,13 +76,13 @@ class ResultGuideTest {
                 () -> {
                     ShownResult.install(LabTheme.LIGHT, type);
                     made.set(pane(language, FAILURES::add));
-                    show(made.get(), Work.NONE, Optional.empty());
+                    show(made.get(), BackgroundWork.NONE, Optional.empty());
                 });
         OffscreenPainter.paint(made.get(), width, height);
         EventQueue.invokeAndWait(() -> assertWhole(made.get(), language));
         EventQueue.invokeAndWait(
                 () -> {
-                    show(made.get(), Work.NONE, Optional.of(outcome(GradingVerdict.OK)));
+                    show(made.get(), BackgroundWork.NONE, Optional.of(outcome(GradingVerdict.OK)));
                     assertFalse(named(made.get(), "guide.scroll").isVisible(), "still there");
                     assertTrue(named(made.get(), "case.picture").isVisible());
                     made.get().close();
@@ -104,7 +104,7 @@ class ResultGuideTest {
                 () -> {
                     ShownResult.install(LabTheme.LIGHT, type);
                     made.set(pane(language, FAILURES::add));
-                    show(made.get(), breaking, Work.NONE, Optional.empty());
+                    show(made.get(), breaking, BackgroundWork.NONE, Optional.empty());
                 });
         OffscreenPainter.paint(made.get(), width, height);
         EventQueue.invokeAndWait(
@@ -113,7 +113,7 @@ class ResultGuideTest {
                     var guide = (JTextArea) named(made.get(), "guide");
                     assertTrue(guide.getText().contains("JSON"), guide.getText());
                     assertFalse(guide.getText().contains(compiles), guide.getText());
-                    show(made.get(), Work.NONE, Optional.empty());
+                    show(made.get(), BackgroundWork.NONE, Optional.empty());
                     assertTrue(guide.getText().contains(compiles), guide.getText());
                     made.get().close();
                 });
@@ -126,7 +126,7 @@ class ResultGuideTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(language, FAILURES::add);
-                    show(pane, Work.of(Work.Phase.JOINING), Optional.empty());
+                    show(pane, BackgroundWork.of(BackgroundWork.Phase.JOINING), Optional.empty());
                     assertEquals(heading, ((JLabel) named(pane, "result.verdict")).getText());
                     pane.close();
                 });
@@ -155,7 +155,7 @@ class ResultGuideTest {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(language, FAILURES::add);
                     for (Outcome one : List.of(now, earlier)) {
-                        show(pane, Work.NONE, Optional.of(one));
+                        show(pane, BackgroundWork.NONE, Optional.of(one));
                         String said = ((JLabel) named(pane, "result.where")).getText();
                         assertEquals(one.earlier(), said.contains(words), said);
                     }
@@ -177,7 +177,7 @@ class ResultGuideTest {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(language, FAILURES::add);
                     TriedCase tried = judged(TriedCase.untried(EXERCISE).get(0), verdict);
-                    var grading = new Work(Work.Phase.GRADING, 1, 0, List.of(tried));
+                    var grading = new BackgroundWork(BackgroundWork.Phase.GRADING, 1, 0, List.of(tried));
                     show(pane, grading, Optional.empty());
                     ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
                     String said = ((JTextArea) named(pane, "reason")).getText();
@@ -221,7 +221,7 @@ class ResultGuideTest {
                                     plain.isolation(),
                                     0,
                                     false);
-                    show(pane, Work.NONE, Optional.of(result));
+                    show(pane, BackgroundWork.NONE, Optional.of(result));
                     ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
                     assertEquals(
                             words + "; x (-1, 2)", ((JTextArea) named(pane, "reason")).getText());

@@ -54,14 +54,14 @@ class ResultPlacesTest {
                 () -> {
                     ShownResult.install(LabTheme.LIGHT, 14);
                     made.set(pane(language, FAILURES::add));
-                    show(made.get(), Work.NONE, Optional.empty());
+                    show(made.get(), BackgroundWork.NONE, Optional.empty());
                 });
         ResultPane pane = made.get();
         OffscreenPainter.paint(pane, width, height);
         Rectangle before = named(pane, "cases.scroll").getBounds();
         Rectangle guide = named(pane, "guide.scroll").getBounds();
         for (GradingVerdict verdict : EnumSet.complementOf(EnumSet.copyOf(CaseTable.OF_NO_CASE))) {
-            EventQueue.invokeAndWait(() -> show(pane, Work.NONE, Optional.of(outcome(verdict))));
+            EventQueue.invokeAndWait(() -> show(pane, BackgroundWork.NONE, Optional.of(outcome(verdict))));
             OffscreenPainter.paint(pane, width, height);
             Rectangle after = named(pane, "cases.scroll").getBounds();
             // The line above may wrap, by which the table is lower.
@@ -94,7 +94,7 @@ class ResultPlacesTest {
                 () -> {
                     ShownResult.install(LabTheme.PROJECTOR, type);
                     made.set(pane(language, FAILURES::add));
-                    show(made.get(), Work.NONE, Optional.of(explained()));
+                    show(made.get(), BackgroundWork.NONE, Optional.of(explained()));
                 });
         ResultPane pane = made.get();
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(pane, width, height);
@@ -145,7 +145,7 @@ class ResultPlacesTest {
                 () -> {
                     ShownResult.install(LabTheme.PROJECTOR, 38);
                     ResultPane pane = pane(Language.ENGLISH, FAILURES::add);
-                    show(pane, Work.NONE, Optional.of(outcome(GradingVerdict.WRONG)));
+                    show(pane, BackgroundWork.NONE, Optional.of(outcome(GradingVerdict.WRONG)));
                     pane.setSize(1250, 500);
                     layOutOnce(pane);
                     for (String name : List.of("result.verdict", "result.points")) {

@@ -96,11 +96,11 @@ final class ShownResult {
                 onFailure);
     }
 
-    static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {
+    static void show(ResultPane pane, BackgroundWork work, Optional<Outcome> outcome) {
         show(pane, EXERCISE, work, outcome);
     }
 
-    static void show(ResultPane pane, Exercise exercise, Work work, Optional<Outcome> outcome) {
+    static void show(ResultPane pane, Exercise exercise, BackgroundWork work, Optional<Outcome> outcome) {
         pane.show(
                 new ExerciseState(
                         exercise,

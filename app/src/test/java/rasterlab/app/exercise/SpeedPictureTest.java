@@ -83,7 +83,7 @@ class SpeedPictureTest {
                 () -> {
                     ResultPane pane = pane(language, FAILURES::add);
                     Outcome outcome = measured(measured ? Optional.of(SPEED) : Optional.empty());
-                    show(pane, Work.NONE, Optional.of(outcome));
+                    show(pane, BackgroundWork.NONE, Optional.of(outcome));
                     var table = (JTable) named(pane, "cases");
                     int row = chosen.equals("speed") ? table.getRowCount() - 1 : 0;
                     table.setRowSelectionInterval(row, row);

@@ -91,15 +91,15 @@ class SubmittingTest {
     void followsASubmissionToItsResult() throws Exception {
         try (var server = server();
                 var trial = joined(server)) {
-            List<Work.Phase> phases = new ArrayList<>();
+            List<BackgroundWork.Phase> phases = new ArrayList<>();
             trial.model.listen(state -> phases.add(state.work().phase()));
             trial.model.submit();
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
             assertEquals(3, outcome.attempt());
             assertEquals(9, outcome.points().total());
             assertEquals("pixel (1, 2) is missing", outcome.cases().get(0).said().english());
-            assertTrue(phases.contains(Work.Phase.WAITING), phases.toString());
-            assertTrue(phases.contains(Work.Phase.GRADING), phases.toString());
+            assertTrue(phases.contains(BackgroundWork.Phase.WAITING), phases.toString());
+            assertTrue(phases.contains(BackgroundWork.Phase.GRADING), phases.toString());
         }
     }
 
@@ -333,7 +333,7 @@ class SubmittingTest {
                 var trial = joined(server)) {
             server.on(EVENTS, exchange -> begunOnly(exchange, end));
             trial.model.submit();
-            trial.await("it waits", state -> state.work().phase() == Work.Phase.WAITING);
+            trial.await("it waits", state -> state.work().phase() == BackgroundWork.Phase.WAITING);
             trial.model.cancel();
             assertEquals("cancelled.handedIn", trial.state().notice().key());
             end.countDown();

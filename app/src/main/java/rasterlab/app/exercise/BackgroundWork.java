@@ -11,7 +11,7 @@ import java.util.List;
  * @param cases those judged so far, without their verdicts: a mistake that all share is known only
  *     at the end, and is then paid for in the cases that ask for it alone
  */
-record Work(Phase phase, int done, int of, List<TriedCase> cases) {
+record BackgroundWork(Phase phase, int done, int of, List<TriedCase> cases) {
     enum Phase {
         NONE,
         CHECKING,
@@ -22,14 +22,14 @@ record Work(Phase phase, int done, int of, List<TriedCase> cases) {
         GRADING
     }
 
-    Work {
+    BackgroundWork {
         cases = TriedCase.toldApart(cases.stream().map(TriedCase::withoutVerdict).toList());
     }
 
-    static final Work NONE = of(Phase.NONE);
+    static final BackgroundWork NONE = of(Phase.NONE);
 
-    static Work of(Phase phase) {
-        return new Work(phase, 0, 0, List.of());
+    static BackgroundWork of(Phase phase) {
+        return new BackgroundWork(phase, 0, 0, List.of());
     }
 
     /** Key of the notice that says what has become of work that is given up. */
