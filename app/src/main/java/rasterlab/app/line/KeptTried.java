@@ -29,11 +29,11 @@ record KeptTried(Segment segment, String right, boolean wrong, List<Integer> pla
                     "places are x and y by turns, got " + places.size() + " numbers");
     }
 
-    static KeptTried of(Optional<Tried> tried) {
+    static KeptTried of(Optional<TriedSegment> tried) {
         return tried.map(KeptTried::of).orElse(NOTHING);
     }
 
-    private static KeptTried of(Tried tried) {
+    private static KeptTried of(TriedSegment tried) {
         if (tried.drawn().isEmpty())
             return new KeptTried(tried.segment(), tried.right(), false, List.of(), false);
         PixelRecording pixels = tried.drawn().get().pixels();
@@ -48,12 +48,12 @@ record KeptTried(Segment segment, String right, boolean wrong, List<Integer> pla
     }
 
     /** What it was made of, with the pixels that were kept. */
-    Optional<Tried> tried() {
+    Optional<TriedSegment> tried() {
         if (right.isEmpty()) return Optional.empty();
         var pixels = new PixelRecording(Math.max(1, places.size() / 2));
         for (int i = 0; i < places.size(); i += 2) pixels.plot(places.get(i), places.get(i + 1));
         return Optional.of(
-                new Tried(
+                new TriedSegment(
                         segment,
                         right,
                         Optional.of(new Plotted(pixels, cut)).filter(drawn -> wrong)));

@@ -39,7 +39,7 @@ final class LineFraming {
                 state.drawings()
                         .tried()
                         .filter(program -> program.fits(state.choice()))
-                        .flatMap(Tried::drawn);
+                        .flatMap(TriedSegment::drawn);
         return whole(segment, plotted);
     }
 

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.line.Tried;
+import rasterlab.app.line.TriedSegment;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
@@ -72,9 +72,9 @@ class CaseOpeningTest {
                             Optional.of(Plotted.whole(drawn)));
             others.line().settle();
             answers.forEach(Runnable::run);
-            Tried tried = others.line().state().drawings().tried().orElseThrow();
+            TriedSegment tried = others.line().state().drawings().tried().orElseThrow();
             assertEquals(
-                    new Tried(
+                    new TriedSegment(
                             new Segment(1, 2, 3, 4),
                             "bresenham",
                             Optional.of(Plotted.whole(drawn))),

@@ -31,7 +31,7 @@ import rasterlab.engine.raster.Plotted;
 
 /** What a program of the user's drew, beside the right line. */
 @Timeout(300)
-class TriedTest {
+class TriedSegmentTest {
     private static final Segment SHORT = new Segment(0, 0, 2, 0);
     private static final Segment LONG = new Segment(0, 0, 9_999, 0);
 
@@ -133,9 +133,9 @@ class TriedTest {
     @ValueSource(ints = {-1, 0, 1})
     void whatIsKeptIsWhatWasTried(int pixels) {
         var tried =
-                new Tried(
+                new TriedSegment(
                         LONG, "dda", Optional.of(pixels).filter(n -> n >= 0).map(n -> plotted(n)));
-        Tried back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
+        TriedSegment back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
         assertEquals(
                 tried.drawn().map(drawn -> drawn.pixels().size()),
                 back.drawn().map(drawn -> drawn.pixels().size()));
@@ -147,8 +147,8 @@ class TriedTest {
     @Test
     @DisplayName("millions of pixels are written at each start, or those left out count as missing")
     void ofManyPixelsTheFirstAreKept() {
-        var tried = new Tried(LONG, "dda", Optional.of(plotted(KeptTried.MOST + 1)));
-        Tried back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
+        var tried = new TriedSegment(LONG, "dda", Optional.of(plotted(KeptTried.MOST + 1)));
+        TriedSegment back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
         assertEquals(OptionalInt.of(KeptTried.MOST), back.first());
     }
 
