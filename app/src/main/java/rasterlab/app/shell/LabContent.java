@@ -77,7 +77,7 @@ public final class LabContent extends JPanel {
         keys.bind(KeyStroke.getKeyStroke("F1"), () -> help(labs.language()));
         add(pane);
         setTransferHandler(StrayDrop.on(this, texts));
-        DropThrough.within(this);
+        DropForwarder.within(this);
         pane.addChangeListener(
                 e -> {
                     pane.fill();

@@ -18,10 +18,10 @@ import rasterlab.app.canvas.FileDrop;
  * Lets what is dropped on a text to be read, a list or a table go to what is around it: Swing gives
  * each of them a drop target, which refuses files without a word.
  */
-final class DropThrough extends ContainerAdapter {
-    private static final DropThrough LISTENER = new DropThrough();
+final class DropForwarder extends ContainerAdapter {
+    private static final DropForwarder LISTENER = new DropForwarder();
 
-    private DropThrough() {}
+    private DropForwarder() {}
 
     /** Works in all that the container holds, and all that is added to it later. */
     static void within(Container container) {
