@@ -9,7 +9,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.transform.Projection;
@@ -23,7 +23,7 @@ final class LitScene {
         return new Scene(
                 body.name(),
                 body.mesh(),
-                List.of(Finish.of(choice.material().material())),
+                List.of(Appearance.of(choice.material().material())),
                 new int[body.mesh().faceCount()],
                 new SceneLight(choice.model(), Optional.empty()),
                 body.backgroundRgb(),

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Substance;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 
 /** The material of a scene file as one that the lab makes of its substances. */
 final class MaterialOfFile {
@@ -13,9 +13,9 @@ final class MaterialOfFile {
     /**
      * The material; empty where faces differ, are glass, or are of no substance that the lab has.
      */
-    static Optional<MaterialChoice> of(List<Finish> finishes) {
+    static Optional<MaterialChoice> of(List<Appearance> finishes) {
         if (finishes.size() != 1) return Optional.empty();
-        Finish one = finishes.get(0);
+        Appearance one = finishes.get(0);
         if (one.front() != one.back() || one.front().alpha() < 1) return Optional.empty();
         for (Substance substance : Substance.values()) {
             Optional<MaterialChoice> found = of(substance, one.front().surface());

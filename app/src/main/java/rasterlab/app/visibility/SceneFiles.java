@@ -16,7 +16,7 @@ import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.SceneSource;
@@ -165,7 +165,7 @@ final class SceneFiles {
             return new SceneSource.ByName(shown.name(), OptionalInt.empty());
         if (!covered) return new SceneSource.Inline(shown.scene());
         return new SceneSource.Inline(
-                shown.scene().with(f -> new Finish(f.front(), f.back(), Optional.empty())));
+                shown.scene().with(f -> new Appearance(f.front(), f.back(), Optional.empty())));
     }
 
     /** A scene file finds pictures in its own folder only. */

@@ -2,7 +2,7 @@ package rasterlab.engine.pipeline;
 
 import rasterlab.engine.pipeline.paint.Minification;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 
 /**
  * What {@code --texture auto} comes to: mipmaps on the faces that may be made smaller, the linear
@@ -15,7 +15,7 @@ final class AutoTexture {
         TextureMode asked = request.look().texture();
         if (request.look().shading() == ShadingMethod.WIRE)
             return choice(TextureMode.NONE, "edges have no texture");
-        if (request.scene().finishes().stream().map(Finish::texture).allMatch(t -> t.isEmpty()))
+        if (request.scene().finishes().stream().map(Appearance::texture).allMatch(t -> t.isEmpty()))
             return choice(TextureMode.NONE, "the scene has no texture");
         if (asked != TextureMode.AUTO) return choice(asked, "asked for");
         RequestView seen = RequestView.of(request, request.width());

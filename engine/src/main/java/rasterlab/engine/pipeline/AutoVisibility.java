@@ -1,6 +1,6 @@
 package rasterlab.engine.pipeline;
 
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.painter.ConvexBody;
@@ -52,7 +52,7 @@ final class AutoVisibility {
         return new Choice(Renderer.PIPELINE, reason);
     }
 
-    private static boolean seenThrough(Finish finish) {
+    private static boolean seenThrough(Appearance finish) {
         return finish.front().alpha() < 1
                 || finish.back().alpha() < 1
                 || !finish.texture().map(laid -> laid.opaque()).orElse(true);

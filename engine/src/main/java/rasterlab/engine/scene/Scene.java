@@ -22,7 +22,7 @@ import rasterlab.engine.transform.SphericalView;
 public record Scene(
         String name,
         Mesh mesh,
-        List<Finish> finishes,
+        List<Appearance> finishes,
         int[] finishOf,
         SceneLight light,
         int backgroundRgb,
@@ -51,7 +51,7 @@ public record Scene(
     public Scene(
             String name,
             Mesh mesh,
-            List<Finish> finishes,
+            List<Appearance> finishes,
             int[] finishOf,
             SceneLight light,
             int backgroundRgb,
@@ -96,7 +96,7 @@ public record Scene(
             SphericalView defaultCamera,
             double pictureScale) {
         int[] colours = Arrays.stream(faceRgb).distinct().toArray();
-        List<Finish> finishes = Arrays.stream(colours).mapToObj(Finish::dull).toList();
+        List<Appearance> finishes = Arrays.stream(colours).mapToObj(Appearance::dull).toList();
         int[] finishOf =
                 Arrays.stream(faceRgb)
                         .map(rgb -> Arrays.stream(colours).boxed().toList().indexOf(rgb))
@@ -161,7 +161,7 @@ public record Scene(
     }
 
     /** The same scene with other finishes, one for each of its own. */
-    public Scene with(UnaryOperator<Finish> change) {
+    public Scene with(UnaryOperator<Appearance> change) {
         return new Scene(
                 name,
                 mesh,
@@ -180,7 +180,7 @@ public record Scene(
     }
 
     /** What a face looks like. */
-    public Finish finish(int face) {
+    public Appearance finish(int face) {
         return finishes.get(finishOf[face]);
     }
 

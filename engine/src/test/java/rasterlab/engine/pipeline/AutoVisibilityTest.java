@@ -14,7 +14,7 @@ import rasterlab.engine.light.Material;
 import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 
@@ -73,8 +73,8 @@ class AutoVisibilityTest {
                 difference.plainlyWrongPixels() < 20, difference.plainlyWrongPixels() + " wrong");
     }
 
-    private static Finish glass(Finish finish) {
-        return new Finish(
+    private static Appearance glass(Appearance finish) {
+        return new Appearance(
                 new Material(finish.front().surface(), 0.5),
                 new Material(finish.back().surface(), 0.5),
                 finish.texture());

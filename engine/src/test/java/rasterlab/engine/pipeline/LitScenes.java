@@ -12,7 +12,7 @@ import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Light;
 import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.Material;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -29,7 +29,7 @@ final class LitScenes {
 
     private LitScenes() {}
 
-    static Scene scene(Mesh mesh, Finish finish, SceneLight light) {
+    static Scene scene(Mesh mesh, Appearance finish, SceneLight light) {
         return new Scene(
                 "test",
                 mesh,
@@ -43,7 +43,7 @@ final class LitScenes {
 
     static Scene shinyBall(LightModel model) {
         return scene(
-                ball(9, 6), new Finish(RED, BLUE, Optional.empty()), new SceneLight(model, NONE));
+                ball(9, 6), new Appearance(RED, BLUE, Optional.empty()), new SceneLight(model, NONE));
     }
 
     static final Optional<LightSource> NONE = Optional.empty();
@@ -125,10 +125,10 @@ final class LitScenes {
                 new LightModel(one, false, false, Reflection.LAMBERT, List.of()), NONE);
     }
 
-    static Finish white() {
+    static Appearance white() {
         double[] one = {1, 1, 1};
         double[] none = new double[3];
-        return Finish.of(new Material(new SurfaceMaterial(one, none, none, none, 0), 1));
+        return Appearance.of(new Material(new SurfaceMaterial(one, none, none, none, 0), 1));
     }
 
     static LaidTexture laid(Texture texture, Wrap wrap) {

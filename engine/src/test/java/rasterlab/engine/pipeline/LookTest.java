@@ -27,7 +27,7 @@ import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -67,8 +67,8 @@ class LookTest {
                         "layers",
                         new Mesh(xyz, squares).withTexture(all),
                         List.of(
-                                Finish.of(colour(1, 0, 0, 1)),
-                                Finish.of(colour(0, 0, 1, 0.5)),
+                                Appearance.of(colour(1, 0, 0, 1)),
+                                Appearance.of(colour(0, 0, 1, 0.5)),
                                 LitScenes.white().with(LitScenes.laid(net, Wrap.REPEAT))),
                         new int[] {RED, GLASS, NET},
                         LitScenes.everywhere(),
@@ -166,7 +166,7 @@ class LookTest {
         var scene =
                 LitScenes.scene(
                         layers(RED).mesh(),
-                        Finish.of(material),
+                        Appearance.of(material),
                         new SceneLight(
                                 new LightModel(one, false, false, Reflection.PHONG, List.of()),
                                 Optional.of(light)));

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
@@ -33,7 +33,7 @@ class VertexColorsTest {
         return new Scene(
                 "square",
                 colors.length == 0 ? square : square.withColors(colors),
-                List.of(Finish.dull(0xFFFFFF)),
+                List.of(Appearance.dull(0xFFFFFF)),
                 new int[] {0},
                 SceneLight.lampAtEye(),
                 0,

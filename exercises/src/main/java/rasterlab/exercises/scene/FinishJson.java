@@ -5,16 +5,16 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Material;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 
 /** What faces look like, as JSON: a material, or one for the front and one for the back. */
 final class FinishJson {
     private FinishJson() {}
 
-    static Finish read(SceneJsonPlace finish) {
-        if (!finish.has("front")) return Finish.of(material(finish));
+    static Appearance read(SceneJsonPlace finish) {
+        if (!finish.has("front")) return Appearance.of(material(finish));
         finish.object("front", "back");
-        return new Finish(
+        return new Appearance(
                 material(finish.at("front")), material(finish.at("back")), Optional.empty());
     }
 
@@ -37,7 +37,7 @@ final class FinishJson {
         return colour.numbers(3, 0, 1);
     }
 
-    static void write(Finish finish, ObjectNode out) {
+    static void write(Appearance finish, ObjectNode out) {
         if (finish.back() == finish.front()) write(finish.front(), out);
         else {
             write(finish.front(), out.putObject("front"));

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.SphericalView;
@@ -23,7 +23,7 @@ final class InlineScene {
         scene.object(
                 "name", "vertices", "faces", "finishes", "light", "background", "pictureScale");
         List<SceneJsonPlace> faces = scene.at("faces").members();
-        List<Finish> finishes =
+        List<Appearance> finishes =
                 scene.at("finishes").members().stream().map(FinishJson::read).toList();
         if (finishes.isEmpty() && !faces.isEmpty())
             throw scene.at("finishes").wrong("must not be empty where there are faces");

@@ -25,7 +25,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.Plotted;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
@@ -147,8 +147,8 @@ class SceneFileTest {
                                 read.settings().get(SceneSetting.CAMERA).orElseThrow())));
     }
 
-    private static Finish withoutTexture(Finish finish) {
-        return new Finish(finish.front(), finish.back(), Optional.empty());
+    private static Appearance withoutTexture(Appearance finish) {
+        return new Appearance(finish.front(), finish.back(), Optional.empty());
     }
 
     private static int[] picture(Scene scene, SphericalView camera) {

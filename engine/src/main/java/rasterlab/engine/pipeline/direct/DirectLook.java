@@ -4,7 +4,7 @@ import java.util.Optional;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.surface.TexelFilter;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 
 /**
@@ -26,7 +26,7 @@ public record DirectLook(Light light, TextureMode texture) {
         PIXELS
     }
 
-    Optional<LaidTexture> laid(Finish finish) {
+    Optional<LaidTexture> laid(Appearance finish) {
         return texture == TextureMode.NONE ? Optional.empty() : finish.texture();
     }
 

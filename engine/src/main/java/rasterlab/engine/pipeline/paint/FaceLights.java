@@ -8,7 +8,7 @@ import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.light.PointLighting;
 import rasterlab.engine.scene.FaceMiddle;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.ViewTransform;
@@ -34,12 +34,12 @@ public final class FaceLights {
     public FaceLights(Scene scene, ViewedMesh view, Set<LightTerm> terms, Sides sides) {
         this.scene = scene;
         this.view = view;
-        List<Finish> finishes = scene.finishes();
+        List<Appearance> finishes = scene.finishes();
         LightModel model = model(scene, view.transform(), sides);
         twoSided = model.twoSided();
         lights = new PointLighting[finishes.size()];
         for (int i = 0; i < lights.length; i++) {
-            Finish finish = finishes.get(i);
+            Appearance finish = finishes.get(i);
             lights[i] =
                     new PointLighting(
                             model,
@@ -106,7 +106,7 @@ public final class FaceLights {
 
     /** The material of the side that is seen, and lit as such. */
     public Material seenMaterial(int face) {
-        Finish finish = scene.finish(face);
+        Appearance finish = scene.finish(face);
         return twoSided && seenFromBehind(face) ? finish.back() : finish.front();
     }
 

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import rasterlab.engine.light.PointLighting;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.ExactSurfaces;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.transform.ViewTransform;
@@ -152,7 +152,7 @@ public final class SurfacePicture {
     /** One for each finish, null where it has no texture. */
     private List<TextureSampler> samplers() {
         List<TextureSampler> samplers = new ArrayList<>();
-        for (Finish finish : lights.scene().finishes())
+        for (Appearance finish : lights.scene().finishes())
             samplers.add(
                     finish.texture()
                             .map(

@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline.paint;
 
 import java.util.List;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -29,7 +29,7 @@ final class TextureLayer {
         this.filter = filter;
         mesh = view.mesh();
         step = new TextureStep(view, weights);
-        List<Finish> finishes = scene.finishes();
+        List<Appearance> finishes = scene.finishes();
         laid = new LaidTexture[finishes.size()];
         samplers = new TextureSampler[laid.length];
         for (int i = 0; i < laid.length; i++) {

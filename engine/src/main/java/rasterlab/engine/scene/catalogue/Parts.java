@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.joml.Matrix4d;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
@@ -22,7 +22,7 @@ final class Parts {
     private final List<int[]> faces = new ArrayList<>();
     private final DoubleStream.Builder normals = DoubleStream.builder();
     private final DoubleStream.Builder texture = DoubleStream.builder();
-    private final List<Finish> finishes = new ArrayList<>();
+    private final List<Appearance> finishes = new ArrayList<>();
     private final IntStream.Builder finishOf = IntStream.builder();
     private final List<SceneShape> shapes = new ArrayList<>();
     private int vertexCount;
@@ -30,7 +30,7 @@ final class Parts {
     /**
      * @param uSteps as {@link SceneShape#faces} takes them
      */
-    Parts add(Finish finish, SceneShape shape, int uSteps, int vSteps) {
+    Parts add(Appearance finish, SceneShape shape, int uSteps, int vSteps) {
         Mesh mesh = shape.faces(uSteps, vSteps);
         for (int v = 0; v < mesh.vertexCount(); v++)
             xyz.add(mesh.x(v)).add(mesh.y(v)).add(mesh.z(v));
@@ -42,12 +42,12 @@ final class Parts {
     }
 
     /** A shape of flat sides. */
-    Parts add(Finish finish, SceneShape shape) {
+    Parts add(Appearance finish, SceneShape shape) {
         return add(finish, shape, 1, 1);
     }
 
     /** A shape of flat sides in its place. */
-    Parts add(Finish finish, SceneShape shape, Matrix4d toWorld) {
+    Parts add(Appearance finish, SceneShape shape, Matrix4d toWorld) {
         return add(finish, new Placed(shape, toWorld));
     }
 

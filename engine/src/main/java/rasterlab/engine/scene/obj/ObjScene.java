@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Material;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
@@ -42,7 +42,7 @@ public final class ObjScene {
     public static Scene of(
             String name, ObjModel model, UpAxis up, TextureFiles textures, Consumer<String> notes) {
         Map<ObjMaterial.Map, Optional<Texture>> opened = new HashMap<>();
-        List<Finish> finishes = new ArrayList<>();
+        List<Appearance> finishes = new ArrayList<>();
         for (ObjMaterial material : model.materials())
             finishes.add(
                     material.diffuseMap()
@@ -68,7 +68,7 @@ public final class ObjScene {
                 PICTURE_SCALE);
     }
 
-    private static Finish finish(ObjMaterial from) {
+    private static Appearance finish(ObjMaterial from) {
         boolean shines = from.illumination() >= 2;
         var surface =
                 new SurfaceMaterial(
@@ -77,13 +77,13 @@ public final class ObjScene {
                         shines ? shares(from.specular()) : new double[3],
                         shares(from.emitted()),
                         Math.min(SurfaceMaterial.HIGHEST_SHININESS, from.shininess()));
-        return Finish.of(new Material(surface, from.opacity()));
+        return Appearance.of(new Material(surface, from.opacity()));
     }
 
     /** A line or point shines in its material's colour, from wherever it is seen. */
-    private static Finish stroke(ObjMaterial from) {
+    private static Appearance stroke(ObjMaterial from) {
         double[] color = shares(from.diffuse());
-        return Finish.of(
+        return Appearance.of(
                 new Material(new SurfaceMaterial(color, color, new double[3], color, 0), 1));
     }
 

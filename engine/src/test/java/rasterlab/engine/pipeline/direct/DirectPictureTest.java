@@ -21,7 +21,7 @@ import rasterlab.engine.light.Material;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -127,13 +127,13 @@ class DirectPictureTest {
     @DisplayName("faces beside texels that hide the surface are not lit")
     void facesBesideATextureThatHidesTheSurfaceAreLit() {
         Scene globe = Scenes.named("globe");
-        Finish hidden = globe.finish(0).with(laid(globe.finish(0), Mode.REPLACE));
+        Appearance hidden = globe.finish(0).with(laid(globe.finish(0), Mode.REPLACE));
         int[] finishOf = IntStream.range(0, globe.mesh().faceCount()).map(f -> f % 2).toArray();
         Scene scene =
                 new Scene(
                         globe.name(),
                         globe.mesh(),
-                        List.of(hidden, Finish.dull(0xFF4020)),
+                        List.of(hidden, Appearance.dull(0xFF4020)),
                         finishOf,
                         globe.light(),
                         globe.backgroundRgb(),
@@ -159,7 +159,7 @@ class DirectPictureTest {
         assertTrue(share <= ALLOWED, () -> "share of wrong pixels: " + share);
     }
 
-    private static LaidTexture laid(Finish finish, Mode mode) {
+    private static LaidTexture laid(Appearance finish, Mode mode) {
         LaidTexture laid = finish.texture().orElseThrow();
         return new LaidTexture(
                 laid.texture(),
@@ -177,7 +177,7 @@ class DirectPictureTest {
             xyz[3 * v + 2] = v % 4 < 2 ? -40 : 40;
         }
         var mesh = new Mesh(xyz, new int[][] {{0, 1, 2, 3}, {4, 5, 6, 7}});
-        List<Finish> finishes = List.of(glass(0xFF4020), glass(0x2040FF));
+        List<Appearance> finishes = List.of(glass(0xFF4020), glass(0x2040FF));
         return new Scene(
                 "panes",
                 mesh,
@@ -189,9 +189,9 @@ class DirectPictureTest {
                 3);
     }
 
-    private static Finish glass(int rgb) {
-        var opaque = Finish.dull(rgb).front();
-        return Finish.of(new Material(opaque.surface(), 0.5));
+    private static Appearance glass(int rgb) {
+        var opaque = Appearance.dull(rgb).front();
+        return Appearance.of(new Material(opaque.surface(), 0.5));
     }
 
     private static RenderRequest request(

@@ -11,22 +11,22 @@ import rasterlab.engine.light.Material;
  * @param back the material of inner sides
  * @param texture what lies on both
  */
-public record Finish(Material front, Material back, Optional<LaidTexture> texture) {
+public record Appearance(Material front, Material back, Optional<LaidTexture> texture) {
 
     /** A finish that is opaque and dull on both sides. */
-    public static Finish dull(int rgb) {
+    public static Appearance dull(int rgb) {
         return of(
                 Material.dull(
                         (rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0));
     }
 
     /** One material on both sides. */
-    public static Finish of(Material material) {
-        return new Finish(material, material, Optional.empty());
+    public static Appearance of(Material material) {
+        return new Appearance(material, material, Optional.empty());
     }
 
-    public Finish with(LaidTexture laid) {
-        return new Finish(front, back, Optional.of(laid));
+    public Appearance with(LaidTexture laid) {
+        return new Appearance(front, back, Optional.of(laid));
     }
 
     /** The diffuse colour of the front, 0xRRGGBB. */
