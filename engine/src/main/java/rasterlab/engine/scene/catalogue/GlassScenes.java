@@ -27,9 +27,9 @@ final class GlassScenes {
         var lamp = new Matrix4d().translate(90, -75, 120);
         var tube = new Placed(Cylinder.open(42, 110), new Matrix4d().rotateX(0.35));
         return new Parts()
-                .add(Finishes.satin(0xD9A441), tube, detail, 4)
-                .add(Finishes.glowing(0xFFF6D0), new Placed(new Sphere(9), lamp), detail, across)
-                .add(Finishes.glass(0x9CC8F0, 0.3), new Sphere(105), detail, across)
+                .add(Appearances.satin(0xD9A441), tube, detail, 4)
+                .add(Appearances.glowing(0xFFF6D0), new Placed(new Sphere(9), lamp), detail, across)
+                .add(Appearances.glass(0x9CC8F0, 0.3), new Sphere(105), detail, across)
                 .scene(
                         "sphere-and-cylinder",
                         Lamps.of(
@@ -49,12 +49,12 @@ final class GlassScenes {
         var parts = new Parts();
         var ball = new Matrix4d().translate(-10, 0, 0);
         parts.add(
-                Finishes.glossy(0xF0E0C0),
+                Appearances.glossy(0xF0E0C0),
                 new Placed(new Sphere(45), ball),
                 detail,
                 Math.max(3, detail / 2));
         for (int k = 0; k < PANES.length; k++)
-            parts.add(Finishes.glass(PANES[k], 0.45), pane(-75 + 75.0 * k, 45.0 * (k - 1)));
+            parts.add(Appearances.glass(PANES[k], 0.45), pane(-75 + 75.0 * k, 45.0 * (k - 1)));
         return parts.scene("transparency", Lamps.beside(camera), camera, 1.8);
     }
 

@@ -27,7 +27,7 @@ final class OrderScenes {
                 () -> {
                     var parts = new Parts();
                     for (int k = 0; k < PAINTS.length; k++)
-                        parts.add(Finishes.satin(PAINTS[k]), new Cube(1), board(k));
+                        parts.add(Appearances.satin(PAINTS[k]), new Cube(1), board(k));
                     var camera = new SphericalView(0.3, 0.55, 500);
                     return parts.scene("cyclic-overlap", Lamps.beside(camera), camera, 2.1);
                 });
@@ -51,9 +51,9 @@ final class OrderScenes {
         var camera = new SphericalView(0.5, 1.1, 500);
         var board = new Matrix4d().rotateZ(1.75).rotateX(0.5).scale(250, 90, 8);
         return new Parts()
-                .add(Finishes.satin(0xC9A25B), new Cube(120))
-                .add(Finishes.glossy(0xD9534F), new Sphere(78), detail, Math.max(3, detail / 2))
-                .add(Finishes.satin(0x4F86D9), new Cube(1), board)
+                .add(Appearances.satin(0xC9A25B), new Cube(120))
+                .add(Appearances.glossy(0xD9534F), new Sphere(78), detail, Math.max(3, detail / 2))
+                .add(Appearances.satin(0x4F86D9), new Cube(1), board)
                 .scene("interpenetrating", Lamps.beside(camera), camera, 2.1);
     }
 
@@ -67,9 +67,9 @@ final class OrderScenes {
                 "coplanar",
                 () -> {
                     var parts = new Parts();
-                    parts.add(Finishes.satin(PAINTS[0]), sheet(0, 0));
-                    parts.add(Finishes.satin(PAINTS[1]), sheet(1, 0));
-                    parts.add(Finishes.satin(PAINTS[2]), sheet(2, HAIR));
+                    parts.add(Appearances.satin(PAINTS[0]), sheet(0, 0));
+                    parts.add(Appearances.satin(PAINTS[1]), sheet(1, 0));
+                    parts.add(Appearances.satin(PAINTS[2]), sheet(2, HAIR));
                     var camera = new SphericalView(-1.1, 0.75, 500);
                     return parts.scene("coplanar", Lamps.beside(camera), camera, 1.75);
                 });
@@ -98,15 +98,15 @@ final class OrderScenes {
     private static Scene nearPlane(int detail) {
         var camera = new SphericalView(0.02, 1.4, 160);
         var parts = new Parts();
-        parts.add(Finishes.pictured(Pictures.checker()), floor());
-        parts.add(Finishes.satin(0x7F93A8), wall(-90, 1));
-        parts.add(Finishes.satin(0x7F93A8), wall(90, -1));
+        parts.add(Appearances.pictured(Pictures.checker()), floor());
+        parts.add(Appearances.satin(0x7F93A8), wall(-90, 1));
+        parts.add(Appearances.satin(0x7F93A8), wall(90, -1));
         var beam = new Matrix4d().translate(0, 30, -2).scale(900, 10, 10);
-        parts.add(Finishes.satin(0xC9A25B), new Cube(1), beam);
+        parts.add(Appearances.satin(0xC9A25B), new Cube(1), beam);
         for (int k = 0; k < 3; k++) {
             var place = new Matrix4d().translate(-130.0 * k - 20, k % 2 == 0 ? -55 : 50, 5);
             var column = new Placed(Cylinder.closed(16, 90), place);
-            parts.add(Finishes.glossy(PAINTS[k]), column, detail, 1);
+            parts.add(Appearances.glossy(PAINTS[k]), column, detail, 1);
         }
         return parts.scene("near-plane", Lamps.beside(camera), camera, 2.6);
     }

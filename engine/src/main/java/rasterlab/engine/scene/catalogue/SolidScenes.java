@@ -19,21 +19,21 @@ final class SolidScenes {
                 () -> {
                     var camera = new SphericalView(Math.PI / 5, Math.PI / 3, 500);
                     return new Parts()
-                            .add(Finishes.pictured(Pictures.letters()), new Cube(150))
+                            .add(Appearances.pictured(Pictures.letters()), new Cube(150))
                             .scene("cube", Lamps.beside(camera), camera, 1.9);
                 });
     }
 
     static Recipe sphere() {
-        return inSteps("sphere", 32, Finishes.glossy(0xD9534F), new Sphere(100), 1.2);
+        return inSteps("sphere", 32, Appearances.glossy(0xD9534F), new Sphere(100), 1.2);
     }
 
     static Recipe torus() {
-        return inSteps("torus", 48, Finishes.glossy(0x4F9BD9), new Torus(85, 35), 0.85);
+        return inSteps("torus", 48, Appearances.glossy(0x4F9BD9), new Torus(85, 35), 0.85);
     }
 
     static Recipe revolution() {
-        return inSteps("revolution", 40, Finishes.glossy(0xE3C08A), Revolution.vase(), 1.15);
+        return inSteps("revolution", 40, Appearances.glossy(0xE3C08A), Revolution.vase(), 1.15);
     }
 
     /**

@@ -36,7 +36,7 @@ final class TextureScenes {
                         new TexturePlace(1.5, 1),
                         new TexturePlace(0.25, 2));
         return new Parts()
-                .add(Finishes.pictured(Pictures.letters()), quad, detail, detail)
+                .add(Appearances.pictured(Pictures.letters()), quad, detail, detail)
                 .scene("textured-quad", Lamps.beside(camera), camera, 1.75);
     }
 
@@ -49,7 +49,7 @@ final class TextureScenes {
         var camera = new SphericalView(0.6, 1.25, 500);
         var tilted = new Placed(new Sphere(105), new Matrix4d().rotateX(TILT));
         return new Parts()
-                .add(Finishes.pictured(Pictures.earth()), tilted, detail, Math.max(3, detail / 2))
+                .add(Appearances.pictured(Pictures.earth()), tilted, detail, Math.max(3, detail / 2))
                 .scene("globe", Lamps.beside(camera), camera, 2.1);
     }
 }

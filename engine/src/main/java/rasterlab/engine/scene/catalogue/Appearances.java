@@ -9,8 +9,8 @@ import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.Wrap;
 
 /** What surfaces of the scenes look like. */
-final class Finishes {
-    private Finishes() {}
+final class Appearances {
+    private Appearances() {}
 
     /** A finish with small white highlights. */
     static Appearance glossy(int rgb) {
