@@ -41,7 +41,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private final JTextArea notice = Controls.words("notice");
     private final JTextArea unsaved = Controls.words("unsaved");
     private ResultPane result;
-    private Rooms rooms;
+    private ExercisePanes rooms;
     private transient CourseMapPlace map;
     private transient Optional<JPanel> head = Optional.empty();
     private boolean running;
@@ -107,7 +107,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
         unsaved.setForeground(VerdictLook.colour("wrong", getBackground()));
         if (LargeType.now()) head = Optional.of(chooser("8 10 4 10"));
         result.setBorder(BorderFactory.createEmptyBorder(6, 10, 8, 10));
-        rooms = new Rooms(texts, kept.rooms(), task(), work(), result);
+        rooms = new ExercisePanes(texts, kept.rooms(), task(), work(), result);
         map = new CourseMapPlace(model, kept, lab, texts.language(), this::turn);
         turn();
         keys();
@@ -120,7 +120,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
                     result.close();
                 };
         if (model.state().outcome().isPresent() && kept.rooms().chosen().isEmpty())
-            rooms.show(Rooms.Room.RESULT);
+            rooms.show(ExercisePanes.Room.RESULT);
     }
 
     /** Shows the exercise, or the map of the course. */
@@ -139,7 +139,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     }
 
     private void goTo(Outcome.Remark remark) {
-        rooms.show(Rooms.Room.PROGRAM);
+        rooms.show(ExercisePanes.Room.PROGRAM);
         editor.goTo(remark.line(), remark.column());
     }
 
@@ -273,12 +273,12 @@ public final class ExercisePanel extends LabPanel implements Settling {
     /** Turns to the result of what begins, and to the words above which it was asked for. */
     private void turn(ExerciseState state) {
         if (state.work().running() && !running && !state.joins()) {
-            rooms.show(Rooms.Room.RESULT);
+            rooms.show(ExercisePanes.Room.RESULT);
             result.focusGiveUp();
         }
         boolean told = !state.notice().isEmpty() && !state.notice().equals(said);
         // After what hides the other room has asked for the keyboard's next place.
-        if (told && rooms.show(Rooms.Room.PROGRAM)) EventQueue.invokeLater(bar::focus);
+        if (told && rooms.show(ExercisePanes.Room.PROGRAM)) EventQueue.invokeLater(bar::focus);
         running = state.work().running();
         said = state.notice();
     }

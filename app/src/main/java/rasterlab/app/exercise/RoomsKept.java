@@ -4,11 +4,11 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** How a window's {@link Rooms} were left, for those in another language or theme. */
+/** How a window's {@link ExercisePanes} were left, for those in another language or theme. */
 final class RoomsKept {
     private final Map<String, Double> shares = new HashMap<>();
     private final Map<Result, Choice> cases = new HashMap<>();
-    private Optional<Rooms.Room> chosen = Optional.empty();
+    private Optional<ExercisePanes.Room> chosen = Optional.empty();
 
     /**
      * @param said whether it holds an outcome, not only cases that are to be tried
@@ -32,11 +32,11 @@ final class RoomsKept {
     }
 
     /** The part that was in sight last; empty before any was. */
-    Optional<Rooms.Room> chosen() {
+    Optional<ExercisePanes.Room> chosen() {
         return chosen;
     }
 
-    void choose(Rooms.Room room) {
+    void choose(ExercisePanes.Room room) {
         chosen = Optional.of(room);
     }
 

@@ -53,7 +53,7 @@ class FoldedRoomsTest {
                                     EventQueue::invokeLater,
                                     failures::add);
                     var editor = new WindowEditor();
-                    editor.rooms().choose(Rooms.Room.PROGRAM);
+                    editor.rooms().choose(ExercisePanes.Room.PROGRAM);
                     panel =
                             new ExercisePanel(
                                     model,
@@ -103,7 +103,7 @@ class FoldedRoomsTest {
         paint();
         EventQueue.invokeAndWait(
                 () -> {
-                    assertEquals(Rooms.Room.PROGRAM.ordinal(), room());
+                    assertEquals(ExercisePanes.Room.PROGRAM.ordinal(), room());
                     var notice = (JTextArea) named(panel, "notice");
                     assertTrue(notice.isVisible());
                     assertEquals("Joining the course…", notice.getText());
@@ -126,7 +126,7 @@ class FoldedRoomsTest {
         paint();
         EventQueue.invokeAndWait(
                 () -> {
-                    assertEquals(Rooms.Room.RESULT.ordinal(), room());
+                    assertEquals(ExercisePanes.Room.RESULT.ordinal(), room());
                     Component giveUp = named(panel, "result.cancel");
                     assertTrue(giveUp.isVisible());
                     assertTrue(giveUp.getWidth() > 0, "has no place");

@@ -16,7 +16,7 @@ import rasterlab.app.language.Texts;
  * Statement, program and result: all in sight where the window has room for them, else one at a
  * time.
  */
-final class Rooms extends JPanel {
+final class ExercisePanes extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /** What all three need, in sizes of the type. */
@@ -41,7 +41,7 @@ final class Rooms extends JPanel {
     /**
      * @param kept how the rooms of an earlier panel were left; takes what changes here
      */
-    Rooms(
+    ExercisePanes(
             Texts texts,
             RoomsKept kept,
             JComponent statement,

@@ -17,7 +17,7 @@ import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
 
 /** The rooms of a tab that is made again, as another language or theme has it. */
-class RoomsTest {
+class ExercisePanesTest {
     /** What the tab before leaves to the next one of its window. */
     private final RoomsKept kept = new RoomsKept();
 
@@ -26,12 +26,12 @@ class RoomsTest {
         EventQueue.invokeAndWait(LabTheme.LIGHT::install);
     }
 
-    private Rooms made(Language language) throws Exception {
-        var made = new AtomicReference<Rooms>();
+    private ExercisePanes made(Language language) throws Exception {
+        var made = new AtomicReference<ExercisePanes>();
         EventQueue.invokeAndWait(
                 () ->
                         made.set(
-                                new Rooms(
+                                new ExercisePanes(
                                         Texts.of("exercise", language),
                                         kept,
                                         new JPanel(),
@@ -40,19 +40,19 @@ class RoomsTest {
         return made.get();
     }
 
-    private static void paintLarge(Rooms rooms) throws Exception {
+    private static void paintLarge(ExercisePanes rooms) throws Exception {
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(rooms, 1280, 740);
     }
 
-    private static void paintSmall(Rooms rooms) throws Exception {
+    private static void paintSmall(ExercisePanes rooms) throws Exception {
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(rooms, 600, 400);
     }
 
-    private static JSplitPane divided(Rooms rooms) {
+    private static JSplitPane divided(ExercisePanes rooms) {
         return (JSplitPane) rooms.getComponent(0);
     }
 
-    private static JSplitPane lower(Rooms rooms) {
+    private static JSplitPane lower(ExercisePanes rooms) {
         return (JSplitPane) divided(rooms).getRightComponent();
     }
 
@@ -62,12 +62,12 @@ class RoomsTest {
 
     @Test
     void dividersStayWhereTheyWereDragged() throws Exception {
-        Rooms first = made(Language.ENGLISH);
+        ExercisePanes first = made(Language.ENGLISH);
         paintLarge(first);
         drag(divided(first), 300);
         drag(lower(first), 500);
         paintLarge(first);
-        Rooms again = made(Language.RUSSIAN);
+        ExercisePanes again = made(Language.RUSSIAN);
         paintLarge(again);
         assertEquals(300, divided(again).getDividerLocation(), 2);
         assertEquals(500, lower(again).getDividerLocation(), 2);
@@ -75,7 +75,7 @@ class RoomsTest {
 
     @Test
     void dividersComeBackWithTheRoomForThem() throws Exception {
-        Rooms rooms = made(Language.ENGLISH);
+        ExercisePanes rooms = made(Language.ENGLISH);
         paintLarge(rooms);
         drag(divided(rooms), 300);
         paintLarge(rooms);
@@ -86,19 +86,19 @@ class RoomsTest {
 
     @Test
     void roomThatWasLookedAtIsStillInSight() throws Exception {
-        Rooms first = made(Language.ENGLISH);
+        ExercisePanes first = made(Language.ENGLISH);
         paintSmall(first);
-        EventQueue.invokeAndWait(() -> first.show(Rooms.Room.PROGRAM));
-        Rooms again = made(Language.RUSSIAN);
+        EventQueue.invokeAndWait(() -> first.show(ExercisePanes.Room.PROGRAM));
+        ExercisePanes again = made(Language.RUSSIAN);
         paintSmall(again);
         int shown = ((JTabbedPane) again.getComponent(0)).getSelectedIndex();
-        assertEquals(Rooms.Room.PROGRAM.ordinal(), shown);
+        assertEquals(ExercisePanes.Room.PROGRAM.ordinal(), shown);
     }
 
     @Test
     @DisplayName("titles within a tab are larger than that of the tab")
     void titlesAreAsLargeAsThoseAround() throws Exception {
-        Rooms rooms = made(Language.ENGLISH);
+        ExercisePanes rooms = made(Language.ENGLISH);
         var around = new JTabbedPane();
         EventQueue.invokeAndWait(
                 () -> {
@@ -112,6 +112,6 @@ class RoomsTest {
     @Test
     void firstRoomIsLookedAtWithoutBeingChosen() throws Exception {
         paintSmall(made(Language.ENGLISH));
-        assertEquals(Optional.of(Rooms.Room.STATEMENT), kept.chosen());
+        assertEquals(Optional.of(ExercisePanes.Room.STATEMENT), kept.chosen());
     }
 }
