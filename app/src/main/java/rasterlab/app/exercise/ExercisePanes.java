@@ -36,14 +36,14 @@ final class ExercisePanes extends JPanel {
     private final JComponent program;
     private final JComponent result;
     private final JTabbedPane tabs = new JTabbedPane();
-    private final transient RoomsKept kept;
+    private final transient ExercisePanesKept kept;
 
     /**
      * @param kept how the rooms of an earlier panel were left; takes what changes here
      */
     ExercisePanes(
             Texts texts,
-            RoomsKept kept,
+            ExercisePanesKept kept,
             JComponent statement,
             JComponent program,
             JComponent result) {

@@ -55,7 +55,7 @@ final class ResultPane extends JPanel {
     private final JPanel words = new JPanel();
     private final CaseCanvas picture;
     private final JButton open;
-    private final transient RoomsKept kept;
+    private final transient ExercisePanesKept kept;
     private transient Optional<Outcome> shown = Optional.empty();
 
     /** The program's point on the topic's chart, where speed was measured. */
@@ -77,7 +77,7 @@ final class ResultPane extends JPanel {
      */
     ResultPane(
             Texts texts,
-            RoomsKept kept,
+            ExercisePanesKept kept,
             OpenInLab lab,
             Consumer<String> bring,
             Consumer<Outcome.Remark> toLine,

@@ -11,12 +11,12 @@ import rasterlab.app.language.Texts;
  * can be undone outlive each of them. On the event thread.
  */
 public final class WindowEditor {
-    private final RoomsKept rooms = new RoomsKept();
+    private final ExercisePanesKept rooms = new ExercisePanesKept();
     private Optional<SourceEditor> made = Optional.empty();
     private Optional<JoinForm.Typed> typed = Optional.empty();
     private boolean onMap;
 
-    RoomsKept rooms() {
+    ExercisePanesKept rooms() {
         return rooms;
     }
 

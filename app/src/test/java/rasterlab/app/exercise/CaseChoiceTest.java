@@ -37,7 +37,7 @@ class CaseChoiceTest {
     private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
     private static final int SMALLEST = 5;
 
-    private final RoomsKept kept = new RoomsKept();
+    private final ExercisePanesKept kept = new ExercisePanesKept();
 
     @TempDir private Path folder;
 

@@ -19,7 +19,7 @@ import rasterlab.app.shell.OffscreenPainter;
 /** The rooms of a tab that is made again, as another language or theme has it. */
 class ExercisePanesTest {
     /** What the tab before leaves to the next one of its window. */
-    private final RoomsKept kept = new RoomsKept();
+    private final ExercisePanesKept kept = new ExercisePanesKept();
 
     @BeforeAll
     static void look() throws Exception {

@@ -79,13 +79,13 @@ final class ShownResult {
     }
 
     static ResultPane pane(Language language, Consumer<Throwable> onFailure) {
-        return pane(language, new RoomsKept(), onFailure);
+        return pane(language, new ExercisePanesKept(), onFailure);
     }
 
     /**
      * @param kept of the panes of one window
      */
-    static ResultPane pane(Language language, RoomsKept kept, Consumer<Throwable> onFailure) {
+    static ResultPane pane(Language language, ExercisePanesKept kept, Consumer<Throwable> onFailure) {
         return new ResultPane(
                 Texts.of("exercise", language),
                 kept,

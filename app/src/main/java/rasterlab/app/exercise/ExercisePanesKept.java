@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** How a window's {@link ExercisePanes} were left, for those in another language or theme. */
-final class RoomsKept {
+final class ExercisePanesKept {
     private final Map<String, Double> shares = new HashMap<>();
     private final Map<Result, Choice> cases = new HashMap<>();
     private Optional<ExercisePanes.Room> chosen = Optional.empty();
