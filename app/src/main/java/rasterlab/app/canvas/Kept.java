@@ -17,5 +17,5 @@ public interface Kept<C> {
      * @throws IllegalArgumentException if it cannot be shown, such as with a method that there is
      *     no more; what was shown stays
      */
-    void bringBack(C choice);
+    void restore(C choice);
 }

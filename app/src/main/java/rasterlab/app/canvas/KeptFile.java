@@ -42,7 +42,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         boolean open(A read);
 
         /** Shows what was kept, if it can; answers what is to be told of it, "" for nothing. */
-        String bringBack(K kept, A read);
+        String restore(K kept, A read);
 
         /** What was told last of files; "" for nothing. */
         String told();
@@ -85,7 +85,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
     }
 
     @Override
-    public void bringBack(K kept) {
+    public void restore(K kept) {
         coming = Optional.of(new Coming<>(kept, lab.shown()));
         readComing();
     }
@@ -110,16 +110,16 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         Optional<Supplier<A>> reading =
                 coming.flatMap(one -> lab.reading(one.files(), one.inTheirPlace()));
         if (reading.isEmpty()) coming = Optional.empty();
-        else read(reading.get(), this::broughtBack);
+        else read(reading.get(), this::restored);
     }
 
-    private void broughtBack(A read) {
+    private void restored(A read) {
         if (usersIsRead()) return;
         Optional<Coming<K, S>> awaited = coming();
         coming = Optional.empty();
         if (awaited.isEmpty()) return;
         String users = lab.told();
-        String own = lab.bringBack(awaited.get().files(), read);
+        String own = lab.restore(awaited.get().files(), read);
         lab.tell(
                 Stream.of(users, own)
                         .filter(said -> !said.isEmpty())

@@ -190,7 +190,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     }
 
     @Override
-    public void bringBack(ClipChoice choice) {
+    public void restore(ClipChoice choice) {
         for (ClipMode mode : ClipMode.values()) {
             ClipScene scene = choice.in(mode).scene();
             topics.method(mode, scene.method());

@@ -83,7 +83,7 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
     }
 
     @Override
-    public void bringBack(CoordinatesMode choice) {
+    public void restore(CoordinatesMode choice) {
         show(choice);
     }
 

@@ -240,7 +240,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** An exercise that there is no more gives way to the first one. */
     @Override
-    public void bringBack(ExerciseChoice choice) {
+    public void restore(ExerciseChoice choice) {
         chosen = choice;
         if (state != null
                 && exercises().stream().anyMatch(one -> one.id().equals(choice.exercise())))

@@ -123,7 +123,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Lights a body that an earlier run has shown; there is nothing to undo afterwards. */
-    void bringBack(LitBody body) {
+    void restore(LitBody body) {
         history.forget();
         show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
     }
@@ -339,7 +339,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     @Override
-    public void bringBack(Chosen choice) {
+    public void restore(Chosen choice) {
         show(choice);
     }
 

@@ -91,10 +91,10 @@ final class LitSceneOpening implements KeptFile.Lab<LitFile, LitBody, LitSceneOp
     }
 
     @Override
-    public String bringBack(LitFile kept, Answer read) {
+    public String restore(LitFile kept, Answer read) {
         if (read.opened().isEmpty())
             return read.problem() + "; the scene " + shown().name() + " is shown instead";
-        model.bringBack(read.opened().get().choice().body().withNormals(kept.normals()));
+        model.restore(read.opened().get().choice().body().withNormals(kept.normals()));
         return "";
     }
 

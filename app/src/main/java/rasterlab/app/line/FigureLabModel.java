@@ -236,7 +236,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     @Override
-    public void bringBack(Scenes choice) {
+    public void restore(Scenes choice) {
         if (!choice.scenes().keySet().equals(scenes.keySet()))
             throw new IllegalArgumentException(
                     "the modes must be " + scenes.keySet() + ", got " + choice.scenes().keySet());

@@ -119,7 +119,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
             }
 
             @Override
-            public void bringBack(LineMode choice) {
+            public void restore(LineMode choice) {
                 chooseMode(choice);
             }
         };
@@ -139,7 +139,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
             }
 
             @Override
-            public void bringBack(KeptTried kept) {
+            public void restore(KeptTried kept) {
                 if (!kept.right().isEmpty()) topic.method(kept.right());
                 tried = kept.tried();
                 draw(state.choice(), state.arrangement());
@@ -253,7 +253,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     @Override
-    public void bringBack(LineChoice choice) {
+    public void restore(LineChoice choice) {
         topic.method(choice.method());
         if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
         draw(choice, ++arrangements);

@@ -53,8 +53,8 @@ final class ImageOpening implements KeptFile.Lab<KeptImage, GlChoice, ImageLoadi
     }
 
     @Override
-    public String bringBack(KeptImage kept, ImageLoading read) {
-        read.image().ifPresent(image -> model.bringBack(image, kept.shown()));
+    public String restore(KeptImage kept, ImageLoading read) {
+        read.image().ifPresent(image -> model.restore(image, kept.shown()));
         if (read.problem().isEmpty()) return "";
         model.touch(Setting.IMAGE);
         return read.problem().get() + "; an image of the lab is shown instead";

@@ -221,7 +221,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     /** The same of an image of an earlier run; there is nothing to undo afterwards. */
-    void bringBack(GlChoice.ImageTexture image, boolean shown) {
+    void restore(GlChoice.ImageTexture image, boolean shown) {
         history.forget();
         draw(state.choice().withFile(image, shown), state.touched());
     }
@@ -264,7 +264,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     @Override
-    public void bringBack(GlChoice choice) {
+    public void restore(GlChoice choice) {
         draw(choice, Setting.SCENE);
     }
 

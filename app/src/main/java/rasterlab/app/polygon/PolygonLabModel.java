@@ -216,7 +216,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     }
 
     @Override
-    public void bringBack(PolygonChoice choice) {
+    public void restore(PolygonChoice choice) {
         for (PolygonMode mode : PolygonMode.values()) {
             PolygonScene scene = choice.scenes().get(mode);
             if (scene == null || scene.mode() != mode)

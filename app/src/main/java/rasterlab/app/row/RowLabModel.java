@@ -357,7 +357,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
             }
 
             @Override
-            public void bringBack(Boolean choice) {
+            public void restore(Boolean choice) {
                 open = choice;
                 tell();
             }

@@ -53,7 +53,7 @@ public final class LabModels implements AutoCloseable {
 
     private final OwnMethods own = new OwnMethods();
     private final Executor events;
-    private final Consumer<Map<String, Kept<?>>> bringBack;
+    private final Consumer<Map<String, Kept<?>>> restore;
     private final Consumer<Throwable> onFailure;
 
     /** What the labs showed when they were made, by the name under which it is kept. */
@@ -61,10 +61,10 @@ public final class LabModels implements AutoCloseable {
 
     private LabModels(
             Executor events,
-            Consumer<Map<String, Kept<?>>> bringBack,
+            Consumer<Map<String, Kept<?>>> restore,
             Consumer<Throwable> onFailure) {
         this.events = events;
-        this.bringBack = bringBack;
+        this.restore = restore;
         this.onFailure = onFailure;
         TabRooms.all().forEach(this::add);
     }
@@ -75,7 +75,7 @@ public final class LabModels implements AutoCloseable {
     }
 
     private void begin(Map<String, Kept<?>> kept) {
-        bringBack.accept(kept);
+        restore.accept(kept);
         asMade.putAll(LabsFile.choices(kept));
     }
 
@@ -99,15 +99,15 @@ public final class LabModels implements AutoCloseable {
      * The models of a new window, none of them made.
      *
      * @param events runs what it is given on one thread, in order
-     * @param bringBack brings parts of a lab that is made, by the name under which they are kept,
+     * @param restore brings parts of a lab that is made, by the name under which they are kept,
      *     to what they showed; on the thread that makes the lab
      * @param onFailure told what background work threw, on any thread
      */
     static LabModels unmade(
             Executor events,
-            Consumer<Map<String, Kept<?>>> bringBack,
+            Consumer<Map<String, Kept<?>>> restore,
             Consumer<Throwable> onFailure) {
-        return new LabModels(events, bringBack, onFailure);
+        return new LabModels(events, restore, onFailure);
     }
 
     /**

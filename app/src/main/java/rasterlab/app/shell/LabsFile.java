@@ -111,8 +111,8 @@ public final class LabsFile {
      *
      * @param labs by the names of their parts of the file
      */
-    void bringBack(Content content, Map<String, Kept<?>> labs) {
-        labs.forEach((name, lab) -> bringBack(name, lab, content));
+    void restore(Content content, Map<String, Kept<?>> labs) {
+        labs.forEach((name, lab) -> restore(name, lab, content));
     }
 
     /** The choices without those that the file holds no usable part of. */
@@ -123,13 +123,13 @@ public final class LabsFile {
         return used;
     }
 
-    private <C> void bringBack(String name, Kept<C> lab, Content content) {
+    private <C> void restore(String name, Kept<C> lab, Content content) {
         JsonNode kept = content.root.path(name);
         if (kept.isMissingNode()) return;
         try {
             JsonNode whole =
                     completed(kept, KeptJson.MAPPER.valueToTree(lab.kept()), lab.keptType());
-            lab.bringBack(KeptJson.MAPPER.treeToValue(whole, lab.keptType()));
+            lab.restore(KeptJson.MAPPER.treeToValue(whole, lab.keptType()));
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
             String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);

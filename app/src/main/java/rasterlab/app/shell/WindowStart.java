@@ -69,7 +69,7 @@ public final class WindowStart {
         LabModels models =
                 LabModels.unmade(
                         EventQueue::invokeLater,
-                        labs -> left.join().ifPresent(each -> labsFile.bringBack(each, labs)),
+                        labs -> left.join().ifPresent(each -> labsFile.restore(each, labs)),
                         reports);
         models.keepSourcesIn(file.folder());
         CompletableFuture<Void> made =

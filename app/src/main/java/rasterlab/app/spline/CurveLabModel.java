@@ -191,7 +191,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     }
 
     @Override
-    public void bringBack(CurveChoice choice) {
+    public void restore(CurveChoice choice) {
         topic.method(choice.method());
         if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
         choice.curves();

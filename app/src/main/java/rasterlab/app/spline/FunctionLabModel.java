@@ -222,7 +222,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     }
 
     @Override
-    public void bringBack(FunctionChoice choice) {
+    public void restore(FunctionChoice choice) {
         topic.method(choice.method());
         if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
         find(choice, ++arrangements);

@@ -55,7 +55,7 @@ public final class SplineLabModel implements Kept<SplineMode>, AutoCloseable {
     }
 
     @Override
-    public void bringBack(SplineMode choice) {
+    public void restore(SplineMode choice) {
         show(choice);
     }
 

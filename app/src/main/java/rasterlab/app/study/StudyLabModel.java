@@ -86,7 +86,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     }
 
     @Override
-    public void bringBack(Chosen choice) {
+    public void restore(Chosen choice) {
         choose(choice.topic());
         takeTime(choice.thorough());
         show(choice.view());

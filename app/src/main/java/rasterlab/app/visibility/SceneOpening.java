@@ -66,10 +66,10 @@ final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, 
     }
 
     @Override
-    public String bringBack(OpenedFiles kept, SceneFiles.Answer read) {
+    public String restore(OpenedFiles kept, SceneFiles.Answer read) {
         try {
             VisibilityChoice next = read.change().apply(shown());
-            if (!next.equals(shown())) model.bringBackOpened(next);
+            if (!next.equals(shown())) model.restoreOpened(next);
             return read.problem();
         } catch (IllegalArgumentException e) {
             return e.getMessage();

@@ -296,13 +296,13 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     @Override
-    public void bringBack(VisibilityChoice choice) {
+    public void restore(VisibilityChoice choice) {
         choice.plain(1, 1); // Refuses unknown names.
         draw(choice, true);
     }
 
     /** Shows what was kept of the user's files; there is nothing to undo afterwards. */
-    void bringBackOpened(VisibilityChoice choice) {
+    void restoreOpened(VisibilityChoice choice) {
         draw(choice, true);
         history.forget();
     }

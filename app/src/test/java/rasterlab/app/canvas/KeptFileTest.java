@@ -53,7 +53,7 @@ class KeptFileTest {
         }
 
         @Override
-        public String bringBack(String kept, String read) {
+        public String restore(String kept, String read) {
             return said(read, ", own instead");
         }
 
@@ -91,7 +91,7 @@ class KeptFileTest {
     @Test
     @DisplayName("a file opened while a broken one was read is lost for the one that comes back")
     void newestFileStays() {
-        files.bringBack("kept");
+        files.restore("kept");
         open("first!");
         open("second");
         answer(1);
@@ -105,7 +105,7 @@ class KeptFileTest {
     @Test
     @DisplayName("a broken file opened meanwhile costs the one that is coming back, unsaid")
     void comesBackAfterABrokenFile() {
-        files.bringBack("kept");
+        files.restore("kept");
         open("broken!");
         answer(1);
         assertShown(OWN, "broken! is broken");
@@ -117,7 +117,7 @@ class KeptFileTest {
     @Test
     @DisplayName("what is wrong with the user's file, or the kept one, is told only for a moment")
     void bothProblemsAreTold() {
-        files.bringBack("gone!");
+        files.restore("gone!");
         open("broken!");
         answer(1);
         answer(2);
@@ -128,7 +128,7 @@ class KeptFileTest {
     @Test
     @DisplayName("what is read late is told or shown before the file that the user has opened")
     void comesBackAfterTheUsersFile() {
-        files.bringBack("kept");
+        files.restore("kept");
         open("broken!");
         answer(0);
         assertShown(OWN, "");
@@ -140,7 +140,7 @@ class KeptFileTest {
     @Test
     @DisplayName("a file takes the place of one that the user opened, or comes back without it")
     void isForgottenOnceAnotherIsShown() {
-        files.bringBack("kept");
+        files.restore("kept");
         open("good");
         answer(1);
         lab.shown = OWN;
@@ -154,7 +154,7 @@ class KeptFileTest {
     @Test
     @DisplayName("a file takes the place of what was chosen meanwhile")
     void choiceMeanwhileStays() {
-        files.bringBack("kept");
+        files.restore("kept");
         lab.shown = "globe";
         answer(0);
         assertShown("globe", "");
@@ -164,7 +164,7 @@ class KeptFileTest {
     @DisplayName("what an earlier run showed stops the reading of what the user opened")
     void waitsForTheUsersFile() {
         open("broken!");
-        files.bringBack("kept");
+        files.restore("kept");
         assertEquals(1, readings.size());
         answer(0);
         answer(1);

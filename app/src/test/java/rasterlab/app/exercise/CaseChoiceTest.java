@@ -124,12 +124,12 @@ class CaseChoiceTest {
         var file = folder.resolve("result.json");
         OutcomeFile.write(
                 file, ShownResult.EXERCISE, ShownResult.outcome(GradingVerdict.RUNTIME_ERROR));
-        var broughtBack = OutcomeFile.read(file, ShownResult.EXERCISE);
+        var restored = OutcomeFile.read(file, ShownResult.EXERCISE);
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, BackgroundWork.NONE, broughtBack);
+                    show(pane, BackgroundWork.NONE, restored);
                     assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
                 });

@@ -182,7 +182,7 @@ class ExerciseLabModelTest {
         }
         assertEquals(new ExerciseChoice("line-bresenham", 3), left);
         try (var trial = new Trial(folder)) {
-            trial.model.bringBack(left);
+            trial.model.restore(left);
             assertEquals(left, trial.model.kept());
             assertEquals("line-bresenham", trial.state().exercise().id());
         }
@@ -195,11 +195,11 @@ class ExerciseLabModelTest {
             assertEquals("second", model.kept().exercise());
         }
         try (var model = twoExercises()) {
-            model.bringBack(new ExerciseChoice("second", 0));
+            model.restore(new ExerciseChoice("second", 0));
             assertEquals("second", model.state().exercise().id());
         }
         try (var model = twoExercises()) {
-            model.bringBack(new ExerciseChoice("gone", 0));
+            model.restore(new ExerciseChoice("gone", 0));
             assertEquals("line-bresenham", model.state().exercise().id());
         }
     }

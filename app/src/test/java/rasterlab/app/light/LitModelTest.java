@@ -54,8 +54,8 @@ class LitModelTest {
         assertEquals(Optional.of(UpAxis.Z), model.state().choice().body().up());
         assertEquals("angle", model.state().choice().body().normals());
         try (var next = new LightLabModel(thread, failures::add)) {
-            next.bringBack(model.kept());
-            next.keptFile().bringBack(model.keptFile().kept());
+            next.restore(model.kept());
+            next.keptFile().restore(model.keptFile().kept());
             thread.settle(next::settle);
             assertEquals(Optional.of(UpAxis.Z), next.state().choice().body().up());
         }

@@ -290,8 +290,8 @@ class OpenedLitSceneTest {
     private static final String RING = "{\"version\": 1, \"scene\": \"torus\", \"detail\": 100}";
 
     private void restarted(LightLabModel next) {
-        next.bringBack(model.kept());
-        next.keptFile().bringBack(model.keptFile().kept());
+        next.restore(model.kept());
+        next.keptFile().restore(model.keptFile().kept());
         thread.settle(next::settle);
     }
 
@@ -338,8 +338,8 @@ class OpenedLitSceneTest {
         thread.settle(model::settle);
         Path broken = Files.writeString(folder.resolve("broken.scene.json"), "{");
         try (var next = new LightLabModel(thread, failures::add)) {
-            next.bringBack(model.kept());
-            next.keptFile().bringBack(model.keptFile().kept());
+            next.restore(model.kept());
+            next.keptFile().restore(model.keptFile().kept());
             next.open(broken);
             thread.settle(next::settle);
             thread.settle(next::settle);

@@ -118,8 +118,8 @@ class TriedSegmentTest {
     void programsPixelsComeBackWithTheirSegment() {
         LineDrawings left = tried(SHORT, all(0, 0, 1, 1));
         try (var opened = new LineLabModel(new LineTopic(), thread, failures::add)) {
-            opened.bringBack(model.kept());
-            opened.keptTried().bringBack(model.keptTried().kept());
+            opened.restore(model.kept());
+            opened.keptTried().restore(model.keptTried().kept());
             thread.settle(opened::settle);
             LineDrawings shown = opened.state().drawings();
             assertEquals(left.choice(), shown.choice());

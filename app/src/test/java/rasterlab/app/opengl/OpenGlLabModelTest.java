@@ -199,8 +199,8 @@ class OpenGlLabModelTest {
         for (String image : List.of("file", "checker")) {
             model.set(Setting.IMAGE, image);
             try (var next = new OpenGlLabModel(this::locked, failures::add)) {
-                locked(() -> next.bringBack(model.kept()));
-                locked(() -> next.keptImage().bringBack(model.keptImage().kept()));
+                locked(() -> next.restore(model.kept()));
+                locked(() -> next.keptImage().restore(model.keptImage().kept()));
                 next.settle();
                 GlChoice opened = next.state().choice();
                 assertEquals(model.state().choice().options(), opened.options());
@@ -215,7 +215,7 @@ class OpenGlLabModelTest {
     @DisplayName("an image that is gone is not told, or only until the window has its size")
     void imageThatIsGoneIsNamed(@TempDir Path folder) throws IOException, InterruptedException {
         Path file = folder.resolve("flag.png");
-        locked(() -> model.keptImage().bringBack(new KeptImage(Optional.of(file), true)));
+        locked(() -> model.keptImage().restore(new KeptImage(Optional.of(file), true)));
         model.settle();
         model.resize(64, 48);
         String problem = model.state().problem().orElseThrow();
@@ -234,7 +234,7 @@ class OpenGlLabModelTest {
         Path broken = Files.writeString(folder.resolve("broken.png"), "no picture");
         locked(
                 () -> {
-                    model.keptImage().bringBack(new KeptImage(Optional.of(file), true));
+                    model.keptImage().restore(new KeptImage(Optional.of(file), true));
                     model.open(broken);
                 });
         model.settle();

@@ -148,7 +148,7 @@ class RowLabModelTest {
                     new RowChoice("depth-buffer", "crossing", "z48", 0),
                     new RowChoice("depth-buffer", "none", "z24", 0),
                     new RowChoice("line", "crossing", "z24", 0)
-                }) assertThrows(IllegalArgumentException.class, () -> depths.bringBack(bad));
+                }) assertThrows(IllegalArgumentException.class, () -> depths.restore(bad));
         assertEquals(before, depths.choice());
     }
 

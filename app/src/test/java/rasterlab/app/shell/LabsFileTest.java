@@ -252,7 +252,7 @@ class LabsFileTest {
                         file.read()
                                 .ifPresent(
                                         left ->
-                                                file.bringBack(
+                                                file.restore(
                                                         left, Map.of("line", models.line())));
                     }
                 });
@@ -385,7 +385,7 @@ class LabsFileTest {
     }
 
     private static void load(LabsFile file, LabModels models) {
-        file.read().ifPresent(content -> file.bringBack(content, models.kept()));
+        file.read().ifPresent(content -> file.restore(content, models.kept()));
     }
 
     private void save(LabModels models) {

@@ -49,7 +49,7 @@ class StateKeeperTest {
                                         problem -> problems.add(problem.toString()));
                         var labsFile =
                                 new LabsFile(labs(), problem -> problems.add(problem.toString()));
-                        labsFile.read().ifPresent(kept -> labsFile.bringBack(kept, models.kept()));
+                        labsFile.read().ifPresent(kept -> labsFile.restore(kept, models.kept()));
                         var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
                         during.accept(models, keeper);
                         keeper.close();
@@ -151,7 +151,7 @@ class StateKeeperTest {
                     try (var models =
                             LabModels.unmade(
                                     Runnable::run,
-                                    labs -> labsFile.bringBack(kept, labs),
+                                    labs -> labsFile.restore(kept, labs),
                                     failure -> problems.add(failure.toString()))) {
                         var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
                         models.line().chooseMethod("naive");

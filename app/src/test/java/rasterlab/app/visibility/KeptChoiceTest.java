@@ -108,8 +108,8 @@ class KeptChoiceTest {
 
     /** The choice as at the next start. */
     private VisibilityChoice restarted(VisibilityLabModel next) {
-        next.bringBack(model.kept());
-        next.keptFiles().bringBack(model.keptFiles().kept());
+        next.restore(model.kept());
+        next.keptFiles().restore(model.keptFiles().kept());
         return next.state().choice();
     }
 
@@ -287,7 +287,7 @@ class KeptChoiceTest {
         Path file = tent(folder);
         VisibilityChoice before = model.state().choice();
         model.keptFiles()
-                .bringBack(
+                .restore(
                         new OpenedFiles(
                                 Optional.of(
                                         new OpenedFiles.View(

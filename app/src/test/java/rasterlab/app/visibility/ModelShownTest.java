@@ -94,8 +94,8 @@ class ModelShownTest {
         thread.settle(model::settle);
         try (var next =
                 new VisibilityLabModel(new OwnMethods(), renderer::render, thread, failures::add)) {
-            next.bringBack(model.kept());
-            next.keptFiles().bringBack(model.keptFiles().kept());
+            next.restore(model.kept());
+            next.keptFiles().restore(model.keptFiles().kept());
             thread.settle(next::settle);
             assertEquals(Optional.of(UpAxis.Z), next.state().choice().shown().up());
             assertEquals(height(model), height(next), 1e-9);

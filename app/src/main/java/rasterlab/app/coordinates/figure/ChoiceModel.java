@@ -104,7 +104,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
     }
 
     @Override
-    public final void bringBack(C kept) {
+    public final void restore(C kept) {
         C before = choice;
         try {
             bring(new Arranged<>(kept, ++arrangements));

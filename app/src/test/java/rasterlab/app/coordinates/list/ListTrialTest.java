@@ -322,7 +322,7 @@ class ListTrialTest {
                         choice.method(),
                         choice.viewpoint(),
                         choice.trial());
-        var refused = assertThrows(IllegalArgumentException.class, () -> model.bringBack(moved));
+        var refused = assertThrows(IllegalArgumentException.class, () -> model.restore(moved));
         assertTrue(refused.getMessage().contains("'pole'"), refused.getMessage());
         assertEquals(choice, model.choice());
     }
