@@ -288,7 +288,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Moves the eye away by a factor. */
-    void retreat(double factor) {
+    void dolly(double factor) {
         choose(
                 choice -> {
                     SphericalView eye = choice.camera();

@@ -222,7 +222,7 @@ final class LightStage extends SelfDrawn implements Settling {
                 model.choose(choice -> choice.selecting(grip.get().index()));
                 grips.nudge(0, 0, Math.pow(AWAY, turned));
             } else if (e.isControlDown()) zoom(Math.pow(ZOOM, -turned));
-            else model.retreat(Math.pow(WHEEL, turned));
+            else model.dolly(Math.pow(WHEEL, turned));
         }
     }
 }

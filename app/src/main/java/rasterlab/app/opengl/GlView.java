@@ -37,7 +37,7 @@ public enum GlView {
                             .with(Setting.MIN_FILTER, "GL_NEAREST")
                             .with(Setting.TEXTURE_MATRIX, "scale")
                             .turned(12, 45)
-                            .retreated(2)),
+                            .dollied(2)),
     /** All meridians of the map meet in one point. */
     POLES(choice -> choice.with(Setting.SCENE, "globe").turned(0, 40)),
     /** Most depths lie right before the near plane, few are left for the scene. */

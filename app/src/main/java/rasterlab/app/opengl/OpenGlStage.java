@@ -150,7 +150,7 @@ final class OpenGlStage extends JPanel implements Settling {
         KeyBinding.whenFocused(
                 software,
                 KeyStroke.getKeyStroke(key),
-                () -> model.move(choice -> choice.retreated(factor)));
+                () -> model.move(choice -> choice.dollied(factor)));
     }
 
     /** What has the keyboard: the picture whose keys turn the scene. */

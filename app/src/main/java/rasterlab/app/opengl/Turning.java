@@ -67,6 +67,6 @@ final class Turning extends MouseAdapter {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
-        model.move(choice -> choice.retreated(Math.pow(WHEEL, e.getPreciseWheelRotation())));
+        model.move(choice -> choice.dollied(Math.pow(WHEEL, e.getPreciseWheelRotation())));
     }
 }

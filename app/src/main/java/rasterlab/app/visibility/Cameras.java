@@ -19,7 +19,7 @@ final class Cameras {
     }
 
     /** The camera moved away or nearer, within the distances that suit the scene. */
-    static SphericalView retreated(VisibilityChoice choice, double factor) {
+    static SphericalView dollied(VisibilityChoice choice, double factor) {
         SphericalView camera = choice.camera();
         double first = choice.shown().scene().defaultCamera().rho();
         double rho = Math.max(NEAREST * first, Math.min(FARTHEST * first, camera.rho() * factor));

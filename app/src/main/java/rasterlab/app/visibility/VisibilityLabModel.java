@@ -200,8 +200,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /** Moves the eye away by a factor, within the distances that suit the scene. */
-    public void retreat(double factor) {
-        move(choice -> choice.withCamera(Cameras.retreated(choice, factor)));
+    public void dolly(double factor) {
+        move(choice -> choice.withCamera(Cameras.dollied(choice, factor)));
     }
 
     /** Brings the eye to a place. */

@@ -391,7 +391,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
             if (model.state().choice().view().isChart()) return;
             double turned = e.getPreciseWheelRotation();
             if (e.isControlDown()) zoom(Math.pow(ZOOM, -turned));
-            else change(() -> model.retreat(Math.pow(WHEEL, turned)));
+            else change(() -> model.dolly(Math.pow(WHEEL, turned)));
         }
     }
 }

@@ -112,7 +112,7 @@ class OpenGlLabModelTest {
         model.move(choice -> choice.turned(-40, 200));
         assertEquals(353, model.state().choice().turn());
         assertEquals(90, model.state().choice().tilt());
-        model.move(choice -> choice.retreated(100));
+        model.move(choice -> choice.dollied(100));
         assertEquals(GlChoice.FARTHEST, model.state().choice().distance());
     }
 

@@ -54,7 +54,7 @@ class KeptChoiceTest {
                                 .withProjection("isometric")
                                 .withView(StageView.DEPTHS));
         model.turn(0.7, 0.2);
-        model.retreat(1.25);
+        model.dolly(1.25);
         model.choose(choice -> choice.zoomed(2));
     }
 
@@ -78,7 +78,7 @@ class KeptChoiceTest {
                         vase.camera().thetaRadians()
                                 - model.state().choice().camera().thetaRadians(),
                         vase.camera().phiRadians() - model.state().choice().camera().phiRadians()));
-        model.retreat(1.25);
+        model.dolly(1.25);
         model.choose(choice -> choice.zoomed(2));
 
         VisibilityChoice kept = model.kept();

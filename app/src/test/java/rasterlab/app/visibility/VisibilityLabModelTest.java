@@ -146,7 +146,7 @@ class VisibilityLabModelTest {
     @Test
     void failureOfTheRendererIsTold() {
         model.resize(4, 4);
-        model.retreat(1000);
+        model.dolly(1000);
         settle();
         assertInstanceOf(IllegalStateException.class, failures.get(0));
     }
@@ -170,9 +170,9 @@ class VisibilityLabModelTest {
 
     @Test
     void wheelStaysAtDistancesThatSuitTheScene() {
-        model.retreat(1e-9);
+        model.dolly(1e-9);
         assertEquals(0.45 * 500, model.state().choice().camera().rho(), 1e-9);
-        model.retreat(1e9);
+        model.dolly(1e9);
         assertEquals(8 * 500, model.state().choice().camera().rho(), 1e-9);
     }
 

@@ -138,7 +138,7 @@ public record GlChoice(
     }
 
     /** The eye farther away by a factor, within the range. */
-    public GlChoice retreated(double factor) {
+    public GlChoice dollied(double factor) {
         double next = Math.max(NEAREST, Math.min(FARTHEST, distance * factor));
         return new GlChoice(options, turn, tilt, next, file);
     }
