@@ -16,7 +16,7 @@ import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.engine.spline.SpanForm;
+import rasterlab.engine.spline.curve.SpanForm;
 
 /** The blending functions of a span over u in [0, 1], with a dot on each at the present u. */
 final class BlendingChart extends SelfDrawn {

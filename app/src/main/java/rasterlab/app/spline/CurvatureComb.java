@@ -3,7 +3,7 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurvePlace;
+import rasterlab.engine.spline.curve.CurvePlace;
 
 /**
  * Teeth along curves, as long as the curvature is large, on the outer side of each bend.

@@ -3,10 +3,10 @@ package rasterlab.app.spline;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurvePlace;
-import rasterlab.engine.spline.DeCasteljauCurve;
-import rasterlab.engine.spline.PointStep;
-import rasterlab.engine.spline.SpanForm;
+import rasterlab.engine.spline.curve.CurvePlace;
+import rasterlab.engine.spline.curve.DeCasteljauCurve;
+import rasterlab.engine.spline.curve.PointStep;
+import rasterlab.engine.spline.curve.SpanForm;
 
 /**
  * What is at one t: the point, how it is constructed, and the span's matrix form.

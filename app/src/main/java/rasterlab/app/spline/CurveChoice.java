@@ -3,8 +3,8 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurvePlace;
-import rasterlab.engine.spline.CurveTask;
+import rasterlab.engine.spline.curve.CurvePlace;
+import rasterlab.engine.spline.exact.CurveTask;
 
 /**
  * What the user chose, and what undo brings back.

@@ -7,8 +7,8 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
-import rasterlab.engine.spline.CurveTask;
-import rasterlab.engine.spline.Polyline;
+import rasterlab.engine.spline.exact.CurveTask;
+import rasterlab.engine.spline.exact.Polyline;
 import rasterlab.engine.study.Topic;
 
 /**

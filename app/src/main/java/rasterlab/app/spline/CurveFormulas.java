@@ -9,8 +9,8 @@ import rasterlab.app.canvas.Formula;
 import rasterlab.app.canvas.Formula.Matrix;
 import rasterlab.app.canvas.Formula.Words;
 import rasterlab.app.canvas.Shown;
-import rasterlab.engine.spline.CurvePlace;
-import rasterlab.engine.spline.SpanForm;
+import rasterlab.engine.spline.curve.CurvePlace;
+import rasterlab.engine.spline.curve.SpanForm;
 
 /** The matrix form of a span with its numbers, in the textbook's layout. */
 final class CurveFormulas {

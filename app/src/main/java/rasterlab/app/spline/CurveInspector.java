@@ -19,7 +19,7 @@ import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.CurveTracer;
-import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.spline.curve.SteppedCurve;
 import rasterlab.engine.study.Method;
 
 /** The curve lab's choosers, live numbers, matrices and the explanation of the chosen method. */

@@ -21,9 +21,9 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.engine.spline.ControlHull;
-import rasterlab.engine.spline.PointStep;
-import rasterlab.engine.spline.Polyline;
+import rasterlab.engine.spline.curve.ControlHull;
+import rasterlab.engine.spline.curve.PointStep;
+import rasterlab.engine.spline.exact.Polyline;
 
 /**
  * Curves, what the methods drew of them, and what happens at t.

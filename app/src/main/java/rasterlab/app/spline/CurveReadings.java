@@ -9,7 +9,7 @@ import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.spline.CurvePlace;
+import rasterlab.engine.spline.curve.CurvePlace;
 
 /** The live numbers of a state as the inspector and the stage write them. */
 final class CurveReadings {

@@ -3,7 +3,7 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.function.SplineProblem;
 
 /**
  * What the user chose, and what undo brings back.

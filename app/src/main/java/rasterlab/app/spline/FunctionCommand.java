@@ -4,8 +4,8 @@ import java.util.Locale;
 import rasterlab.app.canvas.CommandInput;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.spline.SplineFunctionTopic;
-import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.function.SplineFunctionTopic;
+import rasterlab.engine.spline.function.SplineProblem;
 
 /** The shell command that finds the function which the lab shows, with its coefficients. */
 final class FunctionCommand {

@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.contract.SplineFunction;
-import rasterlab.engine.spline.SplineProblem;
-import rasterlab.engine.spline.SplineValues;
+import rasterlab.engine.spline.function.SplineProblem;
+import rasterlab.engine.spline.function.SplineValues;
 import rasterlab.engine.study.Topic;
 
 /**

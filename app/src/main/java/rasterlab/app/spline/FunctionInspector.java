@@ -16,7 +16,7 @@ import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
-import rasterlab.engine.spline.SteppedSpline;
+import rasterlab.engine.spline.function.SteppedSpline;
 import rasterlab.engine.study.Method;
 
 /** The function lab's choosers, live numbers, coefficients and the chosen method's explanation. */

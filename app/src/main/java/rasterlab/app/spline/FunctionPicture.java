@@ -24,7 +24,7 @@ import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.raster.PixelMark;
-import rasterlab.engine.spline.Overshoot;
+import rasterlab.engine.spline.function.Overshoot;
 
 /**
  * Functions through knots, where they overshoot, and what the last step dealt with.

@@ -3,8 +3,8 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurveJoint;
-import rasterlab.engine.spline.CurvePlace;
+import rasterlab.engine.spline.curve.CurveJoint;
+import rasterlab.engine.spline.curve.CurvePlace;
 
 /**
  * Where two spans meet, and how smoothly.

@@ -1,6 +1,6 @@
 package rasterlab.app.spline;
 
-import rasterlab.engine.spline.CurveJoint;
+import rasterlab.engine.spline.curve.CurveJoint;
 
 /** The short signs of continuity, the same in every language. */
 final class JointText {

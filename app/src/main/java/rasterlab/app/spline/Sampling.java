@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurveTask;
+import rasterlab.engine.spline.exact.CurveTask;
 
 /**
  * Which points of a curve are wanted: a polyline flat enough, or points at given t.

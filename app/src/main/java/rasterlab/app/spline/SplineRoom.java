@@ -12,8 +12,8 @@ import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.engine.spline.CurveTask;
-import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.exact.CurveTask;
+import rasterlab.engine.spline.function.SplineProblem;
 
 /** The lab of curves by control points and of functions through knots. */
 public final class SplineRoom implements LabRoom<SplineLabModel> {

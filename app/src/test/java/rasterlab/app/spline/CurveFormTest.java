@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurvePlace;
+import rasterlab.engine.spline.curve.CurvePlace;
 
 class CurveFormTest {
     private static final List<Place> ARCH =

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.spline.CurveJoint;
+import rasterlab.engine.spline.curve.CurveJoint;
 
 class CurveJoiningTest {
     private static final List<Place> POINTS = FirstCurves.points(CurveForm.PIECES);

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
-import rasterlab.engine.spline.Polyline;
+import rasterlab.engine.spline.exact.Polyline;
 
 @Timeout(300)
 class CurvePictureTest {

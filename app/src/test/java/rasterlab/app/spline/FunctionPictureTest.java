@@ -21,7 +21,7 @@ import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
-import rasterlab.engine.spline.Overshoot;
+import rasterlab.engine.spline.function.Overshoot;
 
 class FunctionPictureTest {
     private static final Pattern NUMBER =

@@ -13,7 +13,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.function.SplineProblem;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 
@@ -85,6 +85,7 @@ class OwnFunctionTest {
         show(EXERCISE.evidence().model().orElseThrow());
         model.goTo(model.last());
         assertEquals(13, model.state().answers().size());
-        for (FunctionDrawing.Answer each : model.state().answers()) assertFalse(each.wrong(), "" + each);
+        for (FunctionDrawing.Answer each : model.state().answers())
+            assertFalse(each.wrong(), "" + each);
     }
 }

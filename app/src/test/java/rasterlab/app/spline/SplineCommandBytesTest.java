@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.GoldenCommands;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.spline.CurveTopic;
-import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.curve.CurveTopic;
+import rasterlab.engine.spline.function.SplineFunctionTopic;
 
 class SplineCommandBytesTest {
     private static void fail(Throwable failure) {

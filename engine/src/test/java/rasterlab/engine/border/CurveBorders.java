@@ -1,8 +1,8 @@
 package rasterlab.engine.border;
 
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurveTask;
-import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.curve.CurveTopic;
+import rasterlab.engine.spline.exact.CurveTask;
 
 /** Curves of every kind, points of them and polylines. */
 final class CurveBorders {

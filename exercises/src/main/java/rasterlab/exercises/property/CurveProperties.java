@@ -2,8 +2,8 @@ package rasterlab.exercises.property;
 
 import java.util.List;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.CurveTask;
-import rasterlab.engine.spline.Polyline;
+import rasterlab.engine.spline.exact.CurveTask;
+import rasterlab.engine.spline.exact.Polyline;
 
 /** Properties of points of curves by control points. */
 final class CurveProperties {

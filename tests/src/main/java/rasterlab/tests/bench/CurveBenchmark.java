@@ -17,8 +17,8 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import rasterlab.contract.Curve;
-import rasterlab.engine.spline.AdaptiveCurve;
-import rasterlab.engine.spline.UniformCurve;
+import rasterlab.engine.spline.curve.AdaptiveCurve;
+import rasterlab.engine.spline.curve.UniformCurve;
 
 /** Random cubic Bézier curves to polylines 0.25 pixels off at most, whose corners are added up. */
 @State(Scope.Benchmark)

@@ -2,7 +2,7 @@ package rasterlab.engine.scene.shape;
 
 import java.util.Arrays;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.spline.CubicSpline;
+import rasterlab.engine.spline.function.CubicSpline;
 
 /**
  * The radius of a {@link Revolution} by height: on piece i, with h = z − z[i], {@code r = c₀ + c₁·h

@@ -5,7 +5,7 @@ import static rasterlab.engine.transform.matrix.NamedMatrix.space;
 import java.util.Arrays;
 import java.util.List;
 import org.joml.Matrix4d;
-import rasterlab.engine.spline.CurveMatrix;
+import rasterlab.engine.spline.curve.CurveMatrix;
 
 /**
  * Names of the matrices of cubic curves: {@code [t³ t² t 1] · M · G}.

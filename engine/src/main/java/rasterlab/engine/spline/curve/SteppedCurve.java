@@ -1,0 +1,17 @@
+package rasterlab.engine.spline.curve;
+
+import rasterlab.contract.Curve;
+import rasterlab.contract.CurveTracer;
+
+/** A method whose steps can be looked at: flattening and stepping drain the same walk. */
+public interface SteppedCurve extends CurveTracer {
+    /**
+     * A walk over the corners that {@code flatten} sends, in the same order.
+     *
+     * @throws IllegalArgumentException as {@code flatten} does
+     */
+    CurveWalk walk(Curve curve, double flatness);
+
+    /** What {@link CurveWalk#decision} is, as a formula. */
+    String decisionFormula();
+}
