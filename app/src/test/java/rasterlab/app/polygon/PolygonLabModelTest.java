@@ -267,7 +267,7 @@ class PolygonLabModelTest {
         model.compareWith("robust");
         settle();
         assertEquals(List.of("at P", "not at P", "right at P"), numbers(Language.ENGLISH));
-        assertEquals(List.of("в P", "в P — нет", "в P верно"), numbers(Language.RUSSIAN));
+        assertEquals(List.of("в P", "в P\u00a0— нет", "в P верно"), numbers(Language.RUSSIAN));
         model.show(PolygonMode.TRIANGLE, "past-2-15");
         settle();
         int points = inside().points().size();

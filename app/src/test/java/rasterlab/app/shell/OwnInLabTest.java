@@ -142,7 +142,7 @@ class OwnInLabTest {
                 Optional.of("Your program did not answer within 2 s and was stopped"),
                 OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.ENGLISH));
         assertEquals(
-                Optional.of("Ваша программа не ответила за 2 с и была остановлена"),
+                Optional.of("Ваша программа не ответила за 2\u00a0с и была остановлена"),
                 OwnWords.refusal(OwnMethods.NAME, trace().message(), Language.RUSSIAN));
         models.line().moveEnd(End.A, 0, 2);
         settle();
