@@ -89,12 +89,9 @@ final class FigureInspector {
         pixel = column.value("pixel");
         offset = column.value("offset");
         decision = column.value("decision");
-        missing = column.value("missing");
-        missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
-        extra = column.value("extra");
-        extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
-        again = column.value("again");
-        again.setIcon(new PixelMarkIcon(PixelMark.AGAIN));
+        missing = marked("missing", PixelMark.MISSING);
+        extra = marked("extra", PixelMark.EXTRA);
+        again = marked("again", PixelMark.AGAIN);
         again.setToolTipText(texts.text("again.hint"));
         worst = column.value("worst");
         length = column.value("length");
@@ -111,6 +108,12 @@ final class FigureInspector {
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);
+    }
+
+    private JLabel marked(String key, PixelMark mark) {
+        JLabel count = column.value(key);
+        count.setIcon(new PixelMarkIcon(mark));
+        return count;
     }
 
     private void addMethods() {
