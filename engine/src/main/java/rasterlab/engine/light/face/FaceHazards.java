@@ -8,6 +8,8 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import rasterlab.contract.Attenuation;
+import rasterlab.contract.LightSource;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -21,7 +23,9 @@ final class FaceHazards {
     private FaceHazards() {}
 
     static List<Hazard<FacePoints>> all() {
-        return Stream.of(curved(), beside(), degenerate()).flatMap(List::stream).toList();
+        return Stream.of(curved(), beside(), degenerate(), ofTheFormula())
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static List<Hazard<FacePoints>> curved() {
@@ -117,6 +121,52 @@ final class FaceHazards {
                                         FaceSamples.grey(0.5, 0, 0)),
                                 new double[] {0.5, 0.5, 0}),
                         recorded(WRONG, WRONG, WRONG, WRONG, REFUSED)));
+    }
+
+    /** Where a term of the formula is easily forgotten. */
+    private static List<Hazard<FacePoints>> ofTheFormula() {
+        double[] corners = {-2, -1, 0, 2, -1, 0.5, 0, 2, -0.5};
+        double[] normals = {-0.3, -0.2, 1, 0.4, -0.1, 1, 0, 0.5, 1};
+        double[] behind = {6, 1, -0.5};
+        return List.of(
+                hazard(
+                        "fading-light",
+                        new LitFace(
+                                corners,
+                                normals,
+                                new double[] {1, 1, 3},
+                                new double[] {-1, 0, 6},
+                                Faces.grey(0.5, 0.4, 8),
+                                LightSource.white().attenuated(new Attenuation(1, 0.2, 0.05)),
+                                new double[] {0.4, 0.4, 0.4}),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG),
+                hazard(
+                        "light-from-behind",
+                        Faces.face(
+                                corners,
+                                normals,
+                                behind,
+                                new double[] {-6, -1, 2},
+                                Faces.grey(0.5, 0.6, 2)),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG),
+                hazard(
+                        "unlike-lengths",
+                        Faces.face(
+                                corners,
+                                new double[] {-0.1, 0, 0.3, 1, 0.2, 3, 0, 0.5, 0.8},
+                                FAR,
+                                ABOVE,
+                                Faces.grey(0.6, 0, 0)),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG));
     }
 
     private static Hazard<FacePoints> hazard(

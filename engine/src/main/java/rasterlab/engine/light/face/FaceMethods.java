@@ -6,6 +6,7 @@ import rasterlab.engine.study.Method;
 
 /** The methods of the topic, in teaching order. */
 final class FaceMethods {
+    static final String GOURAUD = "gouraud";
 
     private FaceMethods() {}
 
@@ -13,7 +14,7 @@ final class FaceMethods {
         return List.of(
                 Method.failing("flat-textbook", new FlatFace(true)),
                 Method.failing("flat", new FlatFace(false)),
-                Method.failing("gouraud", new GouraudFace()),
+                Method.failing(GOURAUD, new GouraudFace()),
                 Method.failing("phong-textbook", new ShortNormalFace()),
                 Method.right("phong", new PhongFace()));
     }

@@ -61,6 +61,11 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     }
 
     @Override
+    public List<Mutant<FaceShader>> mutants(String method) {
+        return method.equals(FaceMethods.GOURAUD) ? GouraudMutants.all() : mutants();
+    }
+
+    @Override
     public double[] run(FaceShader method, FacePoints points, int limit) {
         double[] shades = method.shade(points.face(), points.weights());
         WrongLength.require(points.weights().length, shades.length, "shares");

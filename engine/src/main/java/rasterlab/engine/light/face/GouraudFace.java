@@ -11,7 +11,16 @@ import rasterlab.engine.light.shade.FormulaShader;
  * 20(6), 1971, pp. 623–629.
  */
 final class GouraudFace implements SteppedFace {
-    private final FormulaShader formula = new FormulaShader(Reflection.PHONG);
+    private final FormulaShader formula;
+
+    GouraudFace() {
+        this(Reflection.PHONG);
+    }
+
+    /** The same with another formula. */
+    GouraudFace(Reflection reflection) {
+        formula = new FormulaShader(reflection);
+    }
 
     @Override
     public double[] shade(LitFace face, double[] weights, Evaluations told) {
