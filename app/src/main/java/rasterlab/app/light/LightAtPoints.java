@@ -37,8 +37,12 @@ interface LightAtPoints {
     /** The program can be asked for so many points while something is dragged. */
     int most();
 
-    /** The right light. */
-    double[] right(List<SeenPoint> points, BooleanSupplier cancelled);
+    /**
+     * The right light.
+     *
+     * @param own whose program's exercise may call another method right than the topic does
+     */
+    double[] right(OwnMethods own, List<SeenPoint> points, BooleanSupplier cancelled);
 
     /**
      * The light by the user's program.

@@ -25,8 +25,8 @@ record LightOfFaces(LightChoice choice, Mesh mesh, ViewTransform transform)
 
     private static final int MOST_POINTS = 6000;
 
-    /** The right method of the topic: the formula at each point. */
-    private static final String RIGHT = "phong";
+    /** What light is held against where the program's exercise does not say: the topic's own. */
+    private static final String USUAL = "phong";
 
     /** A triangle of the fan of a face, seen from one side. */
     private record Part(int face, int fan, boolean behind) {}
@@ -37,8 +37,12 @@ record LightOfFaces(LightChoice choice, Mesh mesh, ViewTransform transform)
     }
 
     @Override
-    public double[] right(List<SeenPoint> points, BooleanSupplier cancelled) {
-        return light(new FaceTopic().method(RIGHT).implementation(), points, cancelled);
+    public double[] right(OwnMethods own, List<SeenPoint> points, BooleanSupplier cancelled) {
+        String truth =
+                own.of(TOPIC)
+                        .flatMap(program -> program.exercise().tolerance().truth())
+                        .orElse(USUAL);
+        return light(new FaceTopic().method(truth).implementation(), points, cancelled);
     }
 
     @Override

@@ -27,7 +27,7 @@ record LightOfPoints(LightChoice choice, ViewTransform transform) implements Lig
     }
 
     @Override
-    public double[] right(List<SeenPoint> points, BooleanSupplier cancelled) {
+    public double[] right(OwnMethods own, List<SeenPoint> points, BooleanSupplier cancelled) {
         return light(new FormulaShader(Reflection.PHONG), points, cancelled);
     }
 

@@ -43,7 +43,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
             BooleanSupplier cancelled) {
         LightAtPoints light = LightAtPoints.of(choice, places.view());
         LitSamples samples = LitSamples.of(places.view(), light.most());
-        double[] right = light.right(samples.points(), cancelled);
+        double[] right = light.right(own, samples.points(), cancelled);
         Raster shown = samples.picture(background, k -> colour(right, k));
         try {
             double[] mine = light.by(own, samples.points(), cancelled);

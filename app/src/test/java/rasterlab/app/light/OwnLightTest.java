@@ -76,7 +76,7 @@ class OwnLightTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"shade", "shade-face"})
+    @ValueSource(strings = {"shade", "shade-face", "gouraud"})
     void theModelSolutionGivesTheRightLightAtEachPoint(String id) {
         show(id, "");
         assertEquals("own.light.right", told().key(), said(Language.ENGLISH));
@@ -103,7 +103,7 @@ class OwnLightTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"shade", "shade-face"})
+    @ValueSource(strings = {"shade", "shade-face", "gouraud"})
     void itIsRightFromBehindUnderASunAndFromAFarEyeToo(String id) {
         show(id, "");
         model.choose(
