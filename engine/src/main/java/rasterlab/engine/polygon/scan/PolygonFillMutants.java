@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
 import rasterlab.contract.Spans;
@@ -15,14 +16,23 @@ final class PolygonFillMutants {
     private static final PolygonFiller RIGHT = new ScanlinePolygon();
     private static final int ASIDE = 64;
 
+    /** The rule: an edge owns the row of its upper end, not that of its lower one. */
+    private static final Crosses OWN = (y, y0, y1) -> y0 <= y && y < y1;
+
+    private static final Rounding NEAREST = x -> Math.floor(x + 0.5);
+
     private PolygonFillMutants() {}
 
     static List<Mutant<PolygonFiller>> all() {
+        return Stream.of(ofRules(), ofRounding()).flatMap(List::stream).toList();
+    }
+
+    private static List<Mutant<PolygonFiller>> ofRules() {
         return List.of(
                 new Mutant<>(
                         "right-edge-included",
                         "corners-on-centres",
-                        plain((y, y0, y1) -> y0 <= y && y < y1, (l, r) -> (int) Math.floor(r) + 1)),
+                        plain(OWN, (l, r) -> (int) Math.floor(r) + 1)),
                 new Mutant<>(
                         "both-edge-ends",
                         "corner-on-the-left",
@@ -45,7 +55,7 @@ final class PolygonFillMutants {
                 new Mutant<>(
                         "crossings-in-double",
                         "far-corners",
-                        plain((y, y0, y1) -> y0 <= y && y < y1, (l, r) -> (int) Math.ceil(r))),
+                        plain(OWN, (l, r) -> (int) Math.ceil(r))),
                 new Mutant<>(
                         "two-corners-drawn",
                         "two-corners",
@@ -53,6 +63,22 @@ final class PolygonFillMutants {
                             if (x.length == 2) line(x, y, w, h, out);
                             else RIGHT.fill(x, y, rule, w, h, out);
                         }));
+    }
+
+    /** Rows and columns that are rounded otherwise than up. */
+    private static List<Mutant<PolygonFiller>> ofRounding() {
+        Crosses floors = (y, y0, y1) -> Math.floor(y0) <= y && y < Math.floor(y1);
+        Rounding up = Math::ceil;
+        Rounding down = Math::floor;
+        return List.of(
+                new Mutant<>("columns-by-floor", "rows-from-the-top", plain(OWN, down, down)),
+                new Mutant<>("left-by-floor", "rows-from-the-top", plain(OWN, down, up)),
+                new Mutant<>("columns-rounded", "rows-from-the-top", plain(OWN, NEAREST, NEAREST)),
+                new Mutant<>("rows-by-floor", "rows-from-the-top", plain(floors, up, up)),
+                new Mutant<>(
+                        "rows-and-columns-by-floor",
+                        "rows-from-the-top",
+                        plain(floors, down, down)));
     }
 
     private static void notCutAtTheLeft(
@@ -94,10 +120,22 @@ final class PolygonFillMutants {
         int before(double left, double right);
     }
 
+    private interface Rounding {
+        double of(double crossing);
+    }
+
     private record Crossing(double at, int direction) {}
 
-    /** A plain filler: the crossings of each row, sorted, and where their sum is inside. */
     private static PolygonFiller plain(Crosses crosses, Ends ends) {
+        return plain(crosses, Math::ceil, ends);
+    }
+
+    private static PolygonFiller plain(Crosses crosses, Rounding left, Rounding right) {
+        return plain(crosses, left, (l, r) -> (int) right.of(r));
+    }
+
+    /** A plain filler: the crossings of each row, sorted, and where their sum is inside. */
+    private static PolygonFiller plain(Crosses crosses, Rounding first, Ends ends) {
         return (x, y, rule, width, height, out) -> {
             for (int row = 0; row < height; row++) {
                 var crossings = new ArrayList<Crossing>();
@@ -109,13 +147,19 @@ final class PolygonFillMutants {
                     crossings.add(new Crossing(at, y[i] < y[j] ? 1 : -1));
                 }
                 crossings.sort(Comparator.comparingDouble(Crossing::at));
-                spans(crossings, rule, ends, row, width, out);
+                spans(crossings, rule, first, ends, row, width, out);
             }
         };
     }
 
     private static void spans(
-            List<Crossing> crossings, FillRule rule, Ends ends, int row, int width, Spans out) {
+            List<Crossing> crossings,
+            FillRule rule,
+            Rounding first,
+            Ends ends,
+            int row,
+            int width,
+            Spans out) {
         int sum = 0;
         double left = 0;
         for (Crossing one : crossings) {
@@ -126,7 +170,7 @@ final class PolygonFillMutants {
                 left = one.at();
                 continue;
             }
-            int from = Math.max(0, (int) Math.ceil(left));
+            int from = Math.max(0, (int) first.of(left));
             int to = Math.min(width, ends.before(left, one.at()));
             if (from < to) out.span(row, from, to);
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.CurveTracer;
@@ -16,6 +17,10 @@ final class CurveMutants {
     private CurveMutants() {}
 
     static List<Mutant<CurveTracer>> all() {
+        return Stream.of(ofCurves(), ofHermite()).flatMap(List::stream).toList();
+    }
+
+    private static List<Mutant<CurveTracer>> ofCurves() {
         return List.of(
                 new Mutant<>(
                         "reversed",
@@ -53,14 +58,29 @@ final class CurveMutants {
                 new Mutant<>(
                         "t-backwards",
                         "bezier-erratum",
-                        tracing(RIGHT::flatten, CurveMutants::atBackwards)),
-                new Mutant<>(
-                        "hermite-as-bezier",
-                        "hermite",
-                        tracing(
-                                (curve, flatness, out) ->
-                                        RIGHT.flatten(byPoints(curve), flatness, out),
-                                (curve, t, out) -> RIGHT.at(byPoints(curve), t, out))));
+                        tracing(RIGHT::flatten, CurveMutants::atBackwards)));
+    }
+
+    /** Other curves are right. */
+    private static List<Mutant<CurveTracer>> ofHermite() {
+        return List.of(
+                hermite("hermite-as-bezier", Curve.Kind.BEZIER, a -> a),
+                hermite(
+                        "end-derivative-added",
+                        Curve.Kind.HERMITE,
+                        a -> new double[] {a[0], a[1], a[2], -a[3]}),
+                hermite(
+                        "start-derivative-subtracted",
+                        Curve.Kind.HERMITE,
+                        a -> new double[] {a[0], a[1], -a[2], a[3]}),
+                hermite(
+                        "derivatives-not-divided",
+                        Curve.Kind.HERMITE,
+                        a -> new double[] {a[0], a[1], 3 * a[2], 3 * a[3]}),
+                hermite(
+                        "derivatives-swapped",
+                        Curve.Kind.HERMITE,
+                        a -> new double[] {a[0], a[1], a[3], a[2]}));
     }
 
     private interface Flatten {
@@ -125,11 +145,26 @@ final class CurveMutants {
         RIGHT.at(curve, backwards, out);
     }
 
-    /** The four numbers of a Hermite curve, start, end and derivatives, as control points. */
-    private static Curve byPoints(Curve curve) {
-        return curve.kind() == Curve.Kind.HERMITE
-                ? new Curve(Curve.Kind.BEZIER, curve.x(), curve.y())
-                : curve;
+    /**
+     * A Hermite curve of other numbers.
+     *
+     * @param kind they are taken for
+     * @param change of start, end and derivatives of a coordinate
+     */
+    private static Mutant<CurveTracer> hermite(
+            String name, Curve.Kind kind, UnaryOperator<double[]> change) {
+        UnaryOperator<Curve> changed =
+                curve ->
+                        curve.kind() == Curve.Kind.HERMITE
+                                ? new Curve(kind, change.apply(curve.x()), change.apply(curve.y()))
+                                : curve;
+        return new Mutant<>(
+                name,
+                "hermite",
+                tracing(
+                        (curve, flatness, out) ->
+                                RIGHT.flatten(changed.apply(curve), flatness, out),
+                        (curve, t, out) -> RIGHT.at(changed.apply(curve), t, out)));
     }
 
     private static void chordOfClosed(Curve curve, double flatness, CurvePoints out) {
