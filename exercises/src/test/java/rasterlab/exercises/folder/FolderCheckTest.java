@@ -54,8 +54,8 @@ class FolderCheckTest {
                 "exercise.json | \"Model.java\" | \"None.java\" | None.java",
                 "exercise.json | \"tolerance\" | \"tolerances\" | field 'tolerances'",
                 "exercise.json | { | [ | is not JSON",
-                "cases.json | \"points\" : 12 | \"points\" : 11 | accuracy cases have 74",
-                "cases.json | \"points\" : 12 | \"points\" : 1.5 | 'points'",
+                "hidden-cases.json | \"points\" : 37 | \"points\" : 36 | accuracy cases have 74",
+                "hidden-cases.json | \"points\" : 37 | \"points\" : 1.5 | 'points'",
                 "cases.json | ray-through-a-corner | last-edge | two cases are called 'last-edge'",
                 "cases.json | \"hazard\" : \"last-edge\" | \"hazard\" : \"none\" | hazard",
                 "cases.json | \"kind\" : \"accuracy\" | \"kind\" : \"speed\" | 'kind'",
@@ -97,7 +97,7 @@ class FolderCheckTest {
         change("exercise.json", "\"НАЗВАНИЕ\"", "\"\"");
         change("cases.json", "\"hazard\" : \"last-edge\"", "\"hazard\" : \"none\"");
         change("exercise.json", "\"tolerance\"", "\"colour\" : 1, \"size\" : 2, \"tolerance\"");
-        change("cases.json", "\"points\" : 12", "\"shade\" : 3, \"points\" : 1.5");
+        change("hidden-cases.json", "\"points\" : 37", "\"shade\" : 3, \"points\" : 1.5");
         Files.delete(folder.resolve("statement.ru.md"));
         Files.delete(folder.resolve("Starter.java"));
         List<String> faults = faults();

@@ -139,6 +139,37 @@ class StudentProgramsTest {
         }
     }
 
+    /** Exercises of which a check on the student's own computer tells the mistake, too. */
+    private static final Set<String> TOLD_BY_OPEN_CASES =
+            Set.of("point-in-polygon", "polygon-fill", "hermite", "gouraud");
+
+    static Stream<Arguments> toldByOpenCases() throws IOException {
+        return programs("wrong")
+                .filter(one -> TOLD_BY_OPEN_CASES.contains(exercise(file(one)).id()));
+    }
+
+    @ParameterizedTest(name = "{0} is told its mistake by the server alone")
+    @MethodSource("toldByOpenCases")
+    void theOpenCasesAloneTellTheMistake(Path file) throws Exception {
+        Exercise exercise = exercise(file);
+        List<Case> open =
+                exercise.cases().stream()
+                        .filter(one -> one.visibility() == Disclosure.OPEN)
+                        .toList();
+        TriedMethod tried =
+                TriedMethod.on(
+                        exercise,
+                        open,
+                        TopicGradings.of(exercise),
+                        CompiledProgram.of(Files.readString(file)),
+                        SEED);
+        String mistake = file.getFileName().toString().split("\\.")[0];
+        for (String language : List.of("en", "ru")) {
+            String told = told(tried.marking(), language);
+            assertTrue(told.contains(said(exercise.topic(), mistake, language)), told);
+        }
+    }
+
     /** All that the student can read: hidden cases tell the class of the error alone. */
     private static String told(Marking marking, String language) {
         String cases =

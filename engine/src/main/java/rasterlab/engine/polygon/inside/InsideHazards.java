@@ -57,7 +57,12 @@ final class InsideHazards {
                         "on-the-boundary",
                         BATTLEMENT,
                         Points.of(0, 0, 9, 6, 4, 0, 9, 3, 4, 3, 0, 4, 1, 6, 3, 3),
-                        recorded(DEGRADED, DEGRADED, DEGRADED, EXACT)));
+                        recorded(DEGRADED, DEGRADED, DEGRADED, EXACT)),
+                hazard(
+                        "in-line-with-edges",
+                        BATTLEMENT,
+                        Points.of(9, 8, -2, 3, 6, 7, 3, -1, 4.5, 6, 1, 3, 0, -3, 8, 3),
+                        recorded(EXACT, EXACT, EXACT, EXACT)));
     }
 
     /** Shapes that no picture begins with, and where digits or range run out. */
