@@ -136,7 +136,7 @@ final class FaceHazards {
                                 normals,
                                 new double[] {1, 1, 3},
                                 new double[] {-1, 0, 6},
-                                Faces.grey(0.5, 0.4, 8),
+                                FaceSamples.grey(0.5, 0.4, 8),
                                 LightSource.white().attenuated(new Attenuation(1, 0.2, 0.05)),
                                 new double[] {0.4, 0.4, 0.4}),
                         WRONG,
@@ -145,24 +145,24 @@ final class FaceHazards {
                         WRONG),
                 hazard(
                         "light-from-behind",
-                        Faces.face(
+                        FaceSamples.face(
                                 corners,
                                 normals,
                                 behind,
                                 new double[] {-6, -1, 2},
-                                Faces.grey(0.5, 0.6, 2)),
+                                FaceSamples.grey(0.5, 0.6, 2)),
                         WRONG,
                         WRONG,
                         WRONG,
                         WRONG),
                 hazard(
                         "unlike-lengths",
-                        Faces.face(
+                        FaceSamples.face(
                                 corners,
                                 new double[] {-0.1, 0, 0.3, 1, 0.2, 3, 0, 0.5, 0.8},
                                 FAR,
                                 ABOVE,
-                                Faces.grey(0.6, 0, 0)),
+                                FaceSamples.grey(0.6, 0, 0)),
                         WRONG,
                         WRONG,
                         WRONG,
