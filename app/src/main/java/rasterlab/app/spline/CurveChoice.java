@@ -2,6 +2,7 @@ package rasterlab.app.spline;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.Curve;
 import rasterlab.engine.spline.curve.CurvePlace;
 import rasterlab.engine.spline.exact.CurveTask;

@@ -18,6 +18,8 @@ import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
+import rasterlab.app.spline.curve.BlendingChart;
+import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.curve.SteppedCurve;
 import rasterlab.engine.study.Method;

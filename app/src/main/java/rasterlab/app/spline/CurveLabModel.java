@@ -10,6 +10,8 @@ import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.spline.curve.CurveAt;
+import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.curve.CurveTopic;
 import rasterlab.engine.spline.exact.CurveTask;

@@ -1,5 +1,7 @@
 package rasterlab.app.spline;
 
+import rasterlab.app.spline.curve.CurveAt;
+
 /**
  * What the lab shows at one moment.
  *

@@ -9,6 +9,8 @@ import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
+import rasterlab.app.spline.curve.Joint;
+import rasterlab.app.spline.curve.JointText;
 import rasterlab.engine.spline.curve.CurvePlace;
 
 /** The live numbers of a state as the inspector and the stage write them. */

@@ -15,9 +15,9 @@ import rasterlab.app.opengl.state.Group;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
-import rasterlab.app.spline.Sampling;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.SplineEnds;
 
 /** What the tabs show besides what they open with. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.spline.curve.Joint;
 import rasterlab.engine.spline.curve.CurveJoint;
 
 class CurveJoiningTest {

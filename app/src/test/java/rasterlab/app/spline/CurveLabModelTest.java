@@ -17,6 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.spline.curve.Joint;
+import rasterlab.app.spline.curve.Sampling;
 import rasterlab.engine.spline.curve.CurveJoint;
 import rasterlab.engine.spline.curve.CurveTopic;
 import rasterlab.engine.spline.exact.CurveTask;

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.SplineEnds;
 
 /** The copied command computes the very numbers that the lab shows. */

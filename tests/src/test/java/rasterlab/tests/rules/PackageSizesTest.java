@@ -34,7 +34,6 @@ class PackageSizesTest {
                     Map.entry("app/src/main/java/rasterlab/app/line", 55),
                     Map.entry("app/src/main/java/rasterlab/app/polygon", 49),
                     Map.entry("app/src/main/java/rasterlab/app/shell", 49),
-                    Map.entry("app/src/main/java/rasterlab/app/spline", 42),
                     Map.entry("app/src/main/java/rasterlab/app/visibility", 55),
                     Map.entry("app/src/test/java/rasterlab/app/canvas", 49),
                     Map.entry("app/src/test/java/rasterlab/app/cli", 49),

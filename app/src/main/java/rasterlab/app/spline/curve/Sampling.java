@@ -1,4 +1,4 @@
-package rasterlab.app.spline;
+package rasterlab.app.spline.curve;
 
 import java.util.Arrays;
 import java.util.List;
@@ -13,9 +13,9 @@ import rasterlab.engine.spline.exact.CurveTask;
  * @param at rising from 0 to 1; empty where a polyline is wanted
  */
 public record Sampling(double flatness, List<Double> at) {
-    static final double FINEST = 0.0625;
-    static final double COARSEST = 64;
-    static final int MOST_STEPS = 128;
+    public static final double FINEST = 0.0625;
+    public static final double COARSEST = 64;
+    public static final int MOST_STEPS = 128;
 
     public Sampling {
         at = List.copyOf(at);
@@ -31,7 +31,7 @@ public record Sampling(double flatness, List<Double> at) {
                 0, IntStream.rangeClosed(0, steps).mapToObj(i -> (double) i / steps).toList());
     }
 
-    static Sampling of(CurveTask task) {
+    public static Sampling of(CurveTask task) {
         List<Double> at = Arrays.stream(task.at()).boxed().toList();
         return new Sampling(task.flatness(), at);
     }
@@ -45,7 +45,7 @@ public record Sampling(double flatness, List<Double> at) {
         return Math.max(0, at.size() - 1);
     }
 
-    CurveTask task(Curve curve) {
+    public CurveTask task(Curve curve) {
         return new CurveTask(curve, at.stream().mapToDouble(t -> t).toArray(), flatness);
     }
 }

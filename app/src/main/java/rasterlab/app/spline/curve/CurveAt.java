@@ -1,4 +1,4 @@
-package rasterlab.app.spline;
+package rasterlab.app.spline.curve;
 
 import java.util.List;
 import java.util.Optional;
@@ -22,7 +22,7 @@ public record CurveAt(
     /**
      * @param t over all curves, in [0, 1]
      */
-    static CurveAt of(List<Curve> curves, double t) {
+    public static CurveAt of(List<Curve> curves, double t) {
         int index = Math.min((int) (t * curves.size()), curves.size() - 1);
         double own = Math.max(0, Math.min(1, t * curves.size() - index));
         Curve curve = curves.get(index);

@@ -1,12 +1,12 @@
-package rasterlab.app.spline;
+package rasterlab.app.spline.curve;
 
 import rasterlab.engine.spline.curve.CurveJoint;
 
 /** The short signs of continuity, the same in every language. */
-final class JointText {
+public final class JointText {
     private JointText() {}
 
-    static String of(CurveJoint.Kind kind) {
+    public static String of(CurveJoint.Kind kind) {
         return switch (kind) {
             case GAP -> "×";
             case C0 -> "C⁰";

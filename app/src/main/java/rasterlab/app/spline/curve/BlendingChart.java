@@ -1,4 +1,4 @@
-package rasterlab.app.spline;
+package rasterlab.app.spline.curve;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
@@ -19,7 +19,7 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.spline.curve.SpanForm;
 
 /** The blending functions of a span over u in [0, 1], with a dot on each at the present u. */
-final class BlendingChart extends SelfDrawn {
+public final class BlendingChart extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
     private static final int SAMPLES = 64;
@@ -33,14 +33,14 @@ final class BlendingChart extends SelfDrawn {
 
     private transient Optional<SpanForm> form = Optional.empty();
 
-    BlendingChart(String said) {
+    public BlendingChart(String said) {
         super(AccessibleRole.CANVAS);
         setName("blending");
         getAccessibleContext().setAccessibleName(said);
         setToolTipText(said);
     }
 
-    void show(SpanForm next) {
+    public void show(SpanForm next) {
         form = Optional.of(next);
         repaint();
     }

@@ -1,4 +1,4 @@
-package rasterlab.app.spline;
+package rasterlab.app.spline.curve;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +16,7 @@ public record Joint(double x, double y, CurveJoint.Kind kind) {
     private static final int MOST = 64;
 
     /** The joints of all curves' spans, from start to end; none where there are more than 64. */
-    static List<Joint> all(List<Curve> curves) {
+    public static List<Joint> all(List<Curve> curves) {
         int spans = curves.stream().mapToInt(Curve::spans).sum();
         if (spans > MOST) return List.of();
         var joints = new ArrayList<Joint>();

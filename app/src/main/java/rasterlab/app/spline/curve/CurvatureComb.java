@@ -1,4 +1,4 @@
-package rasterlab.app.spline;
+package rasterlab.app.spline.curve;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -28,7 +28,7 @@ public record CurvatureComb(List<Tooth> teeth) {
     /**
      * @param extent pixels
      */
-    static CurvatureComb of(List<Curve> curves, double extent) {
+    public static CurvatureComb of(List<Curve> curves, double extent) {
         int spans = curves.stream().mapToInt(Curve::spans).sum();
         int each = Math.max(4, TEETH / spans);
         var places = new ArrayList<CurvePlace>();
