@@ -1,6 +1,7 @@
 package rasterlab.app.language;
 
 import java.util.Locale;
+import rasterlab.exercises.words.PluralForms;
 
 /** A language that the window speaks. */
 public enum Language {
@@ -32,13 +33,7 @@ public enum Language {
      * @return {@code one}, {@code few}, {@code many} or {@code other}; English has one and other
      */
     public String plural(double number) {
-        double size = Math.abs(number);
-        if (this == ENGLISH) return size == 1 ? "one" : "other";
-        if (size != Math.rint(size)) return "other";
-        double last = size % 10;
-        boolean teen = size % 100 >= 11 && size % 100 <= 14;
-        if (last == 1 && !teen) return "one";
-        return last >= 2 && last <= 4 && !teen ? "few" : "many";
+        return PluralForms.name(number, locale);
     }
 
     /** The language of the system, English when the window does not speak that one. */

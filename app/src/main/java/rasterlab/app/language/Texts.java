@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 import java.util.Set;
+import rasterlab.exercises.words.PluralForms;
 import rasterlab.exercises.words.TopicWords;
 
 /**
@@ -82,7 +83,7 @@ public final class Texts {
         String pattern = bundle.getString(key);
         return arguments.length == 0
                 ? pattern
-                : new MessageFormat(PluralForms.chosen(pattern, arguments, language), locale())
+                : new MessageFormat(PluralForms.chosen(pattern, arguments, locale()), locale())
                         .format(arguments);
     }
 

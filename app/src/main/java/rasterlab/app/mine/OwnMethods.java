@@ -146,8 +146,11 @@ public final class OwnMethods implements AutoCloseable {
     public static NoAnswer misshapen(WrongLength length) {
         return new NoAnswer(
                 Verdict.Kind.WRONG,
-                "your program's answer has %d values where %d were asked for"
-                        .formatted(length.got(), length.asked()));
+                "your program's answer has %d %s where %d were asked for"
+                        .formatted(
+                                length.got(),
+                                length.got() == 1 ? "value" : "values",
+                                length.asked()));
     }
 
     private static Object none(Topic<?, ?, ?> topic) {

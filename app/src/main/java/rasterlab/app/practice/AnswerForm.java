@@ -17,6 +17,7 @@ import rasterlab.app.practice.Board.Named;
 import rasterlab.app.practice.Board.Target;
 import rasterlab.exercises.Predicting.Asked;
 import rasterlab.exercises.predicting.Question;
+import rasterlab.exercises.predicting.StepText;
 
 /** The controls for an answer: buttons where there is a choice, fields for numbers. */
 final class AnswerForm extends JPanel {
@@ -25,6 +26,7 @@ final class AnswerForm extends JPanel {
     private final transient Texts texts;
     private final transient Runnable confirmed;
     private final transient Map<String, AnswerPart> parts = new LinkedHashMap<>();
+    private transient StepText names;
 
     /**
      * @param confirmed runs when the answer is given
@@ -37,12 +39,13 @@ final class AnswerForm extends JPanel {
 
     /** Asks for the fields of another question, with nothing in them. */
     void show(String topic, Question question, Optional<Board> board) {
+        names = new StepText(topic, texts.locale());
         removeAll();
         parts.clear();
         boolean alone = question.rules().asked().size() == 1;
         for (Asked asked : question.rules().asked()) {
             String field = asked.field();
-            String name = label(texts, topic, field);
+            String name = names.label(field);
             AnswerPart part = part(asked, name, question.right().path(field), board, alone);
             parts.put(field, part);
             var label = new JLabel(name);
@@ -54,26 +57,11 @@ final class AnswerForm extends JPanel {
         repaint();
     }
 
-    /**
-     * What a field of a step or of the data is called: a word before the name that it has on a
-     * sheet, unless that is the word.
-     */
-    static String label(Texts texts, String topic, String field) {
-        String key = "field." + field;
-        String word = Texts.ofTopic(topic, texts.language()).textOr(key, texts.textOr(key, field));
-        return word.equalsIgnoreCase(field) ? word : word + " (" + field + ")";
-    }
-
-    /** A value that is a word, in the window's language. */
-    static String word(Texts texts, String value) {
-        return texts.textOr("word." + value, value);
-    }
-
     private AnswerPart part(
             Asked asked, String name, JsonNode right, Optional<Board> board, boolean alone) {
         List<JsonNode> values = choices(asked, right, board);
         if (values.isEmpty()) return new NumbersPart(asked.field(), right, name, confirmed);
-        List<String> words = values.stream().map(value -> word(texts, value.asText())).toList();
+        List<String> words = values.stream().map(value -> names.word(value.asText())).toList();
         return new ChoicePart(asked.field(), values, words, alone ? confirmed : () -> {});
     }
 

@@ -1,18 +1,14 @@
 package rasterlab.app.practice;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.DecimalNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import java.math.BigDecimal;
 import java.util.ArrayList;
-import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.exercises.predicting.TypedValue;
 
 /** A text field for each number of a field's value, be that a number, a point or several. */
 final class NumbersPart implements AnswerPart {
@@ -29,7 +25,7 @@ final class NumbersPart implements AnswerPart {
      */
     NumbersPart(String field, JsonNode form, String name, Runnable confirmed) {
         this.form = form;
-        int count = count(form);
+        int count = TypedValue.count(form);
         for (int i = 0; i < count; i++) {
             var text = new JTextField(COLUMNS);
             text.setName("practice." + field + (count == 1 ? "" : "." + i));
@@ -47,50 +43,20 @@ final class NumbersPart implements AnswerPart {
         return true;
     }
 
-    private static int count(JsonNode value) {
-        if (!value.isArray()) return 1;
-        int count = 0;
-        for (JsonNode one : value) count += count(one);
-        return count;
-    }
-
     @Override
     public Optional<JsonNode> value() {
         var numbers = new ArrayList<JsonNode>();
-        for (JTextField field : fields) number(field.getText()).ifPresent(numbers::add);
+        for (JTextField field : fields) TypedValue.number(field.getText()).ifPresent(numbers::add);
         return numbers.size() < fields.size()
                 ? Optional.empty()
-                : Optional.of(formed(form, numbers.iterator()));
-    }
-
-    private static JsonNode formed(JsonNode form, Iterator<JsonNode> numbers) {
-        if (!form.isArray()) return numbers.next();
-        ArrayNode row = JsonNodeFactory.instance.arrayNode();
-        for (JsonNode one : form) row.add(formed(one, numbers));
-        return row;
-    }
-
-    /** A number with a point or a comma, and any minus; empty where it is none. */
-    static Optional<JsonNode> number(String text) {
-        String plain = text.strip().replace('−', '-').replace(',', '.');
-        try {
-            return Optional.of(DecimalNode.valueOf(new BigDecimal(plain)));
-        } catch (NumberFormatException e) {
-            return Optional.empty();
-        }
+                : Optional.of(TypedValue.formed(form, numbers.iterator()));
     }
 
     @Override
     public void set(JsonNode value) {
-        var numbers = new ArrayList<String>();
-        collect(value, numbers);
+        List<String> numbers = TypedValue.numbers(value);
         if (numbers.size() != fields.size()) return;
         for (int i = 0; i < numbers.size(); i++) fields.get(i).setText(numbers.get(i));
-    }
-
-    private static void collect(JsonNode value, List<String> numbers) {
-        if (value.isNumber()) numbers.add(value.asText());
-        for (JsonNode one : value) collect(one, numbers);
     }
 
     @Override
@@ -106,7 +72,7 @@ final class NumbersPart implements AnswerPart {
     @Override
     public void focus() {
         fields.stream()
-                .filter(field -> number(field.getText()).isEmpty())
+                .filter(field -> TypedValue.number(field.getText()).isEmpty())
                 .findFirst()
                 .orElse(fields.get(0))
                 .requestFocusInWindow();

@@ -23,6 +23,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.practice.Sketch.Walked;
 import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.Sheet;
+import rasterlab.exercises.predicting.StepText;
 
 /** The mode "which is next?" as its lab shows it, in one language. */
 final class PracticePanel extends JPanel implements Settling, Helped {
@@ -188,8 +189,12 @@ final class PracticePanel extends JPanel implements Settling, Helped {
             return;
         }
         String topic = state.topic().orElseThrow();
-        verdict.tell(texts.text("missing", AnswerForm.label(texts, topic, missing.get())));
+        verdict.tell(texts.text("missing", words(topic).label(missing.get())));
         form.focus();
+    }
+
+    private StepText words(String topic) {
+        return new StepText(topic, texts.locale());
     }
 
     private void refuseSeed() {
@@ -234,7 +239,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         title.setText(sheet.exercise().title().get(language));
         position.setText(texts.text("position", state.at() + 1, sheet.size()));
         question.show(now.rules().question(language));
-        told.show(texts.text("told", WalkText.told(now.told(), topic, texts)));
+        told.show(texts.text("told", words(topic).told(now.told())));
         told.setVisible(state.isAsking() && !now.told().isEmpty());
         Optional<Sketch> sketch = Sketches.of(topic);
         Optional<Board> board = sketch.map(each -> each.of(walked(state)));

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.predicting.StepText;
 
 /** Says whether the last answer was right, what is right, and why. */
 final class VerdictPane extends JPanel {
@@ -39,10 +40,10 @@ final class VerdictPane extends JPanel {
         String said = last.question().said(last.answer()).in(language);
         Optional<String> line =
                 last.question().reason().filter(JsonNode::isTextual).map(JsonNode::asText);
-        if (line.isPresent()) said = said.replace(line.get(), AnswerForm.word(texts, line.get()));
+        var words = new StepText(topic, texts.locale());
+        if (line.isPresent()) said = said.replace(line.get(), words.word(line.get()));
         List<String> fields = last.question().rules().asked().stream().map(Asked::field).toList();
-        String listed = WalkText.localised(said, texts.locale());
-        say(sentence(WalkText.named(listed, fields, topic, texts)));
+        say(sentence(words.named(words.localised(said), fields)));
         setVisible(true);
     }
 

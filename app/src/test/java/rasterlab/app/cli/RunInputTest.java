@@ -107,7 +107,7 @@ class RunInputTest {
                 argumentSet(
                         "point has one coordinate",
                         "{\"from\":[7],\"to\":[1,1]}",
-                        "/from: only 1 values; expected an array of 2 whole numbers"),
+                        "/from: only 1 value; expected an array of 2 whole numbers"),
                 argumentSet(
                         "third coordinate is ignored",
                         "{\"from\":[7,8,9],\"to\":[1,1]}",

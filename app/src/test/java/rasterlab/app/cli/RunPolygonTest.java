@@ -99,7 +99,7 @@ class RunPolygonTest {
                         "triangulate",
                         "ear-clipping",
                         "{\"polygon\":[[1,1]]}",
-                        "/polygon: only 1 values; expected an array of 3 to 10000000 points of 2"
+                        "/polygon: only 1 value; expected an array of 3 to 10000000 points of 2"
                                 + " numbers each"),
                 argumentSet(
                         "fraction reaches int arithmetic",

@@ -137,7 +137,7 @@ class RunSplineTest {
                         spline,
                         "monotone",
                         "{\"x\":[0],\"y\":[0,1],\"at\":[],\"ends\":{\"kind\":\"natural\"}}",
-                        "/y: expected 1 values as /x has, got 2"),
+                        "/y: expected 1 value as /x has, got 2"),
                 argumentSet(
                         "neither t nor flatness",
                         "curve",

@@ -4,12 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Locale;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.exercises.words.PluralForms;
 
 class PluralTest {
+    private static final Locale RUSSIAN = Language.RUSSIAN.locale();
+
     @ParameterizedTest(name = "{0} stands before the wrong form: {1}")
     @CsvSource({
         "1, пиксель",
@@ -67,12 +71,10 @@ class PluralTest {
         var refused =
                 assertThrows(
                         IllegalArgumentException.class,
-                        () ->
-                                PluralForms.chosen(
-                                        "{0,plural,one#a}", new Object[] {5}, Language.RUSSIAN));
+                        () -> PluralForms.chosen("{0,plural,one#a}", new Object[] {5}, RUSSIAN));
         assertTrue(refused.getMessage().contains("many"), refused.getMessage());
         assertThrows(
                 IllegalArgumentException.class,
-                () -> PluralForms.chosen("{0,plural,one#a", new Object[] {1}, Language.RUSSIAN));
+                () -> PluralForms.chosen("{0,plural,one#a", new Object[] {1}, RUSSIAN));
     }
 }

@@ -149,8 +149,7 @@ class OwnLightTest {
     void aWrongNumberOfSharesIsTold() {
         show("shade", HALF.replace("{0.5, 0.5, 0.5}", "{0.5}"));
         assertEquals(
-                "Your program's answer has 1 values where 3 were asked for",
-                said(Language.ENGLISH));
+                "Your program's answer has 1 value where 3 were asked for", said(Language.ENGLISH));
     }
 
     @Test

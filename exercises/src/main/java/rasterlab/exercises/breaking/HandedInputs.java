@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonText;
 import rasterlab.exercises.json.NotJson;
 import rasterlab.exercises.judging.MethodsOnInput;
@@ -26,7 +27,8 @@ public record HandedInputs(List<String> inputs) {
      * Reads what was handed in.
      *
      * @param most inputs
-     * @throws CatalogueException if it is none; says the place, the value and what is allowed
+     * @throws CatalogueException if it is none; says of all that is wrong the place, the value and
+     *     what is allowed
      */
     public static HandedInputs of(String topic, String json, int most) {
         if (json.length() > MOST_CHARACTERS)
@@ -36,7 +38,12 @@ public record HandedInputs(List<String> inputs) {
         if (tree.isEmpty() || tree.size() > most)
             throw new CatalogueException(Phrase.of("break.count", tree.size(), most));
         List<String> inputs = new ArrayList<>();
-        for (JsonNode one : tree) inputs.add(checked(topic, inputs.size() + 1, one));
+        var faults = new Faults();
+        for (int i = 0; i < tree.size(); i++) {
+            int number = i + 1;
+            faults.tried(() -> checked(topic, number, tree.get(number - 1))).ifPresent(inputs::add);
+        }
+        faults.requireNoneOfAll();
         return new HandedInputs(inputs);
     }
 

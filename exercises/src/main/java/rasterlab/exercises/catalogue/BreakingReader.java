@@ -16,6 +16,7 @@ import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.Hint;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.judging.MethodsOnInput;
 import rasterlab.exercises.score.Disclosure;

@@ -9,6 +9,7 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.MeasuredMethod;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;
 

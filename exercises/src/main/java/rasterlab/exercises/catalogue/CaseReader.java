@@ -13,6 +13,7 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.property.Properties;
 import rasterlab.exercises.property.Property;

@@ -2,6 +2,7 @@ package rasterlab.exercises.catalogue;
 
 import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -29,6 +30,7 @@ import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.Hint;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;
@@ -251,12 +253,14 @@ final class ExerciseReader {
     /** A topic without a method of its own to hold speed against asks for a model solution. */
     private Evidence evidence(JsonFields fields, TopicGrading topic) {
         Set<String> notAsked =
-                fields.has("notAsked") ? Set.copyOf(fields.texts("notAsked")) : Set.of();
+                fields.has("notAsked") ? new LinkedHashSet<>(fields.texts("notAsked")) : Set.of();
         List<String> known = mistakes(Topics.named(topic.name()), truth(fields, topic));
         for (String one : notAsked)
             if (!known.contains(one))
-                throw fields.wrong(
-                        "notAsked", Phrase.of("field.word", String.join(", ", known), one));
+                faults.keep(
+                        fields.wrong(
+                                "notAsked",
+                                Phrase.of("field.word", String.join(", ", known), one)));
         if (!fields.has("model") && topic.reference().isPresent())
             return new Evidence(Optional.empty(), notAsked);
         return new Evidence(Optional.of(folder.text(fields.text("model"))), notAsked);
@@ -301,21 +305,18 @@ final class ExerciseReader {
                 : OptionalInt.empty();
     }
 
-    /** A text in each language. */
-    static Map<String, String> titles(JsonFields fields) {
-        Map<String, String> titles = new LinkedHashMap<>();
-        for (String language : LANGUAGES) titles.put(language, fields.text(language));
-        return titles;
-    }
-
     /** The title in each language; empty where one is missing, which is kept. */
     static Optional<Map<String, String>> titles(JsonFields fields, Faults faults) {
-        Optional<JsonFields> title = faults.tried(() -> fields.object("title", "en", "ru"));
-        Map<String, String> titles = new LinkedHashMap<>();
+        return faults.tried(() -> fields.object("title", "en", "ru"))
+                .flatMap(all -> texts(all, faults));
+    }
+
+    /** A text in each language; empty where one is missing, which is kept. */
+    static Optional<Map<String, String>> texts(JsonFields fields, Faults faults) {
+        Map<String, String> texts = new LinkedHashMap<>();
         for (String language : LANGUAGES)
-            title.flatMap(all -> faults.tried(() -> all.text(language)))
-                    .ifPresent(text -> titles.put(language, text));
-        return titles.size() == LANGUAGES.size() ? Optional.of(titles) : Optional.empty();
+            faults.tried(() -> fields.text(language)).ifPresent(text -> texts.put(language, text));
+        return texts.size() == LANGUAGES.size() ? Optional.of(texts) : Optional.empty();
     }
 
     /** The statements; one that is missing is kept as a fault. */

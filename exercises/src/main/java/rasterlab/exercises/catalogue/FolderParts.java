@@ -7,6 +7,7 @@ import java.util.Optional;
 import rasterlab.engine.Topics;
 import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.StatementPicture;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 
 /**

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import rasterlab.exercises.Exercise.Group;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
 

@@ -13,6 +13,7 @@ import rasterlab.engine.format.Shape;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Hint;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
 

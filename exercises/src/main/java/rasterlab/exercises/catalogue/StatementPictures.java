@@ -18,6 +18,7 @@ import rasterlab.exercises.StatementPicture;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.graded.RightPicture;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;

@@ -13,6 +13,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rasterlab.engine.Topics;
+import rasterlab.exercises.words.PluralForms;
 import rasterlab.exercises.words.TopicWords;
 
 /**
@@ -22,11 +23,17 @@ import rasterlab.exercises.words.TopicWords;
  * <p>A sentence is found by the English pattern that it fits, the one with most words of its own
  * first; what stands in its places is translated likewise, but for what is quoted and, in a place
  * such as {@code {0,name}}, what somebody has named: a file may be called "nothing" or "1.0". A
- * number in a place such as {@code {0,about}} was computed and typed by nobody: it is rounded. A
- * sentence that fits none, such as one of the operating system, stays as it is.
+ * number in a place such as {@code {0,about}} was computed and typed by nobody: it is rounded.
+ * Where words go with a number, such as {@code {0,plural,one#value|other#values}}, either of them
+ * fits, and the one of the language is said. A sentence that fits none, such as one of the
+ * operating system, stays as it is.
  */
 public final class ComplaintTexts {
     private static final Pattern PLACE = Pattern.compile("(['\"]?)\\{(\\d)(,name|,about)?}");
+
+    /** Words that go with the number of a place. */
+    private static final Pattern FORMS =
+            Pattern.compile("\\{\\d,plural,one#([^|{}]*)\\|other#([^|{}]*)}");
 
     /** A place in JSON, or a file, in front of what is wrong there. */
     private static final Pattern POINTED = Pattern.compile("(/[^ :]*: )(.+)", Pattern.DOTALL);
@@ -74,7 +81,7 @@ public final class ComplaintTexts {
             int own = english.length();
             while (place.find()) {
                 int number = Integer.parseInt(place.group(2));
-                pattern.append(Pattern.quote(english.substring(end, place.end(1)))).append("(.+?)");
+                pattern.append(fixed(english.substring(end, place.end(1)))).append("(.+?)");
                 places.add(number);
                 boolean about = ",about".equals(place.group(3));
                 if (about) computed.add(number);
@@ -82,7 +89,7 @@ public final class ComplaintTexts {
                 end = place.end();
                 own -= end - place.end(1);
             }
-            pattern.append(Pattern.quote(english.substring(end)));
+            pattern.append(fixed(english.substring(end)));
             return new Sentence(
                     topic,
                     key,
@@ -92,6 +99,23 @@ public final class ComplaintTexts {
                     computed,
                     english.startsWith("{0,name}: "),
                     own);
+        }
+
+        /** What stands between places, with either form of words that go with a number. */
+        private static String fixed(String words) {
+            var pattern = new StringBuilder();
+            Matcher forms = FORMS.matcher(words);
+            int end = 0;
+            while (forms.find()) {
+                pattern.append(Pattern.quote(words.substring(end, forms.start())))
+                        .append("(?:")
+                        .append(Pattern.quote(forms.group(1)))
+                        .append("|")
+                        .append(Pattern.quote(forms.group(2)))
+                        .append(")");
+                end = forms.end();
+            }
+            return pattern.append(Pattern.quote(words.substring(end))).toString();
         }
     }
 
@@ -209,7 +233,7 @@ public final class ComplaintTexts {
                 sentence.topic.isEmpty()
                         ? translations.getString(sentence.key)
                         : TopicWords.of(sentence.topic, language).getString(OWN + sentence.key);
-        return PLACE.matcher(text)
+        return PLACE.matcher(chosen(text, sentence, found))
                 .replaceAll(
                         place -> {
                             int number = Integer.parseInt(place.group(2));
@@ -219,5 +243,14 @@ public final class ComplaintTexts {
                                 value = said(value).orElse(numbers.apply(value));
                             return Matcher.quoteReplacement(place.group(1) + value);
                         });
+    }
+
+    /** The text with the words that go with its numbers. */
+    private String chosen(String text, Sentence sentence, Matcher found) {
+        Object[] values =
+                new Object[sentence.places.stream().mapToInt(one -> one + 1).max().orElse(0)];
+        for (int i = 0; i < sentence.places.size(); i++)
+            values[sentence.places.get(i)] = found.group(i + 1);
+        return PluralForms.chosen(text, values, language);
     }
 }

@@ -11,9 +11,9 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
+import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSource;
@@ -232,10 +232,14 @@ public final class StrictJson implements ValueSource {
     private boolean hasNext(Expected array, int size, int least, int most) throws IOException {
         if (parser.nextToken() == JsonToken.END_ARRAY) {
             if (size >= least) return false;
-            throw misfit("only " + size + " values; expected " + array.words());
+            throw misfit("only " + values(size) + "; expected " + array.words());
         }
         if (size < most) return true;
-        throw refusals.misfitOfArray("more than " + most + " values; expected " + array.words());
+        throw refusals.misfitOfArray("more than " + values(most) + "; expected " + array.words());
+    }
+
+    private static String values(int count) {
+        return count == 1 ? "1 value" : count + " values";
     }
 
     @Override

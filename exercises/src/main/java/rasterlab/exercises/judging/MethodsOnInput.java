@@ -1,5 +1,7 @@
 package rasterlab.exercises.judging;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -20,6 +22,7 @@ import rasterlab.engine.study.SharedAnswer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.json.StrictJson;
 import rasterlab.exercises.score.Message;
@@ -50,8 +53,8 @@ public final class MethodsOnInput<C, I, O> {
      *
      * @param place what messages call it
      * @param json an object
-     * @throws CatalogueException if it is no input of the topic; says the place, the value and what
-     *     is allowed
+     * @throws CatalogueException if it is no input of the topic; says of each field that is wrong
+     *     the place, the value and what is allowed
      */
     public static MethodsOnInput<?, ?, ?> of(String topic, Phrase place, String json) {
         return read(Topics.named(topic), place, json);
@@ -60,13 +63,16 @@ public final class MethodsOnInput<C, I, O> {
     private static <C, I, O> MethodsOnInput<C, I, O> read(
             Topic<C, I, O> topic, Phrase place, String json) {
         Format<C, I, O> format = topic.format();
+        checkFields(format, place, json);
         try {
-            String[] names = format.input().stream().map(Field::name).toArray(String[]::new);
-            return new MethodsOnInput<>(topic, JsonFields.parse(place, json, names).input(format));
+            return new MethodsOnInput<>(topic, JsonFields.parse(place, json).input(format));
         } catch (Misfit misfit) {
             throw new CatalogueException(
                     Phrase.of(
-                            "field.wrong", place, Phrase.ofTheEngine(placed(misfit, format, json))),
+                            "field.wrong",
+                            place,
+                            Phrase.ofTheEngine(
+                                    placed(misfit, format.input(), format.open(), json))),
                     misfit);
         } catch (CatalogueException placed) {
             throw placed;
@@ -77,11 +83,34 @@ public final class MethodsOnInput<C, I, O> {
         }
     }
 
+    /** Reads each field alone, so that all that are wrong are told. */
+    private static void checkFields(Format<?, ?, ?> format, Phrase place, String json) {
+        JsonFields fields = JsonFields.parse(place, json);
+        var faults = new Faults();
+        faults.checkKnown(fields, format.input().stream().map(Field::name).toArray(String[]::new));
+        for (Field<?> one : format.input())
+            if (one.required() || fields.has(one.name()))
+                faults.checked(() -> checkField(fields, place, one));
+        faults.requireNoneOfAll();
+    }
+
+    private static void checkField(JsonFields fields, Phrase place, Field<?> field) {
+        try {
+            fields.get(field);
+        } catch (Misfit misfit) {
+            ObjectNode alone = JsonNodeFactory.instance.objectNode();
+            alone.set(field.name(), fields.tree(field.name()));
+            String said = placed(misfit, List.of(field), false, alone.toString());
+            throw new CatalogueException(
+                    Phrase.of("field.wrong", place, Phrase.ofTheEngine(said)), misfit);
+        }
+    }
+
     /** The message of a misfit with its place in the JSON. */
-    private static String placed(Misfit misfit, Format<?, ?, ?> format, String json) {
+    private static String placed(Misfit misfit, List<Field<?>> fields, boolean open, String json) {
         byte[] text = json.getBytes(StandardCharsets.UTF_8);
         try {
-            StrictJson.read(text, text.length, format.input(), format.open());
+            StrictJson.read(text, text.length, fields, open);
             return misfit.getMessage();
         } catch (Misfit same) {
             return same.getMessage();

@@ -4,11 +4,13 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.Asked;
+import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Phrase;
 
@@ -33,20 +35,23 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
     /**
      * Reads what was handed in for an exercise that asks for predictions.
      *
-     * @throws CatalogueException if it is no such sheet; says the place, the value and what is
-     *     allowed
+     * @throws CatalogueException if it is no such sheet; says of all that is wrong the place, the
+     *     value and what is allowed
      */
     public static HandedAnswers of(Exercise exercise, String json) {
         if (json.length() > MOST_CHARACTERS)
             throw new CatalogueException(Phrase.of("break.long", json.length(), MOST_CHARACTERS));
         Predicting rules = exercise.predicting().orElseThrow();
+        var faults = new Faults();
         JsonFields fields =
-                JsonFields.parse(
-                        Phrase.of("predict.sheet"), json, "exercise", SEED, "questions", ANSWERS);
-        fields.word("exercise", List.of(exercise.id()), exercise.id());
-        long seed = seed(fields);
-        Sheet sheet = Sheet.of(exercise.topic(), rules, seed);
-        return new HandedAnswers(sheet, answers(fields, sheet, rules));
+                JsonFields.parse(Phrase.of("predict.sheet"), json).keeping(faults::keep);
+        faults.checkKnown(fields, "exercise", SEED, "questions", ANSWERS);
+        faults.checked(() -> fields.word("exercise", List.of(exercise.id()), exercise.id()));
+        Optional<Sheet> sheet = faults.tried(() -> Sheet.of(exercise.topic(), rules, seed(fields)));
+        faults.checked(() -> fields.tree(ANSWERS));
+        List<JsonNode> answers = new Answers(rules, sheet, faults).read(fields);
+        faults.requireNoneOfAll();
+        return new HandedAnswers(sheet.orElseThrow(), answers);
     }
 
     private static long seed(JsonFields fields) {
@@ -60,44 +65,60 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
         return seed.longValue();
     }
 
-    private static List<JsonNode> answers(JsonFields fields, Sheet sheet, Predicting rules) {
-        String[] known =
-                Stream.concat(Stream.of(NUMBER), rules.asked().stream().map(Asked::field))
-                        .toArray(String[]::new);
-        fields.tree(ANSWERS);
-        List<JsonFields> given = fields.objects(ANSWERS, known);
-        if (given.size() > sheet.questions().size())
-            throw fields.wrong(
-                    ANSWERS, Phrase.of("predict.count", given.size(), sheet.questions().size()));
-        List<JsonNode> answers = new ArrayList<>();
-        for (JsonFields one : given) {
-            int number = answers.size() + 1;
-            if (one.has(NUMBER)) one.integer(NUMBER, number, number);
-            for (Asked asked : rules.asked())
-                if (one.has(asked.field()))
-                    check(one, asked, sheet.questions().get(number - 1).right());
-            answers.add(one.tree());
+    /**
+     * Reads the answers one by one.
+     *
+     * @param sheet tells the form of the answers; empty where its seed cannot be read
+     */
+    private record Answers(Predicting rules, Optional<Sheet> sheet, Faults faults) {
+        List<JsonNode> read(JsonFields fields) {
+            String[] known =
+                    Stream.concat(Stream.of(NUMBER), rules.asked().stream().map(Asked::field))
+                            .toArray(String[]::new);
+            List<JsonNode> answers = new ArrayList<>();
+            for (JsonFields one : given(fields, known)) {
+                int number = answers.size() + 1;
+                if (one.has(NUMBER)) faults.checked(() -> one.integer(NUMBER, number, number));
+                for (Asked asked : rules.asked())
+                    if (one.has(asked.field())) faults.checked(() -> check(one, asked, number));
+                answers.add(one.tree());
+            }
+            while (answers.size() < rules.steps()) answers.add(MissingNode.getInstance());
+            return answers;
         }
-        while (answers.size() < sheet.questions().size()) answers.add(MissingNode.getInstance());
-        return answers;
-    }
 
-    private static void check(JsonFields answer, Asked asked, JsonNode right) {
-        JsonNode value = answer.tree(asked.field());
-        JsonNode expected = right.path(asked.field());
-        if (value.isNull()) return;
-        if (!asked.words().isEmpty()) {
-            answer.word(asked.field(), asked.words());
-            return;
+        /** Those that are objects; none where there are too many. */
+        private List<JsonFields> given(JsonFields fields, String... known) {
+            JsonNode given = fields.has(ANSWERS) ? fields.tree(ANSWERS) : MissingNode.getInstance();
+            if (given.size() > rules.steps()) {
+                faults.keep(
+                        fields.wrong(
+                                ANSWERS, Phrase.of("predict.count", given.size(), rules.steps())));
+                return List.of();
+            }
+            return faults.tried(() -> fields.objects(ANSWERS, known)).orElse(List.of());
         }
-        if (!StepValues.isOfForm(expected, value))
-            throw answer.wrong(
-                    asked.field(),
-                    expected.isBoolean()
-                            ? Phrase.of("field.flag", shown(value))
-                            : expected.isArray()
-                                    ? Phrase.of("predict.form", StepValues.form(expected), shown(value))
-                                    : Phrase.of("predict.number", shown(value)));
+
+        private void check(JsonFields answer, Asked asked, int number) {
+            JsonNode value = answer.tree(asked.field());
+            if (value.isNull()) return;
+            if (!asked.words().isEmpty()) {
+                answer.word(asked.field(), asked.words());
+                return;
+            }
+            if (sheet.isEmpty()) return;
+            JsonNode right = sheet.get().questions().get(number - 1).right();
+            JsonNode expected = right.path(asked.field());
+            if (!StepValues.isOfForm(expected, value))
+                throw answer.wrong(asked.field(), form(expected, value));
+        }
+
+        private static Phrase form(JsonNode expected, JsonNode value) {
+            if (expected.isBoolean()) return Phrase.of("field.flag", shown(value));
+            return expected.isArray()
+                    ? Phrase.of("predict.form", StepValues.form(expected), shown(value))
+                    : Phrase.of("predict.number", shown(value));
+        }
     }
 
     private static String shown(JsonNode value) {

@@ -33,7 +33,17 @@ public record Question(
         return part(rules.asked().stream().map(Asked::field).toList());
     }
 
+    /** What is told and asked of a step, without what decides on it. */
+    public ObjectNode shown(JsonNode step) {
+        ObjectNode shown = part(step, rules.told());
+        return shown.setAll(part(step, rules.asked().stream().map(Asked::field).toList()));
+    }
+
     private ObjectNode part(List<String> fields) {
+        return part(step, fields);
+    }
+
+    private static ObjectNode part(JsonNode step, List<String> fields) {
         ObjectNode part = JsonNodeFactory.instance.objectNode();
         for (String field : fields) part.set(field, step.path(field));
         return part;
@@ -95,7 +105,8 @@ public record Question(
         String english = rules.reason().words("en");
         String russian = rules.reason().words("ru");
         return reason().map(
-                        value -> Message.of("predict.why", english, russian, StepValues.told(value)))
+                        value ->
+                                Message.of("predict.why", english, russian, StepValues.told(value)))
                 .orElseGet(() -> Message.of("in-both-languages", english, russian));
     }
 }

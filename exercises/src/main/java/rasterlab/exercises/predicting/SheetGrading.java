@@ -15,8 +15,8 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 
 /**
  * Compares the steps that a student predicted with those that the method makes. After a wrong one
@@ -42,11 +42,14 @@ public final class SheetGrading {
         try {
             handed = HandedAnswers.of(exercise, sent);
         } catch (CatalogueException misfit) {
-            return refused(Message.of("in-both-languages", misfit.in("en"), misfit.in("ru")));
+            return refused(
+                    misfit.all().stream()
+                            .map(one -> Message.of("in-both-languages", one.in("en"), one.in("ru")))
+                            .toList());
         }
         long seed = handed.sheet().seed();
         if (cases.hidden() && seed != cases.seed())
-            return refused(Message.of("predict.other-seed", seed, cases.seed()));
+            return refused(List.of(Message.of("predict.other-seed", seed, cases.seed())));
         List<CaseReport> judged = new ArrayList<>();
         for (Question one : handed.sheet().questions()) {
             CaseReport report =
@@ -80,8 +83,9 @@ public final class SheetGrading {
                 scene);
     }
 
-    private Report refused(Message why) {
-        return report(GradingVerdict.REFUSED, List.of(), List.of(new Diagnostic(0, 0, why)));
+    private Report refused(List<Message> why) {
+        List<Diagnostic> said = why.stream().map(one -> new Diagnostic(0, 0, one)).toList();
+        return report(GradingVerdict.REFUSED, List.of(), said);
     }
 
     private Report report(

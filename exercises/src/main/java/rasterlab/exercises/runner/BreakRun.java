@@ -21,8 +21,8 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 
 /** Pays inputs for the faulty methods that fail on them while the right ones agree. */
 final class BreakRun {
@@ -68,7 +68,7 @@ final class BreakRun {
         try {
             inputs = HandedInputs.of(exercise.topic(), sent, rules.inputs());
         } catch (CatalogueException misfit) {
-            said.add(diagnostic(misfit));
+            misfit.all().forEach(one -> said.add(diagnostic(one)));
             return report(GradingVerdict.REFUSED, List.of());
         }
         int number = 0;
@@ -155,7 +155,12 @@ final class BreakRun {
         int earned = cases.stream().mapToInt(CaseReport::points).sum();
         int possible = exercise.points().total();
         return new Report(
-                verdict, new ScorePoints(earned, 0, 0, possible), cases, said, Report.PROCESS_LIMITS, 0);
+                verdict,
+                new ScorePoints(earned, 0, 0, possible),
+                cases,
+                said,
+                Report.PROCESS_LIMITS,
+                0);
     }
 
     private void add(List<CaseReport> cases, CaseReport one) {

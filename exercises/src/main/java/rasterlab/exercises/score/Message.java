@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rasterlab.exercises.complaint.ComplaintTexts;
 import rasterlab.exercises.document.OwnJson;
+import rasterlab.exercises.words.PluralForms;
 
 /**
  * What a report says to a student, as data: it is put into words of a language only where somebody
@@ -91,7 +92,9 @@ public record Message(List<Sentence> sentences) {
                                     said[0] =
                                             AnswerPlace.in(
                                                     texts, arguments.get(said.length - 1), path));
-            return new MessageFormat(texts.text(key), Locale.ROOT).format(said);
+            String pattern =
+                    PluralForms.chosen(texts.text(key), arguments.toArray(), texts.locale());
+            return new MessageFormat(pattern, Locale.ROOT).format(said);
         }
 
         /**
@@ -103,8 +106,13 @@ public record Message(List<Sentence> sentences) {
             if (OF_THE_ENGINE.contains(key) && !texts.locale().getLanguage().isEmpty())
                 return ComplaintTexts.said(texts.locale(), argument);
             if (STEPS.matcher(key).matches())
-                return StepValue.in(
-                        argument, texts.text("minus"), point(texts), texts.text("apart"));
+                return StepWords.in(texts.locale())
+                        .word(
+                                StepValue.in(
+                                        argument,
+                                        texts.text("minus"),
+                                        point(texts),
+                                        texts.text("apart")));
             return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
         }
 

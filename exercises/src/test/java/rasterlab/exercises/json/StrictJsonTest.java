@@ -57,7 +57,7 @@ class StrictJsonTest {
                 argumentSet(
                         "a point has one coordinate",
                         "\"points\":[[0,0],[1]]",
-                        "/points/1: only 1 values; expected an array of 2 numbers"),
+                        "/points/1: only 1 value; expected an array of 2 numbers"),
                 argumentSet(
                         "a list of points is empty",
                         "\"points\":[]",

@@ -58,6 +58,21 @@ class MethodsOnInputTest {
         assertTrue(refused.getMessage().contains("'tims' is not known"), refused.getMessage());
     }
 
+    @Test
+    void allFieldsThatAreWrongAreToldEachWithItsPlace() {
+        String json = "{\"points\":[[1]],\"degrees\":\"a\",\"tims\":3}";
+        var refused =
+                assertThrows(
+                        CatalogueException.class,
+                        () -> MethodsOnInput.of("rotate", Phrase.quoted("input"), json));
+        assertEquals(3, refused.all().size(), refused.getMessage());
+        for (String place : List.of("'tims'", "/points/0", "'degrees'"))
+            assertEquals(
+                    1,
+                    refused.all().stream().filter(one -> one.in("en").contains(place)).count(),
+                    refused.getMessage());
+    }
+
     /** What is spoilt: a field, in the first input among a topic's hazards. */
     static Stream<Arguments> spoilt() {
         return Topics.all().stream()

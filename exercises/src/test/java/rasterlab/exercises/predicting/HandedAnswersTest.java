@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -98,6 +99,43 @@ class HandedAnswersTest {
                 assertThrows(CatalogueException.class, () -> read(exercise, json));
         assertTrue(refused.getMessage().contains(said), refused.getMessage());
         assertTrue(!refused.in("ru").equals(refused.in("en")), refused.in("ru"));
+    }
+
+    @Test
+    void allMistakesAreToldAtOnceEachWithItsPlace() {
+        String json =
+                "{\"exercise\":\"predict-clip-segment\",\"seed\":7,\"extra\":1,\"answers\":["
+                        + "{\"question\":2,\"decision\":\"a\"},{\"at\":\"above\",\"z\":1}]}";
+        CatalogueException refused =
+                assertThrows(CatalogueException.class, () -> read("predict-clip-segment", json));
+        assertEquals(
+                List.of("extra", "question", "decision", "z", "at").stream().sorted().toList(),
+                refused.all().stream()
+                        .map(one -> one.in("en").replaceAll("^.*field '(\\w+)' .*$", "$1"))
+                        .sorted()
+                        .toList(),
+                refused.getMessage());
+        assertTrue(refused.in("ru").contains("above"), refused.in("ru"));
+        assertTrue(refused.in("ru").contains("«extra»"), refused.in("ru"));
+    }
+
+    @Test
+    void ofVeryManyMistakesTheirNumberIsTold() {
+        String json =
+                "{\"seed\":7,\"answers\":[" + "{\"x\":\"a\",\"y\":\"b\"},".repeat(15) + "{}]}";
+        CatalogueException refused =
+                assertThrows(CatalogueException.class, () -> read("predict-line", json));
+        assertEquals(13, refused.all().size());
+        assertTrue(refused.getMessage().endsWith("and 18 more mistakes"), refused.getMessage());
+        assertTrue(refused.in("ru").endsWith("и ещё 18 ошибок"), refused.in("ru"));
+    }
+
+    @Test
+    void answersAreReadAlsoWhereTheSeedIsWrong() {
+        String json = "{\"seed\":-1,\"answers\":[{\"at\":\"above\"}]}";
+        CatalogueException refused =
+                assertThrows(CatalogueException.class, () -> read("predict-clip-segment", json));
+        assertEquals(2, refused.all().size(), refused.getMessage());
     }
 
     @Test

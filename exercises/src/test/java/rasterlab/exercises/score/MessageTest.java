@@ -231,6 +231,22 @@ class MessageTest {
             }
     }
 
+    @ParameterizedTest(name = "one of a kind is told as several: {0}")
+    @CsvSource({
+        "1, the array has 1 input; 1 to 3 can be handed in",
+        "0, the array has 0 inputs; 1 to 3 can be handed in",
+        "21, the array has 21 inputs; 1 to 3 can be handed in"
+    })
+    void aCountHasTheFormThatGoesWithIt(int count, String said) {
+        assertEquals(said, Message.of("break.count", count, 3).in("en"));
+    }
+
+    @ParameterizedTest(name = "a Russian count has the wrong form: {0}")
+    @CsvSource({"1, и ещё 1 ошибка", "3, и ещё 3 ошибки", "11, и ещё 11 ошибок"})
+    void aRussianCountHasTheFormThatGoesWithIt(int count, String said) {
+        assertEquals(said, Message.of("faults.more", count).in("ru"));
+    }
+
     @ParameterizedTest(name = "a student reads a path of JSON: {1}")
     @CsvSource(
             delimiter = '|',

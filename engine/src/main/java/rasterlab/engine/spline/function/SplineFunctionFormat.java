@@ -13,8 +13,8 @@ import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
 import rasterlab.engine.format.MadeShape;
 import rasterlab.engine.format.Misfit;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -139,11 +139,13 @@ public final class SplineFunctionFormat
     /** {@inheritDoc} Natural ends where none are given. */
     @Override
     public SplineProblem read(Given given) {
-        if (given.get(X).length != given.get(Y).length)
+        int knots = given.get(X).length;
+        if (knots != given.get(Y).length)
             throw new Misfit(
                     "/y",
-                    "expected %d values as /x has, got %d"
-                            .formatted(given.get(X).length, given.get(Y).length));
+                    "expected %d %s as /x has, got %d"
+                            .formatted(
+                                    knots, knots == 1 ? "value" : "values", given.get(Y).length));
         return new SplineProblem(
                 given.get(X),
                 given.get(Y),

@@ -1,18 +1,17 @@
-package rasterlab.exercises.catalogue;
+package rasterlab.exercises.json;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.exercises.CatalogueException;
-import rasterlab.exercises.json.JsonFields;
 
-/** Keeps what is wrong in a folder, so that reading goes on to what is wrong elsewhere. */
-final class Faults {
+/** Keeps what is wrong in a document or a folder, so that reading goes on to what else is wrong. */
+public final class Faults {
     private final List<CatalogueException> found = new ArrayList<>();
 
     /** What is read; empty where it cannot be, which is kept. */
-    <T> Optional<T> tried(Supplier<T> reading) {
+    public <T> Optional<T> tried(Supplier<T> reading) {
         try {
             return Optional.of(reading.get());
         } catch (CatalogueException fault) {
@@ -22,11 +21,12 @@ final class Faults {
     }
 
     /** Keeps a fault, which may be found twice where a field is read twice. */
-    void keep(CatalogueException fault) {
-        if (found.stream().noneMatch(one -> one.said().equals(fault.said()))) found.add(fault);
+    public void keep(CatalogueException fault) {
+        for (CatalogueException each : fault.all())
+            if (found.stream().noneMatch(one -> one.said().equals(each.said()))) found.add(each);
     }
 
-    void checked(Runnable check) {
+    public void checked(Runnable check) {
         tried(
                 () -> {
                     check.run();
@@ -35,16 +35,22 @@ final class Faults {
     }
 
     /** Keeps each field that is not among the known ones. */
-    void checkKnown(JsonFields fields, String... known) {
+    public void checkKnown(JsonFields fields, String... known) {
         for (String one : fields.unknown(known)) keep(fields.refusal(one, known));
     }
 
     /** All, in the order in which they were found. */
-    List<CatalogueException> all() {
+    public List<CatalogueException> all() {
         return List.copyOf(found);
     }
 
-    void requireNone() {
+    /** Throws the first one. */
+    public void requireNone() {
         if (!found.isEmpty()) throw found.get(0);
+    }
+
+    /** Throws all as one. */
+    public void requireNoneOfAll() {
+        if (!found.isEmpty()) throw CatalogueException.of(found);
     }
 }
