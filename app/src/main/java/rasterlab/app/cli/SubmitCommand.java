@@ -67,6 +67,13 @@ final class SubmitCommand implements Callable<Integer> {
 
     @Mixin private TokenOption token;
 
+    @Option(
+            names = "--late",
+            description =
+                    "hands in after the deadline too: it is graded like any other attempt, costs no"
+                            + " points and is marked as late")
+    private boolean late;
+
     @Option(names = "--json", description = "prints the server's document as it is")
     private boolean json;
 
@@ -110,7 +117,8 @@ final class SubmitCommand implements Callable<Integer> {
                         exercise,
                         Exercise.Form.mediaType(asked.path("kind").asText()),
                         source,
-                        UUID.randomUUID().toString());
+                        UUID.randomUUID().toString(),
+                        late);
         console.tell("submitted", id);
         warnOfOtherRevision(asked, catalogue);
         new Following(to, secret).toItsEnd(id, progress(catalogue));
@@ -159,6 +167,11 @@ final class SubmitCommand implements Callable<Integer> {
             return Complaint.badInput(
                     address
                             + " does not know the token: join the course again, or ask for a new one");
+        if (refusal.code().equals(CourseServer.LATE))
+            return Complaint.badInput(
+                    address
+                            + " takes it after the deadline with --late alone: it is graded like"
+                            + " any other attempt, costs no points and is marked as late");
         String said =
                 refusal.code().isEmpty()
                         ? address + " does not answer as a grading server (status " + status + ")"

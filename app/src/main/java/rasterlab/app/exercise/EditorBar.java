@@ -17,6 +17,7 @@ import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
+import rasterlab.app.server.CourseServer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.predicting.HandedAnswers;
 
@@ -35,6 +36,7 @@ final class EditorBar extends JPanel {
     private final transient OpenInLab lab;
     private final transient Texts texts;
     private final transient RunButtons running;
+    private final JButton late;
     private final JButton undo;
     private final JButton redo;
     private final JButton draft;
@@ -63,12 +65,14 @@ final class EditorBar extends JPanel {
         var submit = button("submit", texts, this::submit);
         var server = button("server", texts, this::askServer);
         var cancel = button("cancel", texts, model::cancel);
-        running = new RunButtons(List.of(check, submit, server), cancel, editor::focus);
+        late = button("submitLate", texts, () -> model.submit(true));
+        running = new RunButtons(List.of(check, submit, late, server), cancel, editor::focus);
         undo = button("undo", texts, editor::undo);
         redo = button("redo", texts, editor::redo);
         draft = button("draft", texts, this::takeDraft);
         add(check);
         add(submit);
+        add(late);
         add(server);
         add(cancel);
         inLab = button("inLab", texts, () -> showInLab(onFailure));
@@ -169,6 +173,7 @@ final class EditorBar extends JPanel {
     void refresh() {
         ExerciseState state = model.state();
         running.refresh(state.work().running());
+        late.setVisible(state.notice().key().equals(CourseServer.LATE));
         copy.setEnabled(model.command().isPresent());
         offerLab(state.exercise());
         undo.setEnabled(editor.canUndo());

@@ -192,7 +192,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Begins anew with the exercise's own text, or with a new sheet. */
     public void restoreStarter() {
-        beginning().give(this::type, this::tell, (task, no) -> begin(BackgroundWork.of(READING), task, no));
+        var reading = BackgroundWork.of(READING);
+        beginning().give(this::type, this::tell, (task, no) -> begin(reading, task, no));
     }
 
     /** Shows the next hint, or asks the server what it costs. */
@@ -299,6 +300,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Hands the source in and follows its grading; needs an account. */
     public void submit() {
+        submit(false);
+    }
+
+    void submit(boolean late) {
         if (state().account().isEmpty()) {
             tell(Notice.of("noAccount"));
             return;
@@ -308,20 +313,13 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String source = state.source();
         String about = account.server() + "\n" + exercise.id() + "\n" + source;
         String key = key(about);
-        var submitting = Submitting.to(account, patience, exercise.form());
+        var submitting = Submitting.to(account, patience, exercise.form()).late(late);
         begin(
                 BackgroundWork.of(SENDING),
                 tell -> {
                     UnreadableSheet.check(exercise, source);
-                    Outcome outcome =
-                            submitting.result(
-                                    exercise.id(),
-                                    source,
-                                    key,
-                                    new GradingWork(
-                                            work ->
-                                                    tell.accept(
-                                                            () -> publish(changed().work(work)))));
+                    var follower = new GradingWork(work -> tell.accept(() -> show(work)));
+                    Outcome outcome = submitting.result(exercise.id(), source, key, follower);
                     return () -> {
                         keys.remove(about);
                         accept(exercise, outcome);
@@ -330,13 +328,17 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 failure -> tell(ServerNotices.of(account.server(), failure)));
     }
 
+    private void judged(List<TriedCase> cases, int of) {
+        show(new BackgroundWork(CHECKING, cases.size(), of, cases));
+    }
+
+    private void show(BackgroundWork work) {
+        publish(changed().work(work));
+    }
+
     /** The key of a request: the same each time it is tried, until it is answered. */
     String key(String about) {
         return keys.computeIfAbsent(about, is -> UUID.randomUUID().toString());
-    }
-
-    private void judged(List<TriedCase> cases, int of) {
-        publish(changed().work(new BackgroundWork(CHECKING, cases.size(), of, cases)));
     }
 
     void begin(BackgroundWork first, Background.Task task, Consumer<IOException> failed) {

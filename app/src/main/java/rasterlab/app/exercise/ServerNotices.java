@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.URI;
 import rasterlab.app.exercise.JoinAnswer.Field;
 import rasterlab.app.server.Breakdown;
+import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.ServerRefusal;
 
 /** What a failed talk with a server means to the user. */
@@ -66,6 +67,7 @@ final class ServerNotices {
     }
 
     private static Notice refused(String address, ServerRefusal refusal) {
+        if (refusal.code().equals(CourseServer.LATE)) return Notice.of(CourseServer.LATE);
         return switch (refusal.status()) {
             case UNAUTHORIZED -> Notice.of("server.token", address);
             case TOO_MANY -> Notice.of("server.tooMany", refusal.getMessage());

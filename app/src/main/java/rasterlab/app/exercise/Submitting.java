@@ -18,8 +18,8 @@ import rasterlab.exercises.published.PublishedPicture;
 import rasterlab.exercises.published.PublishedPoints;
 import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.score.CasePicture;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 
 /** Hands a source in and follows it to its result. */
 final class Submitting {
@@ -39,6 +39,7 @@ final class Submitting {
     private final CourseServer server;
     private final String token;
     private final Form form;
+    private final boolean late;
 
     /** Hands in Java sources. */
     Submitting(CourseServer server, String token) {
@@ -46,9 +47,19 @@ final class Submitting {
     }
 
     Submitting(CourseServer server, String token, Form form) {
+        this(server, token, form, false);
+    }
+
+    private Submitting(CourseServer server, String token, Form form, boolean late) {
         this.server = server;
         this.token = token;
         this.form = form;
+        this.late = late;
+    }
+
+    /** The same, where the student agrees, or not, that a late submission is marked as such. */
+    Submitting late(boolean agreed) {
+        return new Submitting(server, token, form, agreed);
     }
 
     /** Hands in what an exercise of that form is answered by, on the account. */
@@ -62,7 +73,7 @@ final class Submitting {
      */
     Outcome result(String exercise, String source, String key, Follower follower)
             throws IOException, InterruptedException {
-        String id = server.submit(token, exercise, form.mediaType(), source, key);
+        String id = server.submit(token, exercise, form.mediaType(), source, key, late);
         new Following(server, token).toItsEnd(id, inCases(follower));
         return outcome(source, id);
     }
@@ -134,7 +145,8 @@ final class Submitting {
 
     private static ScorePoints points(PublishedPoints points) throws IOException {
         try {
-            return new ScorePoints(points.accuracy(), points.stability(), points.speed(), points.of());
+            return new ScorePoints(
+                    points.accuracy(), points.stability(), points.speed(), points.of());
         } catch (IllegalArgumentException e) {
             throw new IOException("the server's points do not fit: " + e.getMessage(), e);
         }

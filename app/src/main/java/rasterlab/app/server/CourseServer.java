@@ -26,6 +26,9 @@ public final class CourseServer {
                 new Patience(Duration.ofSeconds(5), Duration.ofSeconds(20), Duration.ofSeconds(45));
     }
 
+    /** The code of the refusal of what is handed in late. */
+    public static final String LATE = "late";
+
     /** Begins the type of each problem that a grading server tells. */
     private static final String PROBLEM = "urn:rasterlab:problem:";
 
@@ -74,12 +77,21 @@ public final class CourseServer {
      *
      * @param mediaType of what is handed in
      * @param key makes repeating the call give the same submission
+     * @param late whether the student agrees that it is marked as late after the deadline
      * @return the submission's id
+     * @throws ServerRefusal with the code {@link #LATE} if the deadline has passed without that
      */
-    public String submit(String token, String exercise, String mediaType, String source, String key)
+    public String submit(
+            String token,
+            String exercise,
+            String mediaType,
+            String source,
+            String key,
+            boolean late)
             throws IOException, InterruptedException {
+        String path = "/api/v1/exercises/" + exercise + "/submissions";
         HttpRequest request =
-                request("/api/v1/exercises/" + exercise + "/submissions", token)
+                request(late ? path + "?late=accept" : path, token)
                         .header("Content-Type", mediaType)
                         .header("Idempotency-Key", key)
                         .POST(BodyPublishers.ofByteArray(source.getBytes(StandardCharsets.UTF_8)))

@@ -123,6 +123,22 @@ class SubmitCommandTest {
         }
     }
 
+    @Test
+    @DisplayName("what is late is sent without the student's consent, or what is in time with it")
+    void consentIsSentWhereItIsGiven() throws IOException {
+        try (var server = server("write", "ok")) {
+            submit(server.address());
+            submit(server.address(), "--late");
+            assertEquals(
+                    List.of("", "?late=accept"),
+                    server.asked.stream()
+                            .map(one -> one.path())
+                            .filter(path -> path.contains("/submissions") && !path.contains("s1"))
+                            .map(path -> path.replaceFirst(".*/submissions", ""))
+                            .toList());
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({
         "write, text/x-java-source",
@@ -150,6 +166,7 @@ class SubmitCommandTest {
             delimiter = '|',
             value = {
                 "401 | not-signed-in | needs | 2 | does not know the token",
+                "409 | late | the deadline was at noon | 2 | after the deadline with --late alone: it is graded like any other attempt, costs no points",
                 "413 | too-large | the body may have at most 262144 bytes | 2 | at most 262144 bytes (status 413)",
                 "415 | kotlin | Kotlin is not accepted; send Java | 2 | Kotlin is not accepted; send Java (status 415)",
                 "422 | empty-source | the source is empty | 2 | the source is empty (status 422)",

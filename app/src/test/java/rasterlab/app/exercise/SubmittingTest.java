@@ -104,6 +104,40 @@ class SubmittingTest {
     }
 
     @Test
+    @DisplayName(
+            "a late hand-in offers no consent, or its consent is not sent, or the text is lost")
+    void aLateHandInIsOfferedWithWhatItCosts() throws Exception {
+        try (var server = server();
+                var trial = joined(server)) {
+            server.on(
+                    SUBMIT,
+                    exchange -> {
+                        boolean agreed = "late=accept".equals(exchange.getRequestURI().getQuery());
+                        String refusal =
+                                "{\"type\":\"urn:rasterlab:problem:late\",\"detail\":\"x\"}";
+                        String taken = "{\"id\":\"s1\",\"state\":\"queued\",\"position\":2}";
+                        FakeServer.send(
+                                exchange,
+                                agreed ? 202 : 409,
+                                "application/json",
+                                agreed ? taken : refusal);
+                    });
+            String source = trial.model.state().source();
+            trial.model.submit();
+            ExerciseState state = trial.awaitEnd();
+            assertEquals(Notice.of("late"), state.notice());
+            for (Language language : Language.values()) {
+                String said = state.notice().in(Texts.of("exercise", language));
+                String button = Texts.of("exercise", language).label("submitLate");
+                assertTrue(said.contains(button), said);
+            }
+            assertEquals(source, state.source());
+            trial.model.submit(true);
+            assertEquals(3, trial.awaitEnd().outcome().orElseThrow().attempt());
+        }
+    }
+
+    @Test
     @DisplayName("a result of an exercise that has changed since passes for one of the present one")
     void anEarlierRevisionIsTakenOver() throws Exception {
         try (var server = server();
