@@ -31,8 +31,8 @@ import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.edge.DoorLimits
 import rasterlab.grader.edge.Listening
 import rasterlab.grader.exercise.Exercises
@@ -192,8 +192,9 @@ class Visit(
         token: String,
         source: String = "class Dot {}",
         key: String? = null,
+        late: Boolean = false,
     ): HttpResponse =
-        client.post("/api/v1/exercises/draw-dot/submissions") {
+        client.post("/api/v1/exercises/draw-dot/submissions" + if (late) "?late=accept" else "") {
             bearer(token)
             header(HttpHeaders.ContentType, "text/x-java-source")
             key?.let { header("Idempotency-Key", it) }
@@ -232,6 +233,18 @@ fun JsonObject.text(key: String): String = getValue(key).jsonPrimitive.content
 fun JsonObject.list(key: String): JsonArray = getValue(key).jsonArray
 
 fun JsonElement.field(key: String): String = jsonObject.text(key)
+
+/** A browser in which this token's holder has signed in, by its cookie. */
+suspend fun Visit.cookieOf(token: String): String {
+    val entered =
+        client.post("/sign-in") {
+            header(HttpHeaders.Host, "localhost")
+            header(HttpHeaders.Origin, "http://localhost")
+            header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
+            setBody("token=$token")
+        }
+    return checkNotNull(entered.headers[HttpHeaders.SetCookie]) { "${entered.status}" }.substringBefore(';')
+}
 
 /** The answer is a whole problem document of this status. */
 suspend fun HttpResponse.assertProblem(

@@ -4,6 +4,7 @@ import io.ktor.server.routing.Route
 import io.ktor.server.routing.patch
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
+import org.jdbi.v3.core.Handle
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveJson
 import rasterlab.grader.problem.respondJson
@@ -14,8 +15,8 @@ import java.time.format.DateTimeParseException
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * Says until when a course's students are to hand in. What comes later is graded all the same, and
- * marked as late; and what hidden cases found is shown with everything from then on.
+ * Says until when a course's students are to hand in. What comes later is taken where the student agrees to that, graded
+ * all the same, and marked as late; and what hidden cases found is shown with everything from then on.
  */
 class Deadlines(
     private val database: Database,
@@ -39,20 +40,7 @@ class Deadlines(
     fun of(
         student: String,
         exercise: String,
-    ): Instant? =
-        database.read { handle ->
-            handle
-                .createQuery(
-                    """SELECT due_at FROM deadlines
-                       WHERE exercise = :exercise
-                           AND course_id = (SELECT course_id FROM students WHERE id = :student)""",
-                ).bind("student", student)
-                .bind("exercise", exercise)
-                .mapTo(String::class.java)
-                .findOne()
-                .map { Instant.parse(it) }
-                .getOrNull()
-        }
+    ): Instant? = database.read { of(it, student, exercise) }
 
     /**
      * Sets the deadline of an exercise, or takes it away.
@@ -84,6 +72,26 @@ class Deadlines(
                 .bind("due", due.text())
                 .execute()
         }
+    }
+
+    companion object {
+        /** The same within a transaction. */
+        fun of(
+            handle: Handle,
+            student: String,
+            exercise: String,
+        ): Instant? =
+            handle
+                .createQuery(
+                    """SELECT due_at FROM deadlines
+                       WHERE exercise = :exercise
+                           AND course_id = (SELECT course_id FROM students WHERE id = :student)""",
+                ).bind("student", student)
+                .bind("exercise", exercise)
+                .mapTo(String::class.java)
+                .findOne()
+                .map { Instant.parse(it) }
+                .getOrNull()
     }
 }
 

@@ -38,14 +38,14 @@ data class ProblemDocument(
 fun interface ProblemPage {
     /**
      * @param detail in English, for programs
-     * @param added what there is more to say to people, by language
+     * @param added what there is more to say to people, one thing each, by language
      */
     suspend fun show(
         call: ApplicationCall,
         status: HttpStatusCode,
         code: String,
         detail: String,
-        added: (String) -> String?,
+        added: (String) -> List<String>,
     )
 }
 
@@ -62,7 +62,7 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         status: HttpStatusCode,
         code: String,
         detail: String,
-        added: (String) -> String? = { null },
+        added: (String) -> List<String> = { emptyList() },
     ) = if (call.isForPrograms()) {
         call.respondProblem(status, code, detail)
     } else {
@@ -77,7 +77,7 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
             else -> Unit
         }
         val code = if (call.isForPrograms()) rejection.code else rejection.pageText
-        show(call, rejection.status(), code, rejection.message, rejection::detail)
+        show(call, rejection.status(), code, rejection.message, rejection::details)
     }
     exception<BadRequestException> { call, malformed ->
         log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), malformed.message)

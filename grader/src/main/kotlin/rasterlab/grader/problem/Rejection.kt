@@ -14,8 +14,9 @@ import io.ktor.http.HttpStatusCode.Companion.TooManyRequests
 import io.ktor.http.HttpStatusCode.Companion.Unauthorized
 import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
+import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.SourceEncoding
-import rasterlab.exercises.score.Phrase
+import java.time.Instant
 
 /**
  * Why the server does not do what it was asked.
@@ -30,8 +31,8 @@ sealed class Rejection(
     /** Names the text that a page shows: the code, or more exactly what was met. */
     open val pageText get() = code
 
-    /** What a page adds to that text, in its language; null where there is nothing to add. */
-    open fun detail(language: String): String? = null
+    /** What a page adds to that text, in its language, one thing each. */
+    open fun details(language: String): List<String> = emptyList()
 
     class NotSignedIn :
         Rejection("needs the header 'Authorization: Bearer TOKEN' with a token of this server", "not-signed-in")
@@ -128,10 +129,24 @@ sealed class Rejection(
 
     /** A sheet of answers that cannot be read, or is not the one of this attempt; nothing is stored. */
     class BadSheet(
-        private val why: Phrase,
+        private val why: CatalogueException,
     ) : Rejection(why.`in`("en"), "bad-sheet") {
-        override fun detail(language: String): String = why.`in`(language)
+        override fun details(language: String): List<String> = why.all().map { it.`in`(language) }
     }
+
+    /** Answers of a page's form that are none; the page says which, so nothing is stored. */
+    class BadAnswers(
+        count: Int,
+    ) : Rejection("$count fields of the form cannot be read as answers", "bad-answers")
+
+    /** After the deadline, from somebody who was not told so or did not agree. */
+    class Late(
+        due: Instant,
+    ) : Rejection(
+            "the deadline was $due; a late submission is graded like any other, costs no points and is marked as " +
+                "late: hand it in again with ?late=accept if you want that",
+            "late",
+        )
 
     /** @param steps how many the exercise has */
     class NoMoreHints(
@@ -200,8 +215,8 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
-        is Rejection.BadSheet, is Rejection.BadDeadline -> UnprocessableEntity
-        is Rejection.NoMoreHints, is Rejection.HintOrder -> Conflict
+        is Rejection.BadSheet, is Rejection.BadAnswers, is Rejection.BadDeadline -> UnprocessableEntity
+        is Rejection.NoMoreHints, is Rejection.HintOrder, is Rejection.Late -> Conflict
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge
         is Rejection.WrongMediaType, is Rejection.Kotlin -> UnsupportedMediaType

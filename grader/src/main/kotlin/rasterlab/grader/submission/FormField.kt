@@ -140,7 +140,7 @@ private class FormReader(
         const val SPACE = ' '.code.toByte()
         const val TAB = '\t'.code.toByte()
         const val LONGEST_LINE = 4096
-        const val MOST_FIELDS = 100
+        const val MOST_FIELDS = 500
     }
 }
 

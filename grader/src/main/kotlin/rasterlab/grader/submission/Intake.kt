@@ -3,6 +3,7 @@ package rasterlab.grader.submission
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.statement.Query
 import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
@@ -36,12 +37,17 @@ class Intake(
     private val limits: IntakeLimits,
     private val clock: InstantSource,
 ) {
-    /** @param key what the student calls this request, so that repeating it gives the same submission */
+    /**
+     * @param key what the student calls this request, so that repeating it gives the same submission
+     * @param late whether the student agrees that it is marked as late where the deadline has passed
+     * @throws Rejection.Late where it has and the student does not
+     */
     fun accept(
         student: Identity.Student,
         exercise: Exercise,
         source: String,
         key: String?,
+        late: Boolean = false,
     ): Accepted {
         if (!database.hasRoom()) throw Rejection.NoRoom()
         val handedSeed =
@@ -49,17 +55,23 @@ class Intake(
         val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
         return database.write { handle ->
             val id =
-                request.made(handle)
-                    ?: insert(
-                        handle,
-                        student,
-                        exercise,
-                        source,
-                        handedSeed,
-                    ).also { request.remember(handle, it, clock.instant()) }
+                request.made(handle) ?: run {
+                    if (!late) requireInTime(handle, student, exercise)
+                    insert(handle, student, exercise, source, handedSeed)
+                        .also { request.remember(handle, it, clock.instant()) }
+                }
             val state = checkNotNull(Submissions.find(handle, id)) { "submission $id was just stored" }.state
             Accepted(id, state, Submissions.position(handle, id))
         }
+    }
+
+    private fun requireInTime(
+        handle: Handle,
+        student: Identity.Student,
+        exercise: Exercise,
+    ) {
+        val due = Deadlines.of(handle, student.id, exercise.id()) ?: return
+        if (clock.instant() > due) throw Rejection.Late(due)
     }
 
     private fun insert(

@@ -11,6 +11,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
+import kotlin.jvm.optionals.getOrNull
 
 /**
  * The sheets of questions of exercises whose steps are predicted: one for each student and attempt, which nobody
@@ -19,16 +20,24 @@ import rasterlab.grader.storage.Secrets
 class Sheets(
     private val database: Database,
 ) {
-    /** What somebody begins with: a student with the sheet of the next attempt, anybody else with one to try. */
+    /** What somebody begins with; with a sheet where the exercise asks for predictions. */
     fun starter(
         who: Identity,
         exercise: Exercise,
-    ): String =
-        when {
-            exercise.form() != Exercise.Form.PREDICT -> exercise.starter()
-            who is Identity.Student -> SheetText.open(exercise, database.write { seed(it, who, exercise) })
-            else -> SheetText.open(exercise, SheetText.freshSeed())
-        }
+    ): String = next(who, exercise)?.let { SheetText.open(exercise.id(), it) } ?: exercise.starter()
+
+    /**
+     * A student's sheet of the next attempt, anybody else's to try; null where the exercise asks for no predictions.
+     */
+    fun next(
+        who: Identity,
+        exercise: Exercise,
+    ): Sheet? {
+        val rules = exercise.predicting().getOrNull() ?: return null
+        val student = who as? Identity.Student
+        val seed = student?.let { database.write { handle -> seed(handle, it, exercise) } } ?: SheetText.freshSeed()
+        return Sheet.of(exercise.topic(), rules, seed)
+    }
 
     companion object {
         /** The seed of the sheet that the student's next attempt answers. */
@@ -62,7 +71,7 @@ class Sheets(
             try {
                 HandedAnswers.of(exercise, source.removePrefix("\uFEFF")).sheet().seed()
             } catch (misfit: CatalogueException) {
-                throw Rejection.BadSheet(misfit.said())
+                throw Rejection.BadSheet(misfit)
             }
 
         /** @throws Rejection.BadSheet where it is another attempt's */
@@ -70,7 +79,9 @@ class Sheets(
             handed: Long,
             expected: Long,
         ) {
-            if (handed != expected) throw Rejection.BadSheet(Phrase.of("predict.other-seed", "$handed", "$expected"))
+            if (handed == expected) return
+            val other = Phrase.of("predict.other-seed", "$handed", "$expected")
+            throw Rejection.BadSheet(CatalogueException(other))
         }
     }
 }

@@ -19,6 +19,11 @@ private data class SubmissionAnswer(
     val position: Int,
 )
 
+/** Says in an address or a form that a submission may be marked as late. */
+const val LATE = "late"
+
+const val ACCEPT = "accept"
+
 /** Serves submissions, inside `authenticate`. */
 fun Route.submissions(
     exercises: Exercises,
@@ -28,7 +33,9 @@ fun Route.submissions(
     post("/exercises/{id}/submissions") {
         val student = call.student()
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        val accepted = intake.accept(student, exercise, call.receiveSource(exercise.form()), call.idempotencyKey())
+        val source = call.receiveSource(exercise.form())
+        val late = call.request.rawQueryParameters[LATE] == ACCEPT
+        val accepted = intake.accept(student, exercise, source, call.idempotencyKey(), late)
         queue.ring(accepted.id)
         call.response.header(HttpHeaders.Location, "/api/v1/submissions/${accepted.id}")
         call.respondJson(SubmissionAnswer(accepted.id, accepted.state.code, accepted.position), Accepted)

@@ -7,23 +7,13 @@ import io.ktor.server.routing.get
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
 import kotlinx.html.FlowContent
-import kotlinx.html.FormEncType
-import kotlinx.html.FormMethod
-import kotlinx.html.InputType
 import kotlinx.html.a
-import kotlinx.html.article
-import kotlinx.html.button
 import kotlinx.html.div
-import kotlinx.html.form
 import kotlinx.html.h2
 import kotlinx.html.id
-import kotlinx.html.input
-import kotlinx.html.label
 import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.span
-import kotlinx.html.textArea
-import kotlinx.html.unsafe
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.course.Chapter
 import rasterlab.exercises.formula.Formulas
@@ -33,17 +23,13 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.respondPicture
 import rasterlab.grader.exercise.respondStarter
-import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.hint.Hints
-import rasterlab.grader.hint.TakenHint
-import rasterlab.grader.storage.Secrets
-import rasterlab.grader.submission.FormField
 import rasterlab.grader.submission.GradingQueue
+import rasterlab.grader.submission.HandedForm
 import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.receiveFields
-import rasterlab.grader.submission.sourceOf
 import java.time.Instant
 import java.time.InstantSource
 import java.time.ZoneOffset
@@ -61,16 +47,10 @@ fun Route.exercisePages(
     queue: GradingQueue,
     clock: InstantSource,
 ) {
-    val formulas = Formulas()
+    val page = ExercisePage(deadlines, exercises, sheets, hints, submissions, Formulas(), clock)
     get("/exercises") { call.respondExercises(call.someone(accounts), exercises, deadlines, submissions) }
     get("/exercises/{id}") {
-        val exercise = exercises.named(call.parameters.getOrFail("id"))
-        val who = call.someone(accounts)
-        val sheet = if (exercise.form() == Exercise.Form.PREDICT) sheets.starter(who, exercise) else ""
-        val taken = if (who is Identity.Student) hints.taken(who, exercise) else emptyList()
-        val due = deadlines.of(who)[exercise.id()]
-        val stand = ExerciseStand(sheet, taken, due, over = due != null && clock.instant() > due)
-        call.respondExercise(who, exercises, exercise, stand, submissions, formulas)
+        page.show(call, call.someone(accounts), exercises.named(call.parameters.getOrFail("id")))
     }
     get("/exercises/{id}/starter") {
         val who = call.someone(accounts)
@@ -85,22 +65,14 @@ fun Route.exercisePages(
         call.requireOwnForm()
         val student = call.studentHere(accounts)
         val exercise = exercises.named(call.parameters.getOrFail("id"))
-        val fields = call.receiveFields()
-        val source = sourceOf(fields)
-        val accepted = intake.accept(student, exercise, source, onceOf(fields, source))
+        val form = HandedForm.of(exercise, call.receiveFields())
+        page.showAgain(call, student, exercise, form)
+        val source = form.source()
+        val accepted = intake.accept(student, exercise, source, form.once(source), form.late)
         queue.ring(accepted.id)
         call.respondRedirect("/submissions/${accepted.id}")
     }
 }
-
-/**
- * A key that is the same when one page sends one source again, as by a double click. Its space keeps
- * it apart from those that programs choose. Another source from the same page is another attempt.
- */
-private fun onceOf(
-    fields: List<FormField>,
-    source: String,
-) = fields.firstOrNull { it.name == ONCE }?.let { "page ${Secrets.hash(it.content.decodeToString() + "\n" + source)}" }
 
 /** The way through the course, and how far a student has come on it. */
 private suspend fun ApplicationCall.respondExercises(
@@ -147,7 +119,7 @@ private fun FlowContent.chapter(
 }
 
 /** Writes times in UTC, since a server does not know where its students are. */
-private val UTC_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'").withZone(ZoneOffset.UTC)
+internal val UTC_MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm 'UTC'").withZone(ZoneOffset.UTC)
 
 /** Tells its kind, its points, and how long it takes where that is known. */
 private fun about(
@@ -170,99 +142,4 @@ private fun state(
     if (exercise.id() !in bests) return texts.say("exercises.state.none")
     val best = bests[exercise.id()] ?: return texts.say("exercises.state.waiting")
     return texts.say("exercises.state.best", best, exercise.points().total())
-}
-
-/**
- * Where somebody stands with an exercise.
- *
- * @param sheet that the next attempt answers; empty where there is none
- * @param due the deadline, or null
- * @param over whether that has passed
- */
-private class ExerciseStand(
-    val sheet: String,
-    val taken: List<TakenHint>,
-    val due: Instant?,
-    val over: Boolean,
-)
-
-private suspend fun ApplicationCall.respondExercise(
-    who: Identity,
-    exercises: Exercises,
-    exercise: Exercise,
-    stand: ExerciseStand,
-    submissions: Submissions,
-    formulas: Formulas,
-) {
-    val texts = texts()
-    val mine = if (who is Identity.Student) submissions.ofStudent(who.id, exercise.id()) else null
-    respondPage(texts, who, exercise.title(texts.language)) {
-        val plan = exercise.points()
-        p("plan") {
-            +texts.say("exercises.points", plan.total())
-            if (exercise.form() == Exercise.Form.WRITE) {
-                +" — "
-                +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
-            }
-        }
-        stand.due?.let { due ->
-            p("plan") { +texts.say(if (stand.over) "exercise.over" else "exercise.due", UTC_MINUTE.format(due)) }
-        }
-        div("columns wide") {
-            article("card statement") {
-                val statement = exercise.statement(texts.language).withoutTitle()
-                val html =
-                    markdownAsHtml(statement, formulas, texts.language) { "/exercises/${exercise.id()}/pictures/$it" }
-                unsafe { +html }
-            }
-            section {
-                div("card") {
-                    p {
-                        val starter = "/exercises/${exercise.id()}/starter"
-                        val words = if (stand.sheet.isEmpty()) "exercise.starter" else "exercise.sheet"
-                        a(starter) { +"${texts.say(words)} (${exercise.starterFile()})" }
-                    }
-                    if (mine != null) handIn(texts, exercise, stand.sheet)
-                }
-                if (mine != null && exercise.hints().isNotEmpty()) hintSteps(texts, exercise, stand.taken, formulas)
-                if (mine != null) {
-                    h2 { +texts.say("exercise.mine") }
-                    if (mine.isEmpty()) p { +texts.say("exercise.mine.none") } else attemptTable(texts, exercises, mine)
-                }
-            }
-        }
-    }
-}
-
-/** The field that tells one opened page from the next. */
-private const val ONCE = "once"
-
-/** The page shows the title itself. */
-private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "") else this
-
-private fun FlowContent.handIn(
-    texts: PageTexts,
-    exercise: Exercise,
-    sheet: String,
-) {
-    h2 { +texts.say("exercise.submit") }
-    form("/exercises/${exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
-        input(InputType.hidden, name = ONCE) { value = Secrets.newId() }
-        label {
-            span { +texts.say("exercise.file.${exercise.form().code()}") }
-            input(InputType.file, name = "source") {
-                accept =
-                    ".${exercise.form().ending()},${exercise.form().mediaType()}"
-            }
-        }
-        label {
-            span { +texts.say("exercise.paste.${exercise.form().code()}") }
-            textArea(rows = if (sheet.isEmpty()) "10" else "24") {
-                name = "source"
-                attributes["spellcheck"] = "false"
-                +sheet
-            }
-        }
-        button { +texts.say("exercise.submit.do") }
-    }
 }

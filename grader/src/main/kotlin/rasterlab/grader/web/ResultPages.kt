@@ -35,7 +35,7 @@ fun Route.resultPages(
         val submission = submissions.seenBy(who, call.submissionId())
         val title = exercises.find(submission.exercise)?.title(call.texts().language) ?: submission.exercise
         val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Instructor }
-        call.respondResult(who, submission, listOfNotNull(student, title).joinToString(" — "), results)
+        call.respondResult(who, submission, listOfNotNull(student, title).joinToString(" — "), results, exercises)
     }
     get("/submissions/{id}/fragment") {
         val who = call.someone(accounts)
@@ -43,12 +43,9 @@ fun Route.resultPages(
         val texts = call.texts()
         call.respondFragment(
             createHTML(prettyPrint = false).div {
-                result(
-                    texts,
-                    results.view(who, submission.id, texts.language),
-                    submission.source,
-                    results.files(submission),
-                )
+                val view = results.view(who, submission.id, texts.language)
+                val sheet = SheetResult.of(exercises.at(submission.exercise, view.revision), submission.source)
+                result(texts, view, submission.source, results.files(submission), sheet)
             },
         )
     }
@@ -73,10 +70,12 @@ private suspend fun ApplicationCall.respondResult(
     submission: Submission,
     title: String,
     results: Results,
+    exercises: Exercises,
 ) {
     val texts = texts()
     val view = results.view(who, submission.id, texts.language)
     val files = results.files(submission)
+    val sheet = SheetResult.of(exercises.at(submission.exercise, view.revision), submission.source)
     respondPage(texts, who, "$title — ${texts.say("result.title", submission.attempt)}") {
         p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
         deadline(texts, view)
@@ -87,7 +86,7 @@ private suspend fun ApplicationCall.respondResult(
                 attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
                 attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
             }
-            result(texts, view, submission.source, files)
+            result(texts, view, submission.source, files, sheet)
         }
         details {
             summary { +texts.say(if (files.asksForPrograms) "result.source" else "result.handed") }

@@ -41,12 +41,14 @@ import kotlin.jvm.optionals.getOrNull
  * Everything that is known of a submission by now.
  *
  * @param files that show failed cases in the lab
+ * @param sheet that was answered; null where there is none
  */
 fun DIV.result(
     texts: PageTexts,
     view: SubmissionView,
     source: String,
     files: LabFiles,
+    sheet: SheetResult?,
 ) {
     div("verdict card") {
         status(texts, view.verdict, view.state)
@@ -60,7 +62,7 @@ fun DIV.result(
     if (view.verdict != null && view.cases.isNotEmpty()) {
         h2 { +texts.say("result.cases") }
         if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
-        view.cases.forEach { case(texts, it, files, "/api/v1/submissions/${view.id}") }
+        view.cases.forEach { case(texts, it, files, "/api/v1/submissions/${view.id}", sheet) }
     }
     view.speed?.let { speedChart(texts, it) }
     view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
@@ -142,6 +144,7 @@ private fun FlowContent.case(
     case: PublishedCase,
     files: LabFiles,
     address: String,
+    sheet: SheetResult?,
 ) = article("case card") {
     div("row") {
         status(texts, case.verdict.told(case.points, case.of), "")
@@ -149,7 +152,12 @@ private fun FlowContent.case(
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +earned(texts, case) }
     }
-    if (case.message.isNotEmpty()) message(texts, case.message)
+    val step = sheet?.step(case.name)
+    if (sheet != null && step != null) {
+        stepResult(texts, sheet, step)
+    } else if (case.message.isNotEmpty()) {
+        message(texts, case.message)
+    }
     case.why.getOrNull()?.let { p("why") { +texts.say("result.why", it) } }
     if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
     val passed = case.verdict.told(case.points, case.of) == GradingVerdict.OK.code()

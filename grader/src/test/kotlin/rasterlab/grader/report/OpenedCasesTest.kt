@@ -22,8 +22,8 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
@@ -91,7 +91,7 @@ class OpenedCasesTest {
                 }.json()
         if (due != null) setDeadline(course.text("course"), due.toString())
         val student = newStudent(course.text("code"))
-        val id = submit(student).json().text("id")
+        val id = submit(student, late = due != null).json().text("id")
         eventsToTheEnd(student, id)
         return Triple(course.text("course"), student, id)
     }
@@ -193,7 +193,7 @@ class OpenedCasesTest {
             val due = now
             val (_, student, inTime) = handedIn(due)
             now = due + Duration.ofMillis(1)
-            val late = submit(student).json().text("id")
+            val late = submit(student, late = true).json().text("id")
             eventsToTheEnd(student, late)
             for ((id, expected) in listOf(inTime to "false", late to "true")) {
                 val view = look(student, "/api/v1/submissions/$id").json()
@@ -204,7 +204,10 @@ class OpenedCasesTest {
                 assertEquals(expected == "true", "Handed in late, after 2026-03-28 10:00 UTC" in page, page)
             }
             val exercise = page(student, "/exercises/draw-dot?lang=en")
-            assertTrue("The deadline was 2026-03-28 10:00 UTC. You can still hand in" in exercise, exercise)
+            assertTrue(
+                "The deadline was 2026-03-28 10:00 UTC. You can still hand in if you agree" in exercise,
+                exercise,
+            )
             assertEquals(1, Regex("class=\"late\"").findAll(exercise).count(), exercise)
             assertTrue("""<span class="late">с опозданием""" in page(instructor, "/instructor/latest?lang=ru"))
         }

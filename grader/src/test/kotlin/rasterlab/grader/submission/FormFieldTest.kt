@@ -267,7 +267,7 @@ class FormFieldTest {
                     "more than 16",
                     form(NAMED + (1..16).joinToString("") { "\r\nX-$it: x" }),
                 ),
-                argumentSet("101 fields", "more than 100 fields", field("x").repeat(101) + "--b--"),
+                argumentSet("501 fields", "more than 500 fields", field("x").repeat(501) + "--b--"),
             )
 
         @JvmStatic

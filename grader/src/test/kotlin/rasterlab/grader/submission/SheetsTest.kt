@@ -22,6 +22,7 @@ import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
+import rasterlab.grader.cookieOf
 import rasterlab.grader.field
 import rasterlab.grader.json
 import rasterlab.grader.list
@@ -96,7 +97,12 @@ class SheetsTest {
                         .field("message")
                 assertTrue(reason in told && "F(M)" in told, told)
                 val page = page(student, "/submissions/$id?lang=$language")
-                assertTrue(reason in page, "$language: not on the page")
+                val shown = reason.replace('-', '−')
+                assertTrue(shown in page, "$language: not on the page")
+                val mine = mapOf("en" to "Your answer", "ru" to "Ваш ответ").getValue(language)
+                val x = wrong["x"].intValue()
+                val answer = Regex("<dt>$mine</dt>\\s*<dd>x = ${if (x < 0) "−${-x}" else "$x"}[,;]")
+                assertTrue(answer.containsMatchIn(page), "$language: what was answered is not on the page")
             }
         }
 
@@ -104,14 +110,7 @@ class SheetsTest {
         student: String,
         path: String,
     ): String {
-        val entered =
-            client.post("/sign-in") {
-                header(HttpHeaders.Host, "localhost")
-                header(HttpHeaders.Origin, "http://localhost")
-                header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
-                setBody("token=$student")
-            }
-        val cookie = checkNotNull(entered.headers[HttpHeaders.SetCookie]) { "${entered.status}" }.substringBefore(';')
+        val cookie = cookieOf(student)
         return client.get(path) { header(HttpHeaders.Cookie, cookie) }.bodyAsText()
     }
 

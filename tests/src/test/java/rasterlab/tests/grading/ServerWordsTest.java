@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.SourceEncoding;
 import rasterlab.exercises.score.Phrase;
 import rasterlab.grader.problem.Rejection;
@@ -33,6 +35,7 @@ class ServerWordsTest {
                     Rejection.ForeignOrigin.class,
                     Rejection.Malformed.class,
                     Rejection.BadKey.class,
+                    Rejection.BadAnswers.class,
                     Rejection.BadDeadline.class,
                     Rejection.HintOrder.class,
                     Rejection.NoMoreHints.class,
@@ -61,7 +64,9 @@ class ServerWordsTest {
                 new Rejection.TooSlow(30),
                 new Rejection.TooManyQueued(5, 10),
                 new Rejection.TooFast(6, 10),
-                new Rejection.BadSheet(Phrase.of("predict.other-seed", "5", "6")),
+                new Rejection.BadSheet(
+                        new CatalogueException(Phrase.of("predict.other-seed", "5", "6"))),
+                new Rejection.Late(Instant.EPOCH),
                 new Rejection.NoRoom());
     }
 

@@ -1,0 +1,81 @@
+package rasterlab.grader.submission
+
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.predicting.Sheet
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.storage.Secrets
+import kotlin.jvm.optionals.getOrNull
+
+/**
+ * What a page's form hands in: a file, a text, or the answers to the questions of a sheet.
+ *
+ * @property answers null where the form has no questions
+ */
+internal class HandedForm private constructor(
+    private val fields: List<FormField>,
+    val answers: TypedSheet?,
+) {
+    /** Whether the student agrees that it is marked as late. */
+    val late: Boolean = text(LATE) == ACCEPT
+
+    /** The file or the text as it can be shown again; empty where it is no text. */
+    val kept: String =
+        sent()
+            ?.content
+            ?.takeIf { it.size <= LONGEST_SOURCE_BYTES }
+            ?.decodeToString()
+            ?.takeIf { '\uFFFD' !in it && '\u0000' !in it }
+            .orEmpty()
+
+    /** The name of the file that [kept] is the text of, or null. */
+    val file: String? = sent()?.file?.takeIf { kept.isNotEmpty() }
+
+    private fun sent() = fields.firstOrNull { it.name == "source" && it.content.isNotEmpty() }
+
+    private fun text(name: String) =
+        fields
+            .firstOrNull { it.name == name }
+            ?.content
+            ?.decodeToString()
+            .orEmpty()
+
+    /** What is handed in; a sheet as the JSON document that programs send. */
+    fun source(): String {
+        if (answers == null) return sourceOf(fields)
+        if (answers.faults.isNotEmpty()) throw Rejection.BadAnswers(answers.faults.size)
+        return answers.source()
+    }
+
+    /**
+     * A key that is the same when one page sends one source again, as by a double click. Its space keeps
+     * it apart from those that programs choose. Another source from the same page is another attempt.
+     */
+    fun once(source: String): String? =
+        text(ONCE).takeIf { it.isNotEmpty() }?.let { "page ${Secrets.hash(it + "\n" + source)}" }
+
+    companion object {
+        /** The field that tells one opened page from the next. */
+        const val ONCE = "once"
+
+        /** The field that says which sheet the answers are to. */
+        const val SEED = "seed"
+
+        fun of(
+            exercise: Exercise,
+            fields: List<FormField>,
+        ): HandedForm = HandedForm(fields, answers(exercise, fields))
+
+        private fun answers(
+            exercise: Exercise,
+            fields: List<FormField>,
+        ): TypedSheet? {
+            val rules = exercise.predicting().getOrNull() ?: return null
+            val told = fields.firstOrNull { it.name == SEED }?.content?.decodeToString() ?: return null
+            val seed =
+                told.toLongOrNull()?.takeIf { it in 0..Sheet.MOST_SEED }
+                    ?: throw Rejection.Malformed("the form's field '$SEED' must be the one that the page has")
+            val typed = fields.filter { it.file == null }.associate { it.name to it.content.decodeToString() }
+            return TypedSheet(exercise, Sheet.of(exercise.topic(), rules, seed), typed)
+        }
+    }
+}

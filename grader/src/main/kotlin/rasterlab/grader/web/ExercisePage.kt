@@ -1,0 +1,174 @@
+package rasterlab.grader.web
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.server.application.ApplicationCall
+import kotlinx.html.FlowContent
+import kotlinx.html.MAIN
+import kotlinx.html.a
+import kotlinx.html.article
+import kotlinx.html.div
+import kotlinx.html.h2
+import kotlinx.html.p
+import kotlinx.html.section
+import kotlinx.html.unsafe
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.formula.Formulas
+import rasterlab.grader.course.Deadlines
+import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.starterFile
+import rasterlab.grader.hint.Hints
+import rasterlab.grader.hint.TakenHint
+import rasterlab.grader.submission.HandedForm
+import rasterlab.grader.submission.Listed
+import rasterlab.grader.submission.Sheets
+import rasterlab.grader.submission.Submissions
+import rasterlab.grader.submission.TypedSheet
+import java.time.Instant
+import java.time.InstantSource
+
+/** The page of one exercise: its statement, where to hand in, hints, and the attempts so far. */
+internal class ExercisePage(
+    private val deadlines: Deadlines,
+    private val exercises: Exercises,
+    private val sheets: Sheets,
+    private val hints: Hints,
+    private val submissions: Submissions,
+    private val formulas: Formulas,
+    private val clock: InstantSource,
+) {
+    suspend fun show(
+        call: ApplicationCall,
+        who: Identity,
+        exercise: Exercise,
+    ) = respond(call, stand(who, exercise, form = null), HttpStatusCode.OK, refused = null)
+
+    /** Has [form] shown again, with all that it holds, where what [call] goes on to do with it is refused. */
+    fun showAgain(
+        call: ApplicationCall,
+        who: Identity.Student,
+        exercise: Exercise,
+        form: HandedForm,
+    ) = call.attributes.put(
+        FORM_AGAIN,
+        FormAgain { status, code, added ->
+            val refused = Refused(status, code, added(call.texts().language))
+            respond(call, stand(who, exercise, form), status, refused)
+        },
+    )
+
+    private fun stand(
+        who: Identity,
+        exercise: Exercise,
+        form: HandedForm?,
+    ): ExerciseStand {
+        val due = deadlines.of(who)[exercise.id()]
+        val sheet = sheets.next(who, exercise)
+        // What was typed to another sheet, as where this attempt was handed in meanwhile, answers no question of this.
+        val typed = form?.answers?.takeIf { it.sheet.seed() == sheet?.seed() }
+        return ExerciseStand(
+            who,
+            exercise,
+            sheet?.let { typed ?: TypedSheet(exercise, it, emptyMap()) },
+            if (who is Identity.Student) hints.taken(who, exercise) else emptyList(),
+            if (who is Identity.Student) submissions.ofStudent(who.id, exercise.id()) else null,
+            due,
+            over = due != null && clock.instant() > due,
+            form,
+        )
+    }
+
+    private suspend fun respond(
+        call: ApplicationCall,
+        stand: ExerciseStand,
+        status: HttpStatusCode,
+        refused: Refused?,
+    ) {
+        val texts = call.texts()
+        call.respondPage(texts, stand.who, stand.exercise.title(texts.language), status) {
+            plan(texts, stand)
+            div("columns wide") {
+                article("card statement") {
+                    val statement = stand.exercise.statement(texts.language).withoutTitle()
+                    val html =
+                        markdownAsHtml(statement, formulas, texts.language) {
+                            "/exercises/${stand.exercise.id()}/pictures/$it"
+                        }
+                    unsafe { +html }
+                }
+                section { work(texts, stand, refused) }
+            }
+        }
+    }
+
+    private fun FlowContent.work(
+        texts: PageTexts,
+        stand: ExerciseStand,
+        refused: Refused?,
+    ) {
+        val exercise = stand.exercise
+        div("card") {
+            p {
+                val starter = "/exercises/${exercise.id()}/starter"
+                val words = if (stand.sheet == null) "exercise.starter" else "exercise.sheet"
+                a(starter) { +"${texts.say(words)} (${exercise.starterFile()})" }
+            }
+            if (stand.mine != null) handIn(texts, stand, refused)
+        }
+        if (stand.mine == null) return
+        if (exercise.hints().isNotEmpty()) hintSteps(texts, exercise, stand.taken, formulas)
+        h2 { +texts.say("exercise.mine") }
+        if (stand.mine.isEmpty()) {
+            p { +texts.say("exercise.mine.none") }
+        } else {
+            attemptTable(texts, exercises, stand.mine)
+        }
+    }
+}
+
+/**
+ * Where somebody stands with an exercise.
+ *
+ * @param sheet that the next attempt answers, with what is typed by now; null where there is none
+ * @param mine the attempts so far; null for somebody who hands nothing in
+ * @param due the deadline, or null
+ * @param over whether that has passed
+ * @param form that was refused, or null
+ */
+internal class ExerciseStand(
+    val who: Identity,
+    val exercise: Exercise,
+    val sheet: TypedSheet?,
+    val taken: List<TakenHint>,
+    val mine: List<Listed>?,
+    val due: Instant?,
+    val over: Boolean,
+    val form: HandedForm?,
+)
+
+/** Why a form was not taken. */
+internal class Refused(
+    val status: HttpStatusCode,
+    val code: String,
+    val details: List<String>,
+)
+
+private fun MAIN.plan(
+    texts: PageTexts,
+    stand: ExerciseStand,
+) {
+    val plan = stand.exercise.points()
+    p("plan") {
+        +texts.say("exercises.points", plan.total())
+        if (stand.exercise.form() == Exercise.Form.WRITE) {
+            +" — "
+            +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
+        }
+    }
+    stand.due?.let { due ->
+        p("plan") { +texts.say(if (stand.over) "exercise.over" else "exercise.due", UTC_MINUTE.format(due)) }
+    }
+}
+
+/** The page shows the title itself. */
+private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "") else this

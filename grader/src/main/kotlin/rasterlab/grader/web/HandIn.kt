@@ -1,0 +1,95 @@
+package rasterlab.grader.web
+
+import kotlinx.html.FORM
+import kotlinx.html.FlowContent
+import kotlinx.html.FormEncType
+import kotlinx.html.FormMethod
+import kotlinx.html.InputType
+import kotlinx.html.button
+import kotlinx.html.details
+import kotlinx.html.form
+import kotlinx.html.h2
+import kotlinx.html.input
+import kotlinx.html.label
+import kotlinx.html.p
+import kotlinx.html.span
+import kotlinx.html.summary
+import kotlinx.html.textArea
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.predicting.SheetText
+import rasterlab.grader.storage.Secrets
+import rasterlab.grader.submission.ACCEPT
+import rasterlab.grader.submission.HandedForm
+import rasterlab.grader.submission.LATE
+
+/** Where to hand in: a file or its text; the questions of a sheet come first, each with its fields. */
+internal fun FlowContent.handIn(
+    texts: PageTexts,
+    stand: ExerciseStand,
+    refused: Refused?,
+) {
+    h2 { +texts.say("exercise.submit") }
+    refused?.let { problem(texts, it.status, it.code, it.details) }
+    if (stand.sheet == null) {
+        whole(texts, stand, stand.form?.kept.orEmpty())
+        return
+    }
+    handing(texts, stand) { questions(texts, stand.exercise, stand.sheet) }
+    val document =
+        stand.form
+            ?.takeIf { it.answers == null }
+            ?.kept
+            .orEmpty()
+    details("document") {
+        open = document.isNotEmpty()
+        summary { +texts.say("sheet.document") }
+        whole(texts, stand, document.ifEmpty { SheetText.open(stand.exercise.id(), stand.sheet.sheet) })
+    }
+}
+
+/** A file, or a text in its place. */
+private fun FlowContent.whole(
+    texts: PageTexts,
+    stand: ExerciseStand,
+    text: String,
+) = handing(texts, stand) {
+    val form = stand.exercise.form()
+    label {
+        span { +texts.say("exercise.file.${form.code()}") }
+        input(InputType.file, name = "source") { accept = ".${form.ending()},${form.mediaType()}" }
+    }
+    stand.form?.file?.let { p { +texts.say("exercise.kept", it) } }
+    label {
+        span { +texts.say("exercise.paste.${form.code()}") }
+        textArea(rows = if (form == Exercise.Form.PREDICT) "14" else "10") {
+            name = "source"
+            attributes["spellcheck"] = "false"
+            // A browser leaves out the line end that a text begins with.
+            +(if (text.startsWith('\n')) "\n$text" else text)
+        }
+    }
+}
+
+/** A form that hands in what [content] asks for, with what a deadline that has passed asks besides. */
+private fun FlowContent.handing(
+    texts: PageTexts,
+    stand: ExerciseStand,
+    content: FORM.() -> Unit,
+) = form("/exercises/${stand.exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
+    input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
+    content()
+    if (stand.over) consent(texts, agreed = stand.form?.late == true)
+    button { +texts.say("exercise.submit.do") }
+}
+
+private fun FlowContent.consent(
+    texts: PageTexts,
+    agreed: Boolean,
+) = label("consent") {
+    input(InputType.checkBox, name = LATE) {
+        value = ACCEPT
+        required = true
+        checked = agreed
+    }
+    span { +texts.say("exercise.late") }
+}
