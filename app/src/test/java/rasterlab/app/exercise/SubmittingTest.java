@@ -30,7 +30,7 @@ import rasterlab.app.server.FakeServer;
 @Tag("slow")
 @Timeout(300)
 class SubmittingTest {
-    private static final String SUBMIT = "POST /api/v1/exercises/line-bresenham/submissions";
+    static final String SUBMIT = "POST /api/v1/exercises/line-bresenham/submissions";
     static final String RESULT = "GET /api/v1/submissions/s1";
     private static final String EVENTS = RESULT + "/events";
     private static final String CASE =
@@ -100,40 +100,6 @@ class SubmittingTest {
             assertEquals("pixel (1, 2) is missing", outcome.cases().get(0).said().english());
             assertTrue(phases.contains(BackgroundWork.Phase.WAITING), phases.toString());
             assertTrue(phases.contains(BackgroundWork.Phase.GRADING), phases.toString());
-        }
-    }
-
-    @Test
-    @DisplayName(
-            "a late hand-in offers no consent, or its consent is not sent, or the text is lost")
-    void aLateHandInIsOfferedWithWhatItCosts() throws Exception {
-        try (var server = server();
-                var trial = joined(server)) {
-            server.on(
-                    SUBMIT,
-                    exchange -> {
-                        boolean agreed = "late=accept".equals(exchange.getRequestURI().getQuery());
-                        String refusal =
-                                "{\"type\":\"urn:rasterlab:problem:late\",\"detail\":\"x\"}";
-                        String taken = "{\"id\":\"s1\",\"state\":\"queued\",\"position\":2}";
-                        FakeServer.send(
-                                exchange,
-                                agreed ? 202 : 409,
-                                "application/json",
-                                agreed ? taken : refusal);
-                    });
-            String source = trial.model.state().source();
-            trial.model.submit();
-            ExerciseState state = trial.awaitEnd();
-            assertEquals(Notice.of("late"), state.notice());
-            for (Language language : Language.values()) {
-                String said = state.notice().in(Texts.of("exercise", language));
-                String button = Texts.of("exercise", language).label("submitLate");
-                assertTrue(said.contains(button), said);
-            }
-            assertEquals(source, state.source());
-            trial.model.submit(true);
-            assertEquals(3, trial.awaitEnd().outcome().orElseThrow().attempt());
         }
     }
 

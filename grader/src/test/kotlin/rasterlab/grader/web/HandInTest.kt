@@ -107,7 +107,7 @@ class HandInTest {
             val seed = sheet(student, id).seed()
             val fields =
                 arrayOf("answer-1-decision" to "four", "answer-2-decision" to "7", "answer-3-at" to "above")
-            for ((language, word) in mapOf("en" to "This is no number.", "ru" to "Это не число.")) {
+            for ((language, word) in mapOf("en" to "This is not a number.", "ru" to "Это не число.")) {
                 val answer = send(student, id, "seed" to "$seed", *fields, language = language)
                 val page = answer.bodyAsText()
                 assertEquals(422, answer.status.value, page)
