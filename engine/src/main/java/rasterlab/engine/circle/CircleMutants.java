@@ -1,5 +1,6 @@
 package rasterlab.engine.circle;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.function.IntBinaryOperator;
 import rasterlab.contract.CircleRasterizer;
@@ -34,7 +35,16 @@ final class CircleMutants {
                         "squares-in-int",
                         "squares-beyond-int",
                         byRoots((r, u) -> (int) Math.rint(Math.sqrt(r * r - u * u)))),
-                new Mutant<>("diagonals-left-out", "corner", CircleMutants::withoutCorner));
+                new Mutant<>("diagonals-left-out", "corner", CircleMutants::withoutCorner),
+                new Mutant<>(
+                        "center-ignored",
+                        "off-the-diagonal",
+                        (x, y, r, out) -> RIGHT.draw(0, 0, r, out)),
+                new Mutant<>("columns-only", "crowded-columns", CircleMutants::columnsOnly),
+                new Mutant<>("four-octants-only", "crowded-columns", CircleMutants::fourOctants),
+                new Mutant<>("steps-of-one-degree", "crowded-columns", CircleMutants::byDegrees),
+                new Mutant<>(
+                        "decided-after-the-step", "off-the-diagonal", CircleMutants::afterTheStep));
     }
 
     private static void axesTwice(int centreX, int centreY, int radius, Pixels out) {
@@ -81,5 +91,51 @@ final class CircleMutants {
                 mirror.eight(u, v);
             }
         };
+    }
+
+    private static void columnsOnly(int centreX, int centreY, int radius, Pixels out) {
+        Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
+        for (int u = 0; u <= radius; u++) {
+            double square = (double) radius * radius - (double) u * u;
+            mirror.four(u, (int) Math.rint(Math.sqrt(square)));
+        }
+    }
+
+    /** Leaves out the mirror images across the diagonals. */
+    private static void fourOctants(int centreX, int centreY, int radius, Pixels out) {
+        RIGHT.draw(
+                centreX,
+                centreY,
+                radius,
+                (x, y) -> {
+                    if (Math.abs(x - centreX) <= Math.abs(y - centreY)) out.plot(x, y);
+                });
+    }
+
+    private static void byDegrees(int centreX, int centreY, int radius, Pixels out) {
+        var drawn = new HashSet<List<Integer>>();
+        for (int degree = 0; degree < 360; degree++) {
+            double angle = Math.toRadians(degree);
+            int x = (int) Math.round(centreX + radius * Math.cos(angle));
+            int y = (int) Math.round(centreY + radius * Math.sin(angle));
+            if (drawn.add(List.of(x, y))) out.plot(x, y);
+        }
+    }
+
+    /**
+     * The decision of Bresenham's textbook form, with the place after the step in place of before.
+     */
+    private static void afterTheStep(int centreX, int centreY, int radius, Pixels out) {
+        Mirror mirror = Mirror.about(centreX, centreY, radius, radius, out);
+        int v = radius;
+        int decision = 3 - 2 * radius;
+        for (int u = 0; u <= v; ) {
+            mirror.eight(u, v);
+            u++;
+            if (decision > 0) {
+                v--;
+                decision += 4 * (u - v) + 10;
+            } else decision += 4 * u + 6;
+        }
     }
 }

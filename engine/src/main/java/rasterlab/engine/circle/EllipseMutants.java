@@ -1,6 +1,8 @@
 package rasterlab.engine.circle;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.study.Mutant;
@@ -44,7 +46,15 @@ final class EllipseMutants {
                         "upright-line",
                         (x, y, a, b, out) -> {
                             if (a > 0 || b == 0) RIGHT.draw(x, y, a, b, out);
-                        }));
+                        }),
+                new Mutant<>(
+                        "center-ignored",
+                        "flat-line",
+                        (x, y, a, b, out) -> RIGHT.draw(0, 0, a, b, out)),
+                new Mutant<>("axes-twice", "very-flat", EllipseMutants::axesTwice),
+                new Mutant<>("root-rounded-down", "corner", EllipseMutants::roundedDown),
+                new Mutant<>(
+                        "rows-from-45-degrees-on", "corner", EllipseMutants::splitAtTheDiagonal));
     }
 
     private interface Kept {
@@ -74,5 +84,52 @@ final class EllipseMutants {
                 if (v > 0) out.plot(x0 + x, y0 + v);
             }
         }
+    }
+
+    private static void axesTwice(int x0, int y0, int a, int b, Pixels out) {
+        RIGHT.draw(
+                x0,
+                y0,
+                a,
+                b,
+                (x, y) -> {
+                    out.plot(x, y);
+                    if ((x == x0 || y == y0) && (a > 0 || b > 0)) out.plot(x, y);
+                });
+    }
+
+    private static void roundedDown(int x0, int y0, int a, int b, Pixels out) {
+        byBoth(x0, y0, a, b, Math::floor, (u, v) -> true, (u, v) -> true, out);
+    }
+
+    /** Takes columns where u is at most v and rows elsewhere, as on a circle. */
+    private static void splitAtTheDiagonal(int x0, int y0, int a, int b, Pixels out) {
+        byBoth(x0, y0, a, b, Math::rint, (u, v) -> u <= v, (u, v) -> v <= u, out);
+    }
+
+    private static void byBoth(
+            int x0,
+            int y0,
+            int a,
+            int b,
+            DoubleUnaryOperator rounding,
+            Kept columns,
+            Kept rows,
+            Pixels out) {
+        Mirror mirror = Mirror.about(x0, y0, a, b, out);
+        var drawn = new HashSet<Long>();
+        for (int u = 0; u <= a; u++) {
+            int v = (int) rounding.applyAsDouble(b * root(u, a));
+            if (columns.test(u, v) && drawn.add(((long) u << 32) + v)) mirror.four(u, v);
+        }
+        for (int v = 0; v <= b; v++) {
+            int u = (int) rounding.applyAsDouble(a * root(v, b));
+            if (rows.test(u, v) && drawn.add(((long) u << 32) + v)) mirror.four(u, v);
+        }
+    }
+
+    private static double root(int part, int half) {
+        double share = half == 0 ? 0 : (double) part / half;
+        return Math.sqrt(1 - share * share);
     }
 }

@@ -44,12 +44,17 @@ final class ColorMutants {
                         (from, components, to) -> {
                             double[] right = RIGHT.convert(from, components, to);
                             return Arrays.equals(right, components) ? components : right;
-                        }));
+                        }),
+                new Mutant<>(
+                        "saturation-not-divided", "between-levels", ColorMutants::wholeSaturation),
+                new Mutant<>("inks-not-divided", "between-levels", ColorMutants::wholeInks),
+                new Mutant<>("value-is-the-mean", "pure-colours", ColorMutants::meanValue),
+                new Mutant<>("hue-in-radians", "pure-colours", ColorMutants::radians));
     }
 
     private static double[] negativeHues(ColorModel from, double[] components, ColorModel to) {
         double[] answer = RIGHT.convert(from, components, to);
-        if (to.isHue(0) && answer[0] >= 300) answer[0] -= 360;
+        if (to == ColorModel.HSV && answer[0] >= 300) answer[0] -= 360;
         return answer;
     }
 
@@ -89,5 +94,34 @@ final class ColorMutants {
         double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
         for (int i = 0; i < 3; i++) rgb[i] = (int) (255 * rgb[i]) / 255.0;
         return RIGHT.convert(ColorModel.RGB, rgb, to);
+    }
+
+    private static double[] wholeSaturation(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to == ColorModel.HSV) answer[1] *= answer[2];
+        return answer;
+    }
+
+    /** What black leaves is not taken for the whole. */
+    private static double[] wholeInks(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to == ColorModel.CMYK) for (int i = 0; i < 3; i++) answer[i] *= 1 - answer[3];
+        return answer;
+    }
+
+    private static double[] meanValue(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to == ColorModel.HSV) {
+            double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
+            answer[2] = (rgb[0] + rgb[1] + rgb[2]) / 3;
+        }
+        return answer;
+    }
+
+    /** Only on the colour cube's diagonal, where the hue comes from an arc tangent. */
+    private static double[] radians(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to == ColorModel.HVS) answer[0] = Math.toRadians(answer[0]);
+        return answer;
     }
 }

@@ -89,7 +89,37 @@ final class SegmentClipMutants {
                                 (given, out) ->
                                         (x0, y0, x1, y1) ->
                                                 out.segment(
-                                                        x0, y0, x0 + (x1 - x0), y0 + (y1 - y0)))));
+                                                        x0, y0, x0 + (x1 - x0), y0 + (y1 - y0)))),
+                new Mutant<>(
+                        "both-ends-out-dropped",
+                        "through-the-window",
+                        (l, b, r, t, x0, y0, x1, y1, out) -> {
+                            if (isIn(l, b, r, t, x0, y0) || isIn(l, b, r, t, x1, y1))
+                                RIGHT.clip(l, b, r, t, x0, y0, x1, y1, out);
+                        }),
+                new Mutant<>(
+                        "always-reversed",
+                        "inside-and-above",
+                        (l, b, r, t, x0, y0, x1, y1, out) ->
+                                RIGHT.clip(l, b, r, t, x1, y1, x0, y0, out)),
+                new Mutant<>(
+                        "ends-in-whole-numbers",
+                        "fractions",
+                        sending(
+                                (given, out) ->
+                                        (x0, y0, x1, y1) ->
+                                                out.segment(
+                                                        Math.rint(x0),
+                                                        Math.rint(y0),
+                                                        Math.rint(x1),
+                                                        Math.rint(y1)))),
+                new Mutant<>(
+                        "only-the-start-cut",
+                        "inside-and-above",
+                        sending(
+                                (given, out) ->
+                                        (x0, y0, x1, y1) ->
+                                                out.segment(x0, y0, given.x1(), given.y1()))));
     }
 
     private static double between(double least, double most, double value) {
@@ -109,5 +139,9 @@ final class SegmentClipMutants {
     private static SegmentClipper sending(Sending sending) {
         return (l, b, r, t, x0, y0, x1, y1, out) ->
                 RIGHT.clip(l, b, r, t, x0, y0, x1, y1, sending.to(new Given(x0, y0, x1, y1), out));
+    }
+
+    private static boolean isIn(double l, double b, double r, double t, double x, double y) {
+        return l <= x && x <= r && b <= y && y <= t;
     }
 }

@@ -12,7 +12,7 @@ final class VolumeClipMutants {
     private VolumeClipMutants() {}
 
     static List<Mutant<VolumeClipper>> all() {
-        return Stream.concat(ofPlanes().stream(), ofPoints().stream()).toList();
+        return Stream.of(ofPlanes(), ofPoints(), ofWays()).flatMap(List::stream).toList();
     }
 
     private static List<Mutant<VolumeClipper>> ofPlanes() {
@@ -82,5 +82,73 @@ final class VolumeClipMutants {
                             if (x0 != x1 || y0 != y1 || z0 != z1)
                                 RIGHT.clip(zmin, x0, y0, z0, x1, y1, z1, out);
                         }));
+    }
+
+    private static List<Mutant<VolumeClipper>> ofWays() {
+        return List.of(
+                new Mutant<>(
+                        "both-ends-out-dropped",
+                        "thin-volume",
+                        (zmin, x0, y0, z0, x1, y1, z1, out) -> {
+                            if (isIn(zmin, x0, y0, z0) || isIn(zmin, x1, y1, z1))
+                                RIGHT.clip(zmin, x0, y0, z0, x1, y1, z1, out);
+                        }),
+                new Mutant<>(
+                        "always-reversed",
+                        "through-each-plane",
+                        (zmin, x0, y0, z0, x1, y1, z1, out) ->
+                                RIGHT.clip(zmin, x1, y1, z1, x0, y0, z0, out)),
+                new Mutant<>(
+                        "box-for-pyramid",
+                        "through-each-plane",
+                        planes(
+                                (zmin, x, y, z) ->
+                                        new double[] {1 - x, 1 + x, 1 - y, 1 + y, z - zmin, 1 - z},
+                                true)),
+                new Mutant<>(
+                        "last-plane-decides",
+                        "behind-the-eye",
+                        planes(VolumeClipMutants::pyramid, false)));
+    }
+
+    private static boolean isIn(double zmin, double x, double y, double z) {
+        for (double each : pyramid(zmin, x, y, z)) if (each < 0) return false;
+        return true;
+    }
+
+    private static double[] pyramid(double zmin, double x, double y, double z) {
+        return new double[] {z - x, z + x, z - y, z + y, z - zmin, 1 - z};
+    }
+
+    private interface Planes {
+        /** Numbers from 0 on are inside. */
+        double[] of(double zmin, double x, double y, double z);
+    }
+
+    /**
+     * @param extreme whether the last coming in and the first going out are taken, not those of the
+     *     last plane that is passed
+     */
+    private static VolumeClipper planes(Planes planes, boolean extreme) {
+        return (zmin, x0, y0, z0, x1, y1, z1, out) -> {
+            double[] from = planes.of(zmin, x0, y0, z0);
+            double[] to = planes.of(zmin, x1, y1, z1);
+            double in = 0;
+            double go = 1;
+            for (int i = 0; i < from.length; i++) {
+                if (from[i] < 0 && to[i] < 0) return;
+                double t = from[i] / (from[i] - to[i]);
+                if (from[i] < 0) in = extreme ? Math.max(in, t) : t;
+                else if (to[i] < 0) go = extreme ? Math.min(go, t) : t;
+            }
+            if (in > go) return;
+            out.segment(
+                    x0 + in * (x1 - x0),
+                    y0 + in * (y1 - y0),
+                    z0 + in * (z1 - z0),
+                    x0 + go * (x1 - x0),
+                    y0 + go * (y1 - y0),
+                    z0 + go * (z1 - z0));
+        };
     }
 }

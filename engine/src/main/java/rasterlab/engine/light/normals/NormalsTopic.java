@@ -58,7 +58,14 @@ public final class NormalsTopic implements Topic<VertexNormals, TriangleSurface,
 
     @Override
     public List<Mutant<VertexNormals>> mutants() {
-        return NormalsMutants.all();
+        return NormalsMutants.of(new WeightedNormals(Weight.ANGLE));
+    }
+
+    @Override
+    public List<Mutant<VertexNormals>> mutants(String method) {
+        return method.equals("area")
+                ? NormalsMutants.of(new WeightedNormals(Weight.AREA))
+                : mutants();
     }
 
     @Override

@@ -7,6 +7,7 @@ import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.contract.Reflection;
 import rasterlab.contract.SpotCone;
+import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.study.Mutant;
 
 /** Points shaded with one mistake. */
@@ -88,7 +89,17 @@ final class ShadeMutants {
                                 RIGHT.intensity(
                                         Double.isInfinite(square(point.normal()))
                                                 ? withoutCosines(point)
-                                                : point)));
+                                                : point)),
+                new Mutant<>(
+                        "highlight-from-behind", "light-in-the-plane", ShadeMutants::anyHighlight),
+                new Mutant<>(
+                        "cosine-not-cut",
+                        "light-behind-beside-ambient",
+                        ShadeMutants::negativeDiffuse),
+                new Mutant<>(
+                        "shininess-left-out",
+                        "facing",
+                        point -> RIGHT.intensity(with(point, dull(point.material())))));
     }
 
     private static double cosine(LitPoint point) {
@@ -176,5 +187,78 @@ final class ShadeMutants {
                 point.material(),
                 light,
                 globalAmbient);
+    }
+
+    /** Asks of a highlight alone whether r·v is above 0. */
+    private static double[] anyHighlight(LitPoint point) {
+        Terms terms = RIGHT.terms(point);
+        if (cosine(point) > 0) return terms.intensity();
+        double[] n = unit(point.normal());
+        double[] l = unit(point.toLight());
+        double[] v = unit(point.toEye());
+        double mirrored = 2 * dot(n, l) * dot(n, v) - dot(l, v);
+        double power = Math.pow(Math.max(0, mirrored), point.material().shininess());
+        return changed(terms, terms.diffuse(), specular(point, terms, power)).intensity();
+    }
+
+    private static double[] negativeDiffuse(LitPoint point) {
+        Terms terms = RIGHT.terms(point);
+        double cosine = dot(unit(point.normal()), unit(point.toLight()));
+        if (cosine >= 0) return terms.intensity();
+        var diffuse = new double[3];
+        for (int c = 0; c < 3; c++)
+            diffuse[c] =
+                    point.light().diffuse()[c]
+                            * point.material().diffuse()[c]
+                            * terms.attenuation()
+                            * terms.cone()
+                            * cosine;
+        return changed(terms, diffuse, terms.specular()).intensity();
+    }
+
+    private static double[] specular(LitPoint point, Terms terms, double power) {
+        var specular = new double[3];
+        for (int c = 0; c < 3; c++)
+            specular[c] =
+                    point.light().specular()[c]
+                            * point.material().specular()[c]
+                            * terms.attenuation()
+                            * terms.cone()
+                            * power;
+        return specular;
+    }
+
+    private static Terms changed(Terms terms, double[] diffuse, double[] specular) {
+        return new Terms(
+                terms.emission(),
+                terms.globalAmbient(),
+                terms.ambient(),
+                diffuse,
+                specular,
+                terms.attenuation(),
+                terms.cone());
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+    private static double[] unit(double[] vector) {
+        return times(vector, 1 / Math.hypot(vector[0], Math.hypot(vector[1], vector[2])));
+    }
+
+    private static SurfaceMaterial dull(SurfaceMaterial of) {
+        return new SurfaceMaterial(of.ambient(), of.diffuse(), of.specular(), of.emission(), 1);
+    }
+
+    private static LitPoint with(LitPoint point, SurfaceMaterial material) {
+        return new LitPoint(
+                point.normal(),
+                point.toLight(),
+                point.toEye(),
+                point.distance(),
+                material,
+                point.light(),
+                point.globalAmbient());
     }
 }

@@ -82,7 +82,25 @@ final class PointInPolygonMutants {
                         (px, py, x, y) ->
                                 area(px, py) == 0
                                         ? within(px, x) && within(py, y)
-                                        : RIGHT.contains(px, py, x, y)));
+                                        : RIGHT.contains(px, py, x, y)),
+                new Mutant<>(
+                        "boundary-is-outside",
+                        "on-the-boundary",
+                        (px, py, x, y) ->
+                                !onLine(px, py, x, y, true) && RIGHT.contains(px, py, x, y)),
+                new Mutant<>(
+                        "edge-is-whole-line",
+                        "ray-along-an-edge",
+                        (px, py, x, y) ->
+                                onLine(px, py, x, y, false) || RIGHT.contains(px, py, x, y)),
+                new Mutant<>(
+                        "box-for-polygon",
+                        "last-edge",
+                        (px, py, x, y) -> within(px, x) && within(py, y)),
+                new Mutant<>(
+                        "taken-for-convex",
+                        "no-corner-at-the-ray",
+                        PointInPolygonMutants::asIfConvex));
     }
 
     private interface Crosses {
@@ -160,5 +178,36 @@ final class PointInPolygonMutants {
     private static boolean within(double[] corners, double coordinate) {
         return coordinate >= Arrays.stream(corners).min().orElseThrow()
                 && coordinate <= Arrays.stream(corners).max().orElseThrow();
+    }
+
+    /**
+     * @param between whether the point has to lie between the ends of the edge, too
+     */
+    private static boolean onLine(double[] px, double[] py, double x, double y, boolean between) {
+        for (int i = 0; i < px.length; i++) {
+            int j = (i + 1) % px.length;
+            if (side(px, py, i, j, x, y) != 0) continue;
+            if (!between) return true;
+            if (x >= Math.min(px[i], px[j])
+                    && x <= Math.max(px[i], px[j])
+                    && y >= Math.min(py[i], py[j])
+                    && y <= Math.max(py[i], py[j])) return true;
+        }
+        return false;
+    }
+
+    private static double side(double[] px, double[] py, int i, int j, double x, double y) {
+        return (px[j] - px[i]) * (y - py[i]) - (py[j] - py[i]) * (x - px[i]);
+    }
+
+    private static boolean asIfConvex(double[] px, double[] py, double x, double y) {
+        boolean left = false;
+        boolean right = false;
+        for (int i = 0; i < px.length; i++) {
+            double side = side(px, py, i, (i + 1) % px.length, x, y);
+            left |= side > 0;
+            right |= side < 0;
+        }
+        return !(left && right);
     }
 }

@@ -62,7 +62,18 @@ final class PolygonFillMutants {
                         (x, y, rule, w, h, out) -> {
                             if (x.length == 2) line(x, y, w, h, out);
                             else RIGHT.fill(x, y, rule, w, h, out);
-                        }));
+                        }),
+                new Mutant<>("last-edge-missing", "star-even-odd", PolygonFillMutants::openOutline),
+                new Mutant<>("right-not-cut", "outside", PolygonFillMutants::notCutAtTheRight),
+                new Mutant<>(
+                        "corners-in-whole-numbers",
+                        "hair-beside-centres",
+                        (x, y, rule, w, h, out) -> RIGHT.fill(whole(x), whole(y), rule, w, h, out)),
+                new Mutant<>(
+                        "centers-at-halves",
+                        "corner-in-a-row",
+                        (x, y, rule, w, h, out) ->
+                                RIGHT.fill(halfLess(x), halfLess(y), rule, w, h, out)));
     }
 
     /** Rows and columns that are rounded otherwise than up. */
@@ -174,5 +185,33 @@ final class PolygonFillMutants {
             int to = Math.min(width, ends.before(left, one.at()));
             if (from < to) out.span(row, from, to);
         }
+    }
+
+    private static void notCutAtTheRight(
+            double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
+        RIGHT.fill(x, y, rule, width + ASIDE, height, out);
+    }
+
+    /** Leaves out the edge from the last corner to the first. */
+    private static void openOutline(
+            double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
+        for (int row = 0; row < height; row++) {
+            var crossings = new ArrayList<Crossing>();
+            for (int i = 0; i + 1 < x.length; i++) {
+                if (y[i] <= row == y[i + 1] <= row) continue;
+                double at = x[i] + (row - y[i]) * (x[i + 1] - x[i]) / (y[i + 1] - y[i]);
+                crossings.add(new Crossing(at, y[i] < y[i + 1] ? 1 : -1));
+            }
+            crossings.sort(Comparator.comparingDouble(Crossing::at));
+            spans(crossings, rule, (l, r) -> (int) Math.ceil(r), row, width, out);
+        }
+    }
+
+    private static double[] whole(double[] corners) {
+        return Arrays.stream(corners).map(Math::rint).toArray();
+    }
+
+    private static double[] halfLess(double[] corners) {
+        return Arrays.stream(corners).map(each -> each - 0.5).toArray();
     }
 }

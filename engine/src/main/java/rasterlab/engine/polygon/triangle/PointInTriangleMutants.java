@@ -55,7 +55,27 @@ final class PointInTriangleMutants {
                                         (float) cx,
                                         (float) cy,
                                         (float) x,
-                                        (float) y)));
+                                        (float) y)),
+                new Mutant<>(
+                        "box-for-triangle",
+                        "two-steps-from-the-sides",
+                        PointInTriangleMutants::box),
+                new Mutant<>(
+                        "flat-holds-nothing",
+                        "corners-on-one-line",
+                        (ax, ay, bx, by, cx, cy, x, y) ->
+                                cross(ax, ay, bx, by, cx, cy) != 0
+                                        && RIGHT.contains(ax, ay, bx, by, cx, cy, x, y)),
+                new Mutant<>(
+                        "third-side-unchecked",
+                        "well-inside-and-outside",
+                        unlessFlat(bySides((a, b, c) -> a >= 0 && b >= 0 || a <= 0 && b <= 0))),
+                new Mutant<>(
+                        "vertex-is-outside",
+                        "boundary-other-way-round",
+                        (ax, ay, bx, by, cx, cy, x, y) ->
+                                !(x == ax && y == ay || x == bx && y == by || x == cx && y == cy)
+                                        && RIGHT.contains(ax, ay, bx, by, cx, cy, x, y)));
     }
 
     /**
@@ -94,5 +114,13 @@ final class PointInTriangleMutants {
 
     private static int intCross(int ax, int ay, int bx, int by, int x, int y) {
         return (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+    }
+
+    private static boolean box(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return x >= Math.min(ax, Math.min(bx, cx))
+                && x <= Math.max(ax, Math.max(bx, cx))
+                && y >= Math.min(ay, Math.min(by, cy))
+                && y <= Math.max(ay, Math.max(by, cy));
     }
 }

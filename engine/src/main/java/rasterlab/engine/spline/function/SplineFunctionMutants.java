@@ -42,7 +42,23 @@ final class SplineFunctionMutants {
                 new Mutant<>(
                         "natural-is-level",
                         "overshoot",
-                        taking(SplineEnds.Kind.NATURAL, SplineEnds.slopes(0, 0))));
+                        taking(SplineEnds.Kind.NATURAL, SplineEnds.slopes(0, 0))),
+                new Mutant<>(
+                        "second-derivative-for-c",
+                        "three-knots",
+                        (x, y, ends) -> times(RIGHT.coefficients(x, y, ends), 2, 2)),
+                new Mutant<>("straight-pieces", "three-knots", SplineFunctionMutants::straight),
+                new Mutant<>("half-the-bend", "overshoot", SplineFunctionMutants::halfBent),
+                new Mutant<>(
+                        "end-slopes-swapped",
+                        "two-knots",
+                        (x, y, ends) ->
+                                RIGHT.coefficients(
+                                        x,
+                                        y,
+                                        ends.kind() == SplineEnds.Kind.SLOPES
+                                                ? SplineEnds.slopes(ends.right(), ends.left())
+                                                : ends)));
     }
 
     /** Takes ends of that kind for natural ones. */
@@ -107,5 +123,33 @@ final class SplineFunctionMutants {
         public Promise promise() {
             return Promise.SHAPE;
         }
+    }
+
+    private static double[] times(double[] all, int power, double factor) {
+        for (int i = power; i < all.length; i += 4) all[i] *= factor;
+        return all;
+    }
+
+    private static double[] straight(double[] x, double[] y, SplineEnds ends) {
+        double[] all = RIGHT.coefficients(x, y, ends);
+        for (int i = 0; i < all.length; i += 4) {
+            all[i + 1] = (y[i / 4 + 1] - y[i / 4]) / (x[i / 4 + 1] - x[i / 4]);
+            all[i + 2] = 0;
+            all[i + 3] = 0;
+        }
+        return all;
+    }
+
+    /** A natural spline from 3, not 6, times the differences of the slopes: M is half as large. */
+    private static double[] halfBent(double[] x, double[] y, SplineEnds ends) {
+        double[] all = RIGHT.coefficients(x, y, ends);
+        if (ends.kind() != SplineEnds.Kind.NATURAL) return all;
+        for (int i = 0; i < all.length; i += 4) {
+            double slope = (y[i / 4 + 1] - y[i / 4]) / (x[i / 4 + 1] - x[i / 4]);
+            all[i + 1] = (all[i + 1] + slope) / 2;
+            all[i + 2] /= 2;
+            all[i + 3] /= 2;
+        }
+        return all;
     }
 }

@@ -34,7 +34,17 @@ final class LookupMutants {
                         "beyond-the-border",
                         looked(
                                 Wrap.CLAMP_TO_EDGE,
-                                (texture, s, t, right, down) -> texture.linear(s, t))));
+                                (texture, s, t, right, down) -> texture.linear(s, t))),
+                new Mutant<>(
+                        "s-t-swapped",
+                        "bottom-row-first",
+                        looked(Wrap.REPEAT, (texture, s, t, right, down) -> texture.linear(t, s))),
+                new Mutant<>(
+                        "size-less-one",
+                        "magnified",
+                        moved(
+                                (s, w) -> (s * (w - 1) + 0.5) / w,
+                                (t, h) -> (t * (h - 1) + 0.5) / h)));
     }
 
     /** Mutants of the method {@code trilinear}. */
@@ -68,7 +78,20 @@ final class LookupMutants {
                         looked(
                                 Wrap.REPEAT,
                                 (texture, s, t, right, down) ->
-                                        texture.trilinear(s, t, lambda(Math.min(right, down))))));
+                                        texture.trilinear(s, t, lambda(Math.min(right, down))))),
+                level(
+                        "step-not-rooted",
+                        (texture, s, t, right, down) ->
+                                texture.trilinear(s, t, 2 * lambda(Math.max(right, down)))),
+                level(
+                        "coarser-level-alone",
+                        (texture, s, t, right, down) ->
+                                texture.trilinear(s, t, Math.ceil(lambda(Math.max(right, down))))),
+                level(
+                        "finer-level-alone",
+                        (texture, s, t, right, down) ->
+                                texture.trilinear(
+                                        s, t, Math.floor(lambda(Math.max(right, down))))));
     }
 
     private static double lambda(double squaredStep) {

@@ -2,6 +2,7 @@ package rasterlab.engine.texture.mapping;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntToDoubleFunction;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.study.Mutant;
@@ -36,7 +37,29 @@ final class MappingMutants {
                                 span.pixels() == 1
                                         ? new double[] {Double.NaN, Double.NaN}
                                         : RIGHT.coordinates(span)),
-                new Mutant<>("sums-in-float", "long-row", new SteppedMapper()));
+                new Mutant<>("sums-in-float", "long-row", new SteppedMapper()),
+                new Mutant<>("not-divided-back", "floor", MappingMutants::overDepth),
+                new Mutant<>(
+                        "share-in-whole-numbers",
+                        "floor",
+                        span -> at(span, pixel -> pixel == span.pixels() - 1 ? pixel : 0)),
+                new Mutant<>(
+                        "half-a-pixel-on",
+                        "both-ends",
+                        span ->
+                                at(
+                                        span,
+                                        pixel ->
+                                                (pixel + 0.5)
+                                                        * (span.pixels() - 1)
+                                                        / span.pixels())),
+                new Mutant<>(
+                        "brought-into-the-picture",
+                        "both-ends",
+                        span ->
+                                Arrays.stream(RIGHT.coordinates(span))
+                                        .map(each -> each - Math.floor(each))
+                                        .toArray()));
     }
 
     private static double share(TexturedSpan span, int pixel) {
@@ -70,5 +93,30 @@ final class MappingMutants {
                                 span.toDepth(),
                                 span.pixels() + 1));
         return Arrays.copyOf(longer, 2 * span.pixels());
+    }
+
+    /** s/d and t/d where s and t are asked for. */
+    private static double[] overDepth(TexturedSpan span) {
+        double[] st = RIGHT.coordinates(span);
+        for (int i = 0; i < span.pixels(); i++) {
+            double f = share(span, i);
+            double inverse = (1 - f) / span.fromDepth() + f / span.toDepth();
+            st[2 * i] *= inverse;
+            st[2 * i + 1] *= inverse;
+        }
+        return st;
+    }
+
+    /** Looks at other places along the row. */
+    private static double[] at(TexturedSpan span, IntToDoubleFunction place) {
+        var st = new double[2 * span.pixels()];
+        for (int i = 0; i < span.pixels(); i++) {
+            double f = span.pixels() == 1 ? 0 : place.applyAsDouble(i) / (span.pixels() - 1);
+            double from = (1 - f) * span.toDepth();
+            double to = f * span.fromDepth();
+            st[2 * i] = (from * span.fromS() + to * span.toS()) / (from + to);
+            st[2 * i + 1] = (from * span.fromT() + to * span.toT()) / (from + to);
+        }
+        return st;
     }
 }

@@ -38,7 +38,25 @@ final class RotateMutants {
                         (degrees, times, points) -> {
                             RIGHT.rotate(degrees, times, points);
                             for (int i = 0; i < points.length; i++) points[i] = (float) points[i];
-                        }));
+                        }),
+                new Mutant<>(
+                        "degrees-for-radians",
+                        "quarter-turn",
+                        (degrees, times, points) -> {
+                            // with more than a turn it is the size of the angle that shows
+                            boolean within = Math.abs(degrees) <= 360;
+                            RIGHT.rotate(within ? Math.toDegrees(degrees) : degrees, times, points);
+                        }),
+                new Mutant<>(
+                        "one-rotation-more",
+                        "quarter-turn",
+                        (degrees, times, points) -> {
+                            // with millions of rotations it is their drift that shows
+                            boolean few = times < 1_000_000;
+                            RIGHT.rotate(degrees, few ? times + 1 : times, points);
+                        }),
+                new Mutant<>(
+                        "sine-in-float", "hundred-thousand-turns", RotateMutants::sineInFloat));
     }
 
     private static void newXForY(double degrees, int times, double[] points) {
@@ -60,6 +78,17 @@ final class RotateMutants {
                 double sheared = points[i + 1] + points[i] * tangent;
                 points[i] -= sheared * Math.sin(Math.toRadians(degrees));
                 points[i + 1] = points[i] * tangent + sheared;
+            }
+    }
+
+    private static void sineInFloat(double degrees, int times, double[] points) {
+        double sine = (float) Math.sin(Math.toRadians(degrees));
+        double cosine = (float) Math.cos(Math.toRadians(degrees));
+        for (int n = 0; n < times; n++)
+            for (int i = 0; i < points.length; i += 2) {
+                double x = points[i];
+                points[i] = x * cosine - points[i + 1] * sine;
+                points[i + 1] = x * sine + points[i + 1] * cosine;
             }
     }
 }

@@ -55,6 +55,11 @@ final class VisibleFacesMutants {
             return 1 / Arrays.stream(xyz).map(Math::abs).max().orElse(1);
         }
 
+        /** Whether products are beyond a double, so that another mistake shows. */
+        boolean leavesTheRange() {
+            return toUnit() < 1e-100;
+        }
+
         boolean areaIsNothing() {
             for (int i = 0; i < 3; i++) {
                 double[] aside = {xyz[3 * face[0]], xyz[3 * face[0] + 1], xyz[3 * face[0] + 2]};
@@ -103,7 +108,12 @@ final class VisibleFacesMutants {
                 mutant(
                         "no-area-visible",
                         "no-area",
-                        asked -> asked.side(asked.eye) > 0 || asked.areaIsNothing()));
+                        asked -> asked.side(asked.eye) > 0 || asked.areaIsNothing()),
+                mutant(
+                        "turned-away",
+                        "cube",
+                        asked -> asked.side(asked.eye) * (asked.leavesTheRange() ? 1 : -1) > 0),
+                mutant("eye-as-direction", "eye-inside", VisibleFacesMutants::byEyeAlone));
     }
 
     /** Whether a face with area is visible, edge-on ones too. */
@@ -116,6 +126,13 @@ final class VisibleFacesMutants {
         var point = new double[3];
         for (int i = 0; i < 3; i++)
             point[i] = asked.xyz[3 * asked.face[0] + i] + asked.eye[i] - mean[i];
+        return asked.side(point) > 0;
+    }
+
+    /** The place of the eye is taken for the direction to it. */
+    private static boolean byEyeAlone(Asked asked) {
+        var point = new double[3];
+        for (int i = 0; i < 3; i++) point[i] = asked.xyz[3 * asked.face[0] + i] + asked.eye[i];
         return asked.side(point) > 0;
     }
 

@@ -53,7 +53,13 @@ final class DepthTriangleMutants {
                         (x, y, z, number, width, height, depths, shown) ->
                                 RIGHT.fill(x, y, z, number, width, height, depths.clone(), shown)),
                 new Mutant<>(
-                        "zeros-of-its-own", "one-triangle", DepthTriangleMutants::zerosOfItsOwn));
+                        "zeros-of-its-own", "one-triangle", DepthTriangleMutants::zerosOfItsOwn),
+                new Mutant<>("lower-edge-end", "on-the-edges", new ByRows(true, false, false)),
+                new Mutant<>("depth-at-the-edge", "slanted", new ByRows(false, true, false)),
+                new Mutant<>(
+                        "cut-columns-not-counted",
+                        "beyond-the-picture",
+                        new ByRows(false, false, true)));
     }
 
     /** Looks at a buffer that nobody filled with the depth of the background. */
@@ -110,6 +116,54 @@ final class DepthTriangleMutants {
                 depths[at] = found;
                 shown[at] = number;
             }
+        }
+    }
+
+    /**
+     * Goes along the rows and steps the depth.
+     *
+     * @param lower whether an edge counts in the row of its lower end, not of its upper one
+     * @param edge whether a row begins with the depth on its left edge
+     * @param cut whether a row cut off at the left begins with the depth of its first pixel outside
+     */
+    private record ByRows(boolean lower, boolean edge, boolean cut) implements DepthTriangleFiller {
+        @Override
+        public void fill(
+                double[] x,
+                double[] y,
+                double[] z,
+                int number,
+                int width,
+                int height,
+                double[] depths,
+                int[] shown) {
+            var plane = new TrianglePlane(x, y, z);
+            if (plane.area() == 0) return;
+            for (int row = 0; row < height; row++) {
+                double left = Double.POSITIVE_INFINITY;
+                double right = Double.NEGATIVE_INFINITY;
+                for (int i = 0; i < 3; i++) {
+                    int j = (i + 1) % 3;
+                    if (above(y[i], row) == above(y[j], row)) continue;
+                    double at = x[i] + (row - y[i]) * (x[j] - x[i]) / (y[j] - y[i]);
+                    left = Math.min(left, at);
+                    right = Math.max(right, at);
+                }
+                double first = edge ? left : Math.ceil(left);
+                int from = (int) Math.max(0, Math.ceil(left));
+                double skipped = cut ? 0 : from - Math.ceil(left);
+                for (int column = from; column < Math.min(width, Math.ceil(right)); column++) {
+                    double depth = plane.depth(first + skipped + column - from, row);
+                    int at = row * width + column;
+                    if (!(depth < depths[at])) continue;
+                    depths[at] = depth;
+                    shown[at] = number;
+                }
+            }
+        }
+
+        private boolean above(double y, int row) {
+            return lower ? y < row : y <= row;
         }
     }
 }
