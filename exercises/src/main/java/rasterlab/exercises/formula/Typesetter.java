@@ -3,6 +3,8 @@ package rasterlab.exercises.formula;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.scilab.forge.jlatexmath.Box;
 import org.scilab.forge.jlatexmath.DefaultTeXFontParser;
 import org.scilab.forge.jlatexmath.NewEnvironmentMacro;
@@ -22,6 +24,9 @@ final class Typesetter {
 
     /** Wider or higher formulas are mistakes, in em. */
     private static final int LARGEST = 200;
+
+    /** Words, and a sign of a list with the space and the minus after it. */
+    private static final Pattern LISTED = Pattern.compile("\\\\text\\{[^{}]*\\}|([,;])\\s+(-?)");
 
     private Typesetter() {}
 
@@ -64,7 +69,7 @@ final class Typesetter {
     private static Typeset drawn(TexFormula formula) {
         int style = formula.displayed() ? TeXConstants.STYLE_DISPLAY : TeXConstants.STYLE_TEXT;
         Box box =
-                new TeXFormula(formula.tex())
+                new TeXFormula(spaced(formula.tex()))
                         .createTeXIcon(style, (float) UNITS_PER_EM, true)
                         .getBox();
         float largest = Math.max(box.getWidth(), box.getHeight() + box.getDepth());
@@ -77,5 +82,24 @@ final class Typesetter {
                 AffineTransform.getScaleInstance(1 / UNITS_PER_EM, 1 / UNITS_PER_EM)
                         .createTransformedShape(graphics.outline());
         return new Typeset.Drawn(outline, box.getWidth(), box.getHeight(), box.getDepth());
+    }
+
+    /**
+     * The library gives a comma after a digit or a bracket no space, so that 0, 1 looks like 0,1,
+     * and takes a minus after it for a difference.
+     */
+    private static String spaced(String tex) {
+        return LISTED.matcher(tex)
+                .replaceAll(
+                        found -> {
+                            String sign = found.group(1);
+                            String set =
+                                    sign == null
+                                            ? found.group()
+                                            : sign
+                                                    + "\\, "
+                                                    + (found.group(2).isEmpty() ? "" : "{-}");
+                            return Matcher.quoteReplacement(set);
+                        });
     }
 }

@@ -47,6 +47,27 @@ class FormulasTest {
         assertTrue(drawn("p").outline().getBounds2D().getMaxY() > 0.15, "a p goes below");
     }
 
+    @ParameterizedTest(name = "{0} runs together")
+    @ValueSource(strings = {"0, 1", "(1; 2)", "|a|, |b|", "x_0, x_1", "0, \\dots, n"})
+    void aListHasSpacesAfterItsSigns(String list) {
+        double tight = drawn(list.replaceAll("([,;]) ", "{$1}")).width();
+        assertTrue(drawn(list).width() > tight + 0.1, list);
+    }
+
+    @Test
+    void aMinusAfterACommaIsThatOfANumber() {
+        double positive = drawn("(0, 2)").width();
+        double minus = drawn("-2").width() - drawn("2").width();
+        assertEquals(minus, drawn("(0, -2)").width() - positive, 0.01);
+    }
+
+    @Test
+    void aNumberAndWordsKeepTheirCommas() {
+        assertEquals(drawn("0{,}1").width(), drawn("0,1").width(), 1e-6);
+        double words = drawn("\\text{a, b}").width();
+        assertTrue(words > drawn("\\text{a,b}").width() + 0.2, "a space of words is wider");
+    }
+
     @ParameterizedTest(name = "the size leaves out a part of {0}")
     @ValueSource(strings = {"x", "\\frac{a}{b}", "\\sqrt{x^2}", "x_1", "\\boxed{a}", "\\sum_i^n"})
     void saysHowLargeItIs(String tex) {
