@@ -1,6 +1,7 @@
 package rasterlab.grader.web
 
 import org.commonmark.node.Node
+import org.commonmark.node.Text
 import org.commonmark.renderer.NodeRenderer
 import org.commonmark.renderer.html.HtmlNodeRendererContext
 import org.commonmark.renderer.html.HtmlWriter
@@ -14,6 +15,10 @@ import kotlin.math.ceil
 import kotlin.math.roundToInt
 
 private const val UNITS_PER_EM = 1000
+
+/** It has no width, and no line is broken beside it. */
+private const val WORD_JOINER = "\u2060"
+private const val BINDING_SIGNS = ",.;:!?)»”"
 
 /** Pictures go below the baseline by whole steps, for each of which the style sheet has a class. */
 private const val STEPS_PER_EM = 10
@@ -37,8 +42,14 @@ class FormulaPictures(
     override fun getNodeTypes(): Set<Class<out Node>> = setOf(InlineFormula::class.java, FormulaBlock::class.java)
 
     override fun render(node: Node) {
-        if (node is FormulaBlock) displayed(node) else put((node as InlineFormula).formula())
+        if (node is FormulaBlock) return displayed(node)
+        put((node as InlineFormula).formula())
+        if (endsBeforeSign(node)) out.text(WORD_JOINER)
     }
+
+    /** Whether a comma or the like follows, which must not begin a line. */
+    private fun endsBeforeSign(node: Node): Boolean =
+        (node.next as? Text)?.literal?.firstOrNull()?.let { it in BINDING_SIGNS } ?: false
 
     private fun displayed(block: FormulaBlock) {
         out.line()

@@ -49,6 +49,19 @@ class StatementTest {
     }
 
     @Test
+    fun `no line begins with the comma after a formula`() {
+        assertTrue("</svg>\u2060, then" in html("Let \$a\$, then."))
+        assertTrue("</svg>\u2060." in html("Let it be \$a\$."))
+        assertFalse('\u2060' in html("Let \$a\$ be."), "a line may be broken at a space")
+    }
+
+    @Test
+    fun `pictures lie on white, also on a dark page`() {
+        val css = checkNotNull(javaClass.getResource("assets/rasterlab.css")).readText()
+        assertTrue(Regex("""\n\.statement img \{[^}]*background: #fff;""").containsMatchIn(css), "dark ink on dark")
+    }
+
+    @Test
     fun `a formula goes below the line by whole steps that the style sheet knows`() {
         val css = checkNotNull(javaClass.getResource("assets/rasterlab.css")).readText()
         for (tex in listOf("x", "x_1", "\\sqrt{\\frac{a}{b}}", "\\begin{matrix}a\\\\b\\\\c\\\\d\\\\e\\end{matrix}")) {
