@@ -1,0 +1,29 @@
+import rasterlab.contract.*;
+
+public class MyMethod implements SegmentClipper {
+
+    public void clip(
+            double xmin,
+            double ymin,
+            double xmax,
+            double ymax,
+            double x0,
+            double y0,
+            double x1,
+            double y1,
+            SegmentSink out) {
+        double dx = x1 - x0, dy = y1 - y0, t0 = 0, t1 = 1;
+        double[] p = {-dx, dx, -dy, dy}, q = {x0 - xmin, xmax - x0, y0 - ymin, ymax - y0};
+        for (int i = 0; i < 4; i++) {
+            if (p[i] == 0) {
+                if (q[i] < 0) return;
+                continue;
+            }
+            double t = q[i] / p[i];
+            if (p[i] < 0) t0 = Math.max(t0, t);
+            else t1 = Math.min(t1, t);
+        }
+        if (t0 > t1) return;
+        out.segment(t0 == 0 ? x0 : x0 + t0 * dx, t0 == 0 ? y0 : y0 + t0 * dy, x1, y1);
+    }
+}

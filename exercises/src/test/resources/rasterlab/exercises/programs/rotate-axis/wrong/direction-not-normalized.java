@@ -1,0 +1,17 @@
+import rasterlab.contract.*;
+
+public class MyMethod implements AxisRotation {
+
+    public void rotate(double[] c, double[] dir, double degrees, double[] p) {
+        double len = 1;
+        double kx = dir[0] / len, ky = dir[1] / len, kz = dir[2] / len;
+        double a = Math.toRadians(degrees), cos = Math.cos(a), sin = Math.sin(a);
+        for (int i = 0; i < p.length; i += 3) {
+            double x = p[i] - c[0], y = p[i + 1] - c[1], z = p[i + 2] - c[2];
+            double dot = (kx * x + ky * y + kz * z) * (1 - cos);
+            p[i] = c[0] + x * cos + (ky * z - kz * y) * sin + kx * dot;
+            p[i + 1] = c[1] + y * cos + (kz * x - kx * z) * sin + ky * dot;
+            p[i + 2] = c[2] + z * cos + (kx * y - ky * x) * sin + kz * dot;
+        }
+    }
+}
