@@ -14,7 +14,7 @@ final class SegmentClipMutants {
     private SegmentClipMutants() {}
 
     static List<Mutant<SegmentClipper>> all() {
-        return Stream.of(sides(), ends()).flatMap(List::stream).toList();
+        return Stream.of(sides(), ends(), cuts()).flatMap(List::stream).toList();
     }
 
     private static List<Mutant<SegmentClipper>> sides() {
@@ -89,7 +89,11 @@ final class SegmentClipMutants {
                                 (given, out) ->
                                         (x0, y0, x1, y1) ->
                                                 out.segment(
-                                                        x0, y0, x0 + (x1 - x0), y0 + (y1 - y0)))),
+                                                        x0, y0, x0 + (x1 - x0), y0 + (y1 - y0)))));
+    }
+
+    private static List<Mutant<SegmentClipper>> cuts() {
+        return List.of(
                 new Mutant<>(
                         "both-ends-out-dropped",
                         "through-the-window",

@@ -63,17 +63,7 @@ final class PolygonFillMutants {
                             if (x.length == 2) line(x, y, w, h, out);
                             else RIGHT.fill(x, y, rule, w, h, out);
                         }),
-                new Mutant<>("last-edge-missing", "star-even-odd", PolygonFillMutants::openOutline),
-                new Mutant<>("right-not-cut", "outside", PolygonFillMutants::notCutAtTheRight),
-                new Mutant<>(
-                        "corners-in-whole-numbers",
-                        "hair-beside-centres",
-                        (x, y, rule, w, h, out) -> RIGHT.fill(whole(x), whole(y), rule, w, h, out)),
-                new Mutant<>(
-                        "centers-at-halves",
-                        "corner-in-a-row",
-                        (x, y, rule, w, h, out) ->
-                                RIGHT.fill(halfLess(x), halfLess(y), rule, w, h, out)));
+                new Mutant<>("last-edge-missing", "star-even-odd", PolygonFillMutants::openOutline));
     }
 
     /** Rows and columns that are rounded otherwise than up. */
@@ -187,11 +177,6 @@ final class PolygonFillMutants {
         }
     }
 
-    private static void notCutAtTheRight(
-            double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
-        RIGHT.fill(x, y, rule, width + ASIDE, height, out);
-    }
-
     /** Leaves out the edge from the last corner to the first. */
     private static void openOutline(
             double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
@@ -203,15 +188,7 @@ final class PolygonFillMutants {
                 crossings.add(new Crossing(at, y[i] < y[i + 1] ? 1 : -1));
             }
             crossings.sort(Comparator.comparingDouble(Crossing::at));
-            spans(crossings, rule, (l, r) -> (int) Math.ceil(r), row, width, out);
+            spans(crossings, rule, Math::ceil, (l, r) -> (int) Math.ceil(r), row, width, out);
         }
-    }
-
-    private static double[] whole(double[] corners) {
-        return Arrays.stream(corners).map(Math::rint).toArray();
-    }
-
-    private static double[] halfLess(double[] corners) {
-        return Arrays.stream(corners).map(each -> each - 0.5).toArray();
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.engine.polygon.triangle;
 
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.study.Mutant;
 
@@ -12,6 +13,10 @@ final class PointInTriangleMutants {
     private PointInTriangleMutants() {}
 
     static List<Mutant<PointInTriangle>> all() {
+        return Stream.concat(ofSides().stream(), ofNumbersAndShapes().stream()).toList();
+    }
+
+    private static List<Mutant<PointInTriangle>> ofSides() {
         return List.of(
                 new Mutant<>(
                         "side-is-outside",
@@ -40,7 +45,11 @@ final class PointInTriangleMutants {
                         "corners-on-one-line",
                         bySides(
                                 (a, b, c) ->
-                                        a >= 0 && b >= 0 && c >= 0 || a <= 0 && b <= 0 && c <= 0)),
+                                        a >= 0 && b >= 0 && c >= 0 || a <= 0 && b <= 0 && c <= 0)));
+    }
+
+    private static List<Mutant<PointInTriangle>> ofNumbersAndShapes() {
+        return List.of(
                 new Mutant<>(
                         "products-in-int", "past-2-15", unlessFlat(PointInTriangleMutants::inInt)),
                 new Mutant<>(

@@ -2,6 +2,7 @@ package rasterlab.engine.transform.axis;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.contract.AxisRotation;
 import rasterlab.engine.study.Mutant;
 
@@ -12,6 +13,10 @@ final class AxisMutants {
     private AxisMutants() {}
 
     static List<Mutant<AxisRotation>> all() {
+        return Stream.concat(ofArguments().stream(), ofTerms().stream()).toList();
+    }
+
+    private static List<Mutant<AxisRotation>> ofArguments() {
         return List.of(
                 new Mutant<>(
                         "clockwise",
@@ -51,7 +56,11 @@ final class AxisMutants {
                                         through,
                                         new double[] {direction[1], direction[0], direction[2]},
                                         degrees,
-                                        points)),
+                                        points)));
+    }
+
+    private static List<Mutant<AxisRotation>> ofTerms() {
+        return List.of(
                 new Mutant<>(
                         "direction-not-normalized",
                         "quarter-turn",
