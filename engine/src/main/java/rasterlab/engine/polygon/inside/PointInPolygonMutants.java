@@ -94,10 +94,6 @@ final class PointInPolygonMutants {
                         (px, py, x, y) ->
                                 onLine(px, py, x, y, false) || RIGHT.contains(px, py, x, y)),
                 new Mutant<>(
-                        "box-for-polygon",
-                        "last-edge",
-                        (px, py, x, y) -> within(px, x) && within(py, y)),
-                new Mutant<>(
                         "taken-for-convex",
                         "no-corner-at-the-ray",
                         PointInPolygonMutants::asIfConvex));
