@@ -48,8 +48,8 @@ if not exist "%home%\bin\javac.exe" (
     exit /b 2
 )
 
-for %%F in (app\java-options engine\vector-options) do if not exist "%root%\%%F" (
-    echo lab: "%root%\%%F" is missing; it belongs to Rasterlab's sources, get them anew 1>&2
+if not exist "%root%\app\java-options" (
+    echo lab: "%root%\app\java-options" is missing; it belongs to Rasterlab's sources, get them anew 1>&2
     exit /b 1
 )
 
@@ -94,7 +94,7 @@ set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
 rem The server's own heap, in MiB; whatever is no such number is left to the server, which refuses it.
 set "memory="
-if not "%module%"=="grader" goto measured
+if not "%module%"=="grader" goto start
 set "heap=256"
 set "named="
 for %%A in (%arguments%) do (
@@ -107,28 +107,15 @@ for /f "delims=0123456789" %%D in ("%heap%") do set "heap=256"
 if %heap% LSS 64 set "heap=256"
 if %heap% GTR 65536 set "heap=256"
 set "memory=-XX:+UseSerialGC -Xmx%heap%m"
-:measured
-rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it,
-rem which who asks for help or names no group of benchmarks need not read.
-set "vector="
-if not "%module%"=="tests" goto start
-if %major% GTR 25 goto start
-for %%A in (%arguments%) do for %%W in (raster pipeline window) do if "%%~A"=="%%W" set vector="@%root%\engine\vector-options"
-for %%A in (%arguments%) do for %%W in (-h --help -V --version) do if "%%~A"=="%%W" set "vector="
 :start
 set "options="
 if "%module%"=="app" set options="@%root%\app\java-options"
 set classes="%root%\%module%\target\classes;%root%\%module%\target\lib\*"
-rem What is wrong with the arguments is told before Java can warn.
-if not defined vector goto measure
-"%java%" -Dfile.encoding=UTF-8 -cp %classes% %main% --arguments-only %arguments%
-if not "%errorlevel%"=="0" exit /b %errorlevel%
-:measure
-"%java%" %memory% %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp %classes% %main% %arguments%
+"%java%" %memory% %native% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp %classes% %main% %arguments%
 exit /b %errorlevel%
 
 rem Errorlevel 1 when a source is newer than the last build, or there was none.
 :stale
 if not exist "%stamp%" exit /b 1
-powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:root; if (Get-ChildItem pom.xml, */pom.xml, */src/main, */src/vector -Recurse | Where-Object { $_.LastWriteTime -gt $built } | Select-Object -First 1) { exit 1 }; exit 0"
+powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:root; if (Get-ChildItem pom.xml, */pom.xml, */src/main -Recurse | Where-Object { $_.LastWriteTime -gt $built } | Select-Object -First 1) { exit 1 }; exit 0"
 exit /b %errorlevel%

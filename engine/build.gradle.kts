@@ -7,27 +7,6 @@ dependencies {
     testImplementation(libs.jqwik)
 }
 
-// What needs the Vector API stands apart: the engine compiles and runs without it.
-val vector: SourceSet by sourceSets.creating {
-    compileClasspath += sourceSets["main"].output + sourceSets["main"].compileClasspath
-}
-
-// The module cannot be seen through a release, and that it is an incubating one is a warning nothing can silence.
-tasks.named<JavaCompile>(vector.compileJavaTaskName) {
-    options.release.set(null as Int?)
-    sourceCompatibility = "17"
-    targetCompatibility = "17"
-    options.compilerArgs = mutableListOf("--add-modules", "jdk.incubator.vector")
-}
-
-tasks.jar {
-    from(vector.output)
-}
-
-tasks.test {
-    classpath += vector.output
-}
-
 tasks.processResources {
     val project = mapOf("version" to version)
     inputs.property("project", project)
@@ -47,6 +26,4 @@ tasks.assemble {
 
 tasks.test {
     maxParallelForks = 2
-    // Without these the engine computes one number at a time, as in the window, with them eight.
-    jvmArgs("@${rootDir}/engine/vector-options")
 }

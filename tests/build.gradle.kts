@@ -18,7 +18,6 @@ dependencies {
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":grader"))
-    testImplementation(libs.asm)
     testImplementation(libs.archunit)
     testImplementation(libs.jackson.dataformat.toml)
     testImplementation(libs.assertj.swing.junit)

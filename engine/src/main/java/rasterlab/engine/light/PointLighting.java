@@ -160,12 +160,6 @@ public final class PointLighting {
                                             + surface.specular()[c] * fallen[6 + c]);
     }
 
-    /** Whether the eye is on the side that the normal points away from. */
-    public boolean seesBack(double x, double y, double z, double nx, double ny, double nz) {
-        return nx * (eyeX - eyeNear * x) + ny * (eyeY - eyeNear * y) + nz * (eyeZ - eyeNear * z)
-                < 0;
-    }
-
     /** Sums up what falls on a point, and says which material lies there. */
     private Material gather(
             double x, double y, double z, double nx, double ny, double nz, boolean behind) {

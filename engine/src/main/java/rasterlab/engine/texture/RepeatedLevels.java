@@ -1,7 +1,5 @@
 package rasterlab.engine.texture;
 
-import rasterlab.engine.lanes.Lanes;
-
 /**
  * The levels of a texture that is repeated both ways and whose sides are powers of two: many
  * lookups in a loop, in whole numbers.
@@ -16,8 +14,6 @@ final class RepeatedLevels {
 
     private final ThreadLocal<TexelBlock> blocks = ThreadLocal.withInitial(TexelBlock::new);
     private final RepeatedLevel[] levels;
-    private final TexelLoops one = TexelLoops.of(Lanes.ONE);
-    private final TexelLoops best = TexelLoops.of(Lanes.best());
 
     RepeatedLevels(Texture texture) {
         levels = new RepeatedLevel[texture.levelCount()];
@@ -31,32 +27,26 @@ final class RepeatedLevels {
                 && Integer.bitCount(texture.height()) == 1;
     }
 
-    private TexelLoops loops(Lanes lanes) {
-        return lanes == Lanes.ONE ? one : best;
+    void nearest(int count, float[] s, float[] t, int[] texel) {
+        TexelLoops.nearest(levels[0], s, t, texel, 0, count);
     }
 
-    void nearest(Lanes lanes, int count, float[] s, float[] t, int[] texel) {
-        loops(lanes).nearest(levels[0], s, t, texel, 0, count);
-    }
-
-    void linear(Lanes lanes, int count, float[] s, float[] t, int[] texel) {
+    void linear(int count, float[] s, float[] t, int[] texel) {
         TexelBlock block = blocks.get();
-        TexelLoops loops = loops(lanes);
         for (int from = 0; from < count; from += TexelBlock.SIZE) {
             int n = Math.min(TexelBlock.SIZE, count - from);
-            loops.gather(levels[0], s, t, from, 0, n, n, block.fine());
-            block.mix(loops, n, false, texel, from);
+            TexelLoops.gather(levels[0], s, t, from, 0, n, block.fine());
+            block.mix(n, false, texel, from);
         }
     }
 
-    void trilinear(Lanes lanes, int count, float[] s, float[] t, float[] squaredStep, int[] texel) {
+    void trilinear(int count, float[] s, float[] t, float[] squaredStep, int[] texel) {
         TexelBlock block = blocks.get();
-        TexelLoops loops = loops(lanes);
         for (int from = 0; from < count; from += TexelBlock.SIZE) {
             int n = Math.min(TexelBlock.SIZE, count - from);
-            loops.levels(n, squaredStep, from, levels.length - 1 << PARTS, block.lambda);
-            boolean two = gather(loops, n, s, t, from, block);
-            block.mix(loops, n, two, texel, from);
+            TexelLoops.levels(n, squaredStep, from, levels.length - 1 << PARTS, block.lambda);
+            boolean two = gather(n, s, t, from, block);
+            block.mix(n, two, texel, from);
         }
     }
 
@@ -64,8 +54,7 @@ final class RepeatedLevels {
      * Looks up what is around n places in the levels of their λ and the next ones, and says whether
      * any λ is between two levels. Neighbours mostly have the same levels.
      */
-    private boolean gather(
-            TexelLoops loops, int n, float[] s, float[] t, int from, TexelBlock block) {
+    private boolean gather(int n, float[] s, float[] t, int from, TexelBlock block) {
         int[] lambda = block.lambda;
         int between = 0;
         for (int first = 0, end; first < n; first = end) {
@@ -74,10 +63,10 @@ final class RepeatedLevels {
             for (end = first; end < n && lambda[end] >> PARTS == level; end++)
                 parts |= lambda[end] & TexelLoops.WHOLE - 1;
             between |= parts;
-            loops.gather(levels[level], s, t, from, first, end, n, block.fine());
+            TexelLoops.gather(levels[level], s, t, from, first, end, block.fine());
             // The last level's next is itself; mixed with share 0 it may be anything.
             if (parts != 0)
-                loops.gather(levels[level + 1], s, t, from, first, end, n, block.coarse());
+                TexelLoops.gather(levels[level + 1], s, t, from, first, end, block.coarse());
         }
         return between != 0;
     }

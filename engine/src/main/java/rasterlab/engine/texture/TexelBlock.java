@@ -37,11 +37,11 @@ final class TexelBlock {
     }
 
     /** Colours 0xAARRGGBB of n places from one level, or from two. */
-    void mix(TexelLoops loops, int n, boolean two, int[] argb, int at) {
-        loops.mix(n, fine);
+    void mix(int n, boolean two, int[] argb, int at) {
+        TexelLoops.mix(n, fine);
         if (two) {
-            loops.mix(n, coarse);
-            loops.mixLevels(n, fine, coarse, lambda);
+            TexelLoops.mix(n, coarse);
+            TexelLoops.mixLevels(n, fine, coarse, lambda);
         }
         for (int i = 0; i < n; i++) argb[at + i] = fine.leftBelow[i] | fine.rightBelow[i] << 8;
     }

@@ -1,7 +1,5 @@
 package rasterlab.engine.texture;
 
-import rasterlab.engine.lanes.Lanes;
-
 /**
  * How a texel and the colour of the surface become one.
  *
@@ -26,9 +24,6 @@ import rasterlab.engine.lanes.Lanes;
  * @param argb the environment's colour, for BLEND; its alpha does not count
  */
 public record TextureEnvironment(Mode mode, int components, int argb) {
-    private static final TexelLoops ONE = TexelLoops.of(Lanes.ONE);
-    private static final TexelLoops BEST = TexelLoops.of(Lanes.best());
-
     /** The rows of the table. */
     public enum Mode {
         MODULATE,
@@ -72,12 +67,10 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
     /**
      * The same for many pixels, in place.
      *
-     * @param lanes how many are computed at a time
      * @param count how many of them
      */
-    public void combine(Lanes lanes, int count, int[] surface, int[] texel) {
-        if (mode == Mode.MODULATE)
-            (lanes == Lanes.ONE ? ONE : BEST).modulate(count, surface, texel, keepsSurfaceAlpha());
+    public void combine(int count, int[] surface, int[] texel) {
+        if (mode == Mode.MODULATE) TexelLoops.modulate(count, surface, texel, keepsSurfaceAlpha());
         else for (int i = 0; i < count; i++) surface[i] = combine(surface[i], texel[i]);
     }
 

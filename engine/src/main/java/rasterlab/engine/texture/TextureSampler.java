@@ -1,7 +1,6 @@
 package rasterlab.engine.texture;
 
 import java.util.Optional;
-import rasterlab.engine.lanes.Lanes;
 
 /**
  * Looks colours up in a texture; allocates nothing, safe to use from several threads.
@@ -92,14 +91,14 @@ public final class TextureSampler {
     }
 
     /** {@link #nearest(double, double)} for many places. */
-    public void nearest(Lanes lanes, int count, float[] s, float[] t, int[] texel) {
-        if (repeated.isPresent()) repeated.get().nearest(lanes, count, s, t, texel);
+    public void nearest(int count, float[] s, float[] t, int[] texel) {
+        if (repeated.isPresent()) repeated.get().nearest(count, s, t, texel);
         else for (int i = 0; i < count; i++) texel[i] = nearest(s[i], t[i]);
     }
 
     /** {@link #linear(double, double)} for many places. */
-    public void linear(Lanes lanes, int count, float[] s, float[] t, int[] texel) {
-        if (repeated.isPresent()) repeated.get().linear(lanes, count, s, t, texel);
+    public void linear(int count, float[] s, float[] t, int[] texel) {
+        if (repeated.isPresent()) repeated.get().linear(count, s, t, texel);
         else for (int i = 0; i < count; i++) texel[i] = linear(s[i], t[i]);
     }
 
@@ -108,9 +107,8 @@ public final class TextureSampler {
      *
      * @param squaredStep ρ² of each, as {@link DetailLevel} computes it
      */
-    public void trilinear(
-            Lanes lanes, int count, float[] s, float[] t, float[] squaredStep, int[] texel) {
-        if (repeated.isPresent()) repeated.get().trilinear(lanes, count, s, t, squaredStep, texel);
+    public void trilinear(int count, float[] s, float[] t, float[] squaredStep, int[] texel) {
+        if (repeated.isPresent()) repeated.get().trilinear(count, s, t, squaredStep, texel);
         else
             for (int i = 0; i < count; i++)
                 texel[i] = trilinear(s[i], t[i], DetailLevel.quick(squaredStep[i]));

@@ -94,11 +94,6 @@ public final class TextbookMatrices {
         return Math.max(Math.abs(v.x), Math.max(Math.abs(v.y), Math.abs(v.z)));
     }
 
-    /** All axes alike, by {@code factor}; {@link #uniformScale} is the textbook's way. */
-    public static Matrix4d scale(double factor) {
-        return scale(factor, factor, factor);
-    }
-
     /** SCALE3DX(a), SCALE3DY(e), SCALE3DZ(j) in one: the cells a, e, j of the general matrix. */
     public static Matrix4d scale(double a, double e, double j) {
         return new Matrix4d(
@@ -124,10 +119,5 @@ public final class TextbookMatrices {
                 0, 1, 0, 0, //
                 0, 0, 1, 0, //
                 x, y, z, 1);
-    }
-
-    /** One-point perspective along z: H = r·z + 1, the observer stands at z = −1/r. */
-    public static Matrix4d onePointPerspective(double r) {
-        return ProjectionMatrices.perspective(0, 0, r);
     }
 }

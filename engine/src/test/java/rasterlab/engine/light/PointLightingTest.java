@@ -2,7 +2,6 @@ package rasterlab.engine.light;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -98,15 +97,6 @@ class PointLightingTest {
     void packedColourIsTheSharesRounded() {
         var lighting = lighting(dark(SUN), new Material(RED.surface(), 0.25));
         assertEquals(0x40800000, lighting.argb(0, 0, 0, 0, 0, 1, false));
-    }
-
-    @Test
-    void backIsSeenFromItsOwnSide() {
-        var lighting = lighting(dark(SUN).withLocalViewer(), WHITE);
-        lighting.eye(0, 0, 5, 0, 0, 1);
-        assertFalse(lighting.seesBack(0, 0, 0, 0, 0, 1));
-        assertTrue(lighting.seesBack(0, 0, 0, 0, 0, -1));
-        assertTrue(lighting.seesBack(0, 0, 6, 0, 0, 1));
     }
 
     @Test

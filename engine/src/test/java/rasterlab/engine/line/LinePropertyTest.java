@@ -184,33 +184,6 @@ class LinePropertyTest {
             }
     }
 
-    @Property
-    void thePictureGetsTheExactCoveragesToALevel(@ForAll("anySegments") Segment s) {
-        var picture = new Raster(SIDE, SIDE);
-        picture.clear(0xFF000000);
-        ShadedRasterLine.draw(s.x0(), s.y0(), s.x1(), s.y1(), 0xFFFFFFFF, picture);
-        for (int y = 0; y < SIDE; y++)
-            for (int x = 0; x < SIDE; x++)
-                assertEquals(255 * coverage(s, x, y), picture.argb(x, y) & 0xFF, 1, x + ", " + y);
-    }
-
-    /** The last step must not leave a trace beside the end pixel. */
-    @Property
-    void theEndsOfAShadedLineAreWhole(
-            @ForAll @IntRange(max = SIDE - 1) int x0,
-            @ForAll @IntRange(max = SIDE - 1) int y0,
-            @ForAll @IntRange(max = SIDE - 1) int x1,
-            @ForAll @IntRange(max = SIDE - 1) int y1) {
-        var picture = new Raster(SIDE, SIDE);
-        ShadedRasterLine.draw(x0, y0, x1, y1, 0xFFFFFFFF, picture);
-        assertEquals(0xFFFFFFFF, picture.argb(x0, y0));
-        assertEquals(0xFFFFFFFF, picture.argb(x1, y1));
-        var s = new Segment(x0, y0, x1, y1);
-        for (int y = 0; y < SIDE; y++)
-            for (int x = 0; x < SIDE; x++)
-                if (coverage(s, x, y) == 0) assertEquals(0, picture.argb(x, y), x + ", " + y);
-    }
-
     /** 1 − the distance across from the exact line, where the line passes by at all. */
     private static double coverage(Segment s, int x, int y) {
         boolean steep = Math.abs((double) s.y1() - s.y0()) > Math.abs((double) s.x1() - s.x0());

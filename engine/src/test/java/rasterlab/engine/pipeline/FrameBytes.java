@@ -14,25 +14,20 @@ import java.util.Map;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
-import rasterlab.engine.lanes.Lanes;
 
 /** Counts what the threads of a pipeline allocate; one pipeline at a time. */
 public final class FrameBytes {
     private static final int ROUNDS = 3;
 
-    /** The Vector API allocates until the compiler has done with it, which may take a while. */
-    private static final int VECTOR_ROUNDS = 40;
-
     private FrameBytes() {}
 
-    /** Fails where frames allocate once thirty of them, or with the Vector API more, are drawn. */
-    public static void assertNoneInLaterFrames(Lanes lanes, Runnable frame) {
-        int rounds = lanes == Lanes.ONE ? ROUNDS : VECTOR_ROUNDS;
+    /** Fails where frames allocate once thirty of them are drawn. */
+    public static void assertNoneInLaterFrames(Runnable frame) {
         for (int k = 0; k < 30; k++) frame.run();
         long[] team = team();
         long least = Long.MAX_VALUE;
         // The counter and the first calls of the test itself allocate; frames must not.
-        for (int round = 0; round < rounds && least != 0; round++) {
+        for (int round = 0; round < ROUNDS && least != 0; round++) {
             long before = allocated(team);
             long counting = allocated(team) - before;
             before = allocated(team);

@@ -1,27 +1,15 @@
 package rasterlab.engine.scene;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.scene.catalogue.Scenes;
 
 class HouseTest {
     private final Mesh mesh = Scenes.named("house").mesh();
-
-    @ParameterizedTest(name = "vertex {0} is left where it was")
-    @ValueSource(ints = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
-    void lectureTablesOfWorldEyeAndScreen(int vertex) {
-        int row = vertex - 1;
-        assertArrayEquals(HouseTables.world()[row], HouseStages.world()[row], "world");
-        assertArrayEquals(HouseTables.eye()[row], HouseStages.eye()[row], 1e-9, "eye");
-        assertArrayEquals(HouseTables.screen()[row], HouseStages.screen()[row], 1e-9, "screen");
-    }
 
     @Test
     @DisplayName("a face is listed clockwise from outside")

@@ -1,15 +1,11 @@
 package rasterlab.engine.texture;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.EightLanes;
 
 /** Lookups of many places at a time against those of one. */
 class RepeatedLevelsTest {
@@ -44,11 +40,11 @@ class RepeatedLevelsTest {
     @CsvSource({"16, 16", "1, 8", "32, 1", "1, 1", "64, 4", "3, 5"})
     void areThoseOfOnePlace(int width, int height) {
         var sampler = sampler(width, height);
-        sampler.nearest(Lanes.ONE, PLACES, s, t, texel);
+        sampler.nearest(PLACES, s, t, texel);
         for (int i = 0; i < PLACES; i++) assertNear(sampler.nearest(s[i], t[i]), i, 0);
-        sampler.linear(Lanes.ONE, PLACES, s, t, texel);
+        sampler.linear(PLACES, s, t, texel);
         for (int i = 0; i < PLACES; i++) assertNear(sampler.linear(s[i], t[i]), i, BOUND);
-        sampler.trilinear(Lanes.ONE, PLACES, s, t, squaredStep, texel);
+        sampler.trilinear(PLACES, s, t, squaredStep, texel);
         for (int i = 0; i < PLACES; i++) {
             double lambda = DetailLevel.quick(squaredStep[i]);
             assertNear(sampler.trilinear(s[i], t[i], lambda), i, BOUND);
@@ -62,37 +58,5 @@ class RepeatedLevelsTest {
                     texel[i] >>> shift & 255,
                     bound,
                     "s = %s, t = %s, squared step %s".formatted(s[i], t[i], squaredStep[i]));
-    }
-
-    /** Few places, whole eights and more than a block; some of the steps grow slowly, some not. */
-    @ParameterizedTest(name = "{0} places are others in eight lanes")
-    @CsvSource({"1", "7", "8", "9", "255", "256", "260", "511"})
-    void areTheSameInEightLanes(int count) {
-        EightLanes.assumeThere();
-        int[] expected = new int[count];
-        for (int round = 0; round < 20; round++) {
-            place();
-            if (round % 2 == 0) Arrays.sort(squaredStep);
-            s[0] = Float.NaN;
-            t[count - 1] = round == 0 ? -1e-12f : Float.NEGATIVE_INFINITY;
-            var sampler = sampler(1 << random.nextInt(7), 1 << random.nextInt(7));
-            float[] places = Arrays.copyOf(s, count);
-            float[] heights = Arrays.copyOf(t, count);
-            int from = random.nextInt(PLACES - count);
-            float[] steps = Arrays.copyOfRange(squaredStep, from, from + count);
-            sampler.nearest(Lanes.ONE, count, places, heights, expected);
-            sampler.nearest(Lanes.EIGHT, count, places, heights, texel);
-            assertSame(expected, "nearest, round " + round);
-            sampler.linear(Lanes.ONE, count, places, heights, expected);
-            sampler.linear(Lanes.EIGHT, count, places, heights, texel);
-            assertSame(expected, "linear, round " + round);
-            sampler.trilinear(Lanes.ONE, count, places, heights, steps, expected);
-            sampler.trilinear(Lanes.EIGHT, count, places, heights, steps, texel);
-            assertSame(expected, "trilinear, round " + round);
-        }
-    }
-
-    private void assertSame(int[] expected, String what) {
-        assertArrayEquals(expected, Arrays.copyOf(texel, expected.length), what + " of seed 1983");
     }
 }

@@ -3,13 +3,11 @@ package rasterlab.engine.texture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 
 class TextureEnvironmentTest {
@@ -43,18 +41,16 @@ class TextureEnvironmentTest {
                 argb,
                 "%08X".formatted(environment.combine(SURFACE, texel)),
                 mode + " " + components);
-        for (Lanes lanes : EnumSet.of(Lanes.ONE, Lanes.best()))
-            for (int count = 1; count < 20; count++) {
-                String what =
-                        "%s %d, %d pixels, lanes: %s".formatted(mode, components, count, lanes);
-                int[] many = new int[count + 1];
-                Arrays.fill(many, SURFACE);
-                int[] texels = new int[count + 1];
-                Arrays.fill(texels, texel);
-                environment.combine(lanes, count, many, texels);
-                for (int i = 0; i < count; i++) assertEquals(argb, "%08X".formatted(many[i]), what);
-                assertEquals(SURFACE, many[count], what + ": beyond the count");
-            }
+        for (int count = 1; count < 20; count++) {
+            String what = "%s %d, %d pixels".formatted(mode, components, count);
+            int[] many = new int[count + 1];
+            Arrays.fill(many, SURFACE);
+            int[] texels = new int[count + 1];
+            Arrays.fill(texels, texel);
+            environment.combine(count, many, texels);
+            for (int i = 0; i < count; i++) assertEquals(argb, "%08X".formatted(many[i]), what);
+            assertEquals(SURFACE, many[count], what + ": beyond the count");
+        }
     }
 
     @Test
@@ -62,20 +58,19 @@ class TextureEnvironmentTest {
         var modulate = new TextureEnvironment(Mode.MODULATE, 4, 0);
         int[] surface = new int[256];
         int[] texel = new int[256];
-        for (Lanes lanes : EnumSet.of(Lanes.ONE, Lanes.best()))
-            for (int a = 0; a < 256; a++) {
-                for (int b = 0; b < 256; b++) {
-                    surface[b] = a * 0x01010101;
-                    texel[b] = b * 0x01010101;
-                }
-                modulate.combine(lanes, 256, surface, texel);
-                for (int b = 0; b < 256; b++) {
-                    int product = (int) Math.round(a * b / 255.0) * 0x01010101;
-                    assertEquals(product, surface[b], a + "·" + b + ", lanes: " + lanes);
-                    int single = modulate.combine(a * 0x01010101, b * 0x01010101);
-                    assertEquals(product, single, a + "·" + b);
-                }
+        for (int a = 0; a < 256; a++) {
+            for (int b = 0; b < 256; b++) {
+                surface[b] = a * 0x01010101;
+                texel[b] = b * 0x01010101;
             }
+            modulate.combine(256, surface, texel);
+            for (int b = 0; b < 256; b++) {
+                int product = (int) Math.round(a * b / 255.0) * 0x01010101;
+                assertEquals(product, surface[b], a + "·" + b);
+                int single = modulate.combine(a * 0x01010101, b * 0x01010101);
+                assertEquals(product, single, a + "·" + b);
+            }
+        }
     }
 
     @Test

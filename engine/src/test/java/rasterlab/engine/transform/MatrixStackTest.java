@@ -234,10 +234,10 @@ class MatrixStackTest {
     @Test
     @DisplayName("the window's origin is its top left corner")
     void viewportStartsAtTheBottomLeft() {
-        Matrix4d window = GlViewport.viewport(10, 20, 100, 50).matrix();
+        Matrix4d window = GlMatrices.viewport(10, 20, 100, 50, 0, 1);
         assertEquals(new Vector3d(10, 20, 0), window.transformPosition(new Vector3d(-1, -1, -1)));
         assertEquals(new Vector3d(110, 70, 1), window.transformPosition(new Vector3d(1, 1, 1)));
-        Matrix4d reversed = new GlViewport(0, 0, 2, 2, 1, -3).matrix();
+        Matrix4d reversed = GlMatrices.viewport(0, 0, 2, 2, 1, 0);
         assertEquals(new Vector3d(1, 1, 0.5), reversed.transformPosition(new Vector3d()));
     }
 

@@ -78,12 +78,6 @@ public final class Bench implements Callable<Integer> {
     private int minutes;
 
     @Option(
-            names = "--arguments-only",
-            hidden = true,
-            description = "only says what is wrong with the others: before Java warns of vectors")
-    private boolean argumentsOnly;
-
-    @Option(
             names = "--lang",
             paramLabel = "LANGUAGE",
             description =
@@ -133,7 +127,6 @@ public final class Bench implements Callable<Integer> {
     @Override
     public Integer call() throws RunnerException, IOException, InterruptedException {
         requireSense();
-        if (argumentsOnly) return 0;
         if (group.equals(WINDOW)) {
             new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, console.out()).run();
             return 0;

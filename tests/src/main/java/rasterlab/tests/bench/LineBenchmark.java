@@ -16,8 +16,9 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
+import rasterlab.contract.CoveragePixels;
 import rasterlab.engine.line.RasterLine;
-import rasterlab.engine.line.ShadedRasterLine;
+import rasterlab.engine.line.WuLine;
 import rasterlab.engine.raster.Raster;
 
 /**
@@ -51,7 +52,9 @@ public class LineBenchmark {
     public int pixels;
 
     private final int[] ends = new int[4 * SEGMENTS];
+    private final WuLine wu = new WuLine();
     private Raster raster;
+    private CoveragePixels shades;
     private Raster peerRaster;
     private Graphics2D graphics;
     private Graphics2D shadingGraphics;
@@ -80,6 +83,8 @@ public class LineBenchmark {
             ends[4 * i + 3] = ends[4 * i + 1] + dy;
         }
         raster = picture();
+        int[] cells = raster.argb();
+        shades = (x, y, level) -> cells[y * SIZE + x] = 0xFF000000 | level * 0x010101;
         peerRaster = picture();
         graphics = graphics(peerRaster, RenderingHints.VALUE_ANTIALIAS_OFF);
         shadingGraphics = graphics(picture(), RenderingHints.VALUE_ANTIALIAS_ON);
@@ -110,7 +115,7 @@ public class LineBenchmark {
     @OperationsPerInvocation(SEGMENTS)
     public Raster shaded() {
         for (int i = 0; i < ends.length; i += 4)
-            ShadedRasterLine.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], -1, raster);
+            wu.shade(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], shades);
         return raster;
     }
 

@@ -15,7 +15,6 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import rasterlab.engine.polygon.triangle.RobustTriangle;
-import rasterlab.engine.polygon.triangle.TriangleBatch;
 
 /**
  * Several triangles and many points of the surroundings of each, about a third of them inside, each
@@ -26,7 +25,14 @@ import rasterlab.engine.polygon.triangle.TriangleBatch;
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 public class PointInTriangleBenchmark {
     static final List<Goal> GOALS =
-            List.of(goal("one by one", "robust", 12), goal("in batches", "batch", 90));
+            List.of(
+                    new Goal(
+                            "points in a triangle",
+                            PointInTriangleBenchmark.class,
+                            "robust",
+                            "path2d",
+                            Map.of(),
+                            12));
 
     private static final int TRIANGLES = 16;
     private static final int POINTS = 1 << 12;
@@ -37,18 +43,7 @@ public class PointInTriangleBenchmark {
     private final double[][] y = new double[TRIANGLES][POINTS];
     private final boolean[][] inside = new boolean[TRIANGLES][POINTS];
     private final RobustTriangle robust = new RobustTriangle();
-    private final TriangleBatch[] batches = new TriangleBatch[TRIANGLES];
     private final Path2D[] paths = new Path2D[TRIANGLES];
-
-    private static Goal goal(String how, String ours, double ratio) {
-        return new Goal(
-                "points in a triangle, " + how,
-                PointInTriangleBenchmark.class,
-                ours,
-                "path2d",
-                Map.of(),
-                ratio);
-    }
 
     /**
      * Places triangles of some size and their points.
@@ -70,14 +65,11 @@ public class PointInTriangleBenchmark {
                 y[t][i] = SIZE * random.nextDouble();
             }
             double[] c = corners[t];
-            batches[t] = new TriangleBatch(c[0], c[1], c[2], c[3], c[4], c[5]);
             paths[t] = path(c);
         }
         String expected = Arrays.deepToString(path2d());
         if (!Arrays.deepToString(robust()).equals(expected))
             throw new AssertionError("robust and path2d judge differently");
-        if (!Arrays.deepToString(batch()).equals(expected))
-            throw new AssertionError("batch and path2d judge differently");
     }
 
     private static Path2D path(double[] corners) {
@@ -98,13 +90,6 @@ public class PointInTriangleBenchmark {
                 inside[t][i] =
                         robust.contains(c[0], c[1], c[2], c[3], c[4], c[5], x[t][i], y[t][i]);
         }
-        return inside;
-    }
-
-    @Benchmark
-    @OperationsPerInvocation(TRIANGLES * POINTS)
-    public boolean[][] batch() {
-        for (int t = 0; t < TRIANGLES; t++) batches[t].judge(x[t], y[t], inside[t]);
         return inside;
     }
 

@@ -2,6 +2,7 @@ package rasterlab.tests.bench;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -16,7 +17,8 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import rasterlab.contract.FillRule;
-import rasterlab.engine.polygon.scan.RasterPolygon;
+import rasterlab.contract.Spans;
+import rasterlab.engine.polygon.scan.ScanlinePolygon;
 import rasterlab.engine.raster.Raster;
 
 /**
@@ -45,12 +47,13 @@ public class PolygonBenchmark {
     @Param({"3 in 10", "3 in 50", "3 in 200", "20 in 200", "200 in 400"})
     public String shape;
 
-    private final RasterPolygon polygons = new RasterPolygon();
+    private final ScanlinePolygon polygons = new ScanlinePolygon();
+    private Spans spans;
     private int corners;
     private int[][] x;
     private int[][] y;
-    private int[][] subpixelX;
-    private int[][] subpixelY;
+    private double[][] ourX;
+    private double[][] ourY;
     private Raster raster;
     private Raster peerRaster;
     private Graphics2D graphics;
@@ -73,10 +76,12 @@ public class PolygonBenchmark {
         var random = new Random(1967);
         x = new int[POLYGONS][corners];
         y = new int[POLYGONS][corners];
-        subpixelX = new int[POLYGONS][corners];
-        subpixelY = new int[POLYGONS][corners];
+        ourX = new double[POLYGONS][corners];
+        ourY = new double[POLYGONS][corners];
         for (int i = 0; i < POLYGONS; i++) place(i, side, random);
         raster = new Raster(SIZE, SIZE);
+        int[] cells = raster.argb();
+        spans = (row, from, to) -> Arrays.fill(cells, row * SIZE + from, row * SIZE + to, -1);
         peerRaster = new Raster(SIZE, SIZE);
         graphics = peerRaster.image().createGraphics();
         graphics.setColor(Color.WHITE);
@@ -94,8 +99,8 @@ public class PolygonBenchmark {
             double v = star ? side / 2.0 + distance * Math.sin(angle) : random.nextInt(side + 1);
             x[i][k] = left + (int) Math.round(u);
             y[i][k] = top + (int) Math.round(v);
-            subpixelX[i][k] = (4 * x[i][k] - 1) * RasterPolygon.SUBPIXELS / 4;
-            subpixelY[i][k] = (4 * y[i][k] - 1) * RasterPolygon.SUBPIXELS / 4;
+            ourX[i][k] = x[i][k] - 0.25;
+            ourY[i][k] = y[i][k] - 0.25;
         }
     }
 
@@ -103,7 +108,7 @@ public class PolygonBenchmark {
     @OperationsPerInvocation(POLYGONS)
     public Raster intoThePicture() {
         for (int i = 0; i < POLYGONS; i++)
-            polygons.fill(subpixelX[i], subpixelY[i], corners, FillRule.EVEN_ODD, -1, raster);
+            polygons.fill(ourX[i], ourY[i], FillRule.EVEN_ODD, SIZE, SIZE, spans);
         return raster;
     }
 
@@ -124,7 +129,7 @@ public class PolygonBenchmark {
         for (int i = 0; i < POLYGONS; i++) {
             raster.clear(0);
             peerRaster.clear(0);
-            polygons.fill(subpixelX[i], subpixelY[i], corners, FillRule.EVEN_ODD, -1, raster);
+            polygons.fill(ourX[i], ourY[i], FillRule.EVEN_ODD, SIZE, SIZE, spans);
             graphics.fillPolygon(x[i], y[i], corners);
             for (int cell = 0; cell < SIZE * SIZE; cell++) {
                 if (raster.argb()[cell] != 0) filled++;

@@ -58,12 +58,6 @@ class BenchTest {
                         .toList());
     }
 
-    @Test
-    void argumentsAloneAreCheckedAndNothingIsMeasured() {
-        assertEquals(0, run("--arguments-only", "raster", "--quick"));
-        assertEquals(2, run("--arguments-only", "raster", "--only", "nosuch"));
-    }
-
     @ParameterizedTest(name = "./lab bench {0} is answered in English")
     @ValueSource(
             strings = {

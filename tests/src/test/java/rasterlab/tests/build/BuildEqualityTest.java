@@ -163,12 +163,6 @@ class BuildEqualityTest {
                         " -XX:TieredStopAtLevel=1</argLine>",
                         "exercises: option of tests -XX:+UseSerialGC: not given"),
                 argumentSet(
-                        "a file of options is missing in Maven",
-                        "engine/pom.xml",
-                        " \"@${maven.multiModuleProjectDirectory}/engine/vector-options\"",
-                        "",
-                        "engine: option of tests @<root>/engine/vector-options: not given"),
-                argumentSet(
                         "an option of one module's tests is missing in Gradle",
                         "tests/build.gradle.kts",
                         "jvmArgs(\"--add-opens\", \"java.base/java.util=ALL-UNNAMED\")",

@@ -21,9 +21,7 @@ final class GradleProcesses {
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
 
     private static final Pattern UNSEEN =
-            Pattern.compile(
-                    "|//.*|useJUnitPlatform\\(\\)|classpath \\+= vector\\.output|"
-                            + GradleBuild.QUICK);
+            Pattern.compile("|//.*|useJUnitPlatform\\(\\)|" + GradleBuild.QUICK);
     private static final Pattern PROCESSES = Pattern.compile("maxParallelForks = (\\d+)");
     private static final Pattern SECONDS =
             Pattern.compile("timeout = java\\.time\\.Duration\\.ofSeconds\\((\\d+)\\)");

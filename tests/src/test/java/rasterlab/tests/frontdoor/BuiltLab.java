@@ -18,8 +18,7 @@ import rasterlab.tests.Repository;
  * @param folder where {@code lab} lies
  */
 record BuiltLab(Path folder) {
-    private static final List<String> FILES =
-            List.of("lab", "app/java-options", "engine/vector-options");
+    private static final List<String> FILES = List.of("lab", "app/java-options");
     private static final List<String> STAMPS = List.of("built", "built-bench");
 
     /**

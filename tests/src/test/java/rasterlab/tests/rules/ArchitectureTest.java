@@ -4,14 +4,12 @@ import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.belongToAnyOf;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
-import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaField;
-import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -67,28 +65,6 @@ class ArchitectureTest {
                 .dependOnClassesThat()
                 .resideInAnyPackage(
                         "rasterlab.exercises..", "rasterlab.app..", "rasterlab.grader..")
-                .check(classes);
-    }
-
-    /**
-     * Loops of vectors are compiled on their own by their name, see {@code engine/vector-options}.
-     */
-    @Test
-    void loopsOfVectorsAreNamedSo() {
-        methods()
-                .that()
-                .haveNameNotMatching(".*InLanes")
-                .should(
-                        new ArchCondition<>("store no vector") {
-                            @Override
-                            public void check(JavaMethod method, ConditionEvents events) {
-                                for (var call : method.getMethodCallsFromSelf())
-                                    if (call.getTarget().getName().equals("intoArray"))
-                                        events.add(
-                                                SimpleConditionEvent.violated(
-                                                        call, call.getDescription()));
-                            }
-                        })
                 .check(classes);
     }
 

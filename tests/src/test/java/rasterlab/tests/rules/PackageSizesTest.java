@@ -38,7 +38,6 @@ class PackageSizesTest {
                     Map.entry("app/src/test/java/rasterlab/app/canvas", 49),
                     Map.entry("app/src/test/java/rasterlab/app/cli", 49),
                     Map.entry("app/src/test/java/rasterlab/app/shell", 45),
-                    Map.entry("engine/src/main/java/rasterlab/engine/pipeline/fast", 47),
                     Map.entry("exercises/src/main/java/rasterlab/exercises/runner", 52));
 
     @Test

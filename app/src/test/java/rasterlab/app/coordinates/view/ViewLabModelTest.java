@@ -19,7 +19,6 @@ import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.scene.HouseStages;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.PictureFit;

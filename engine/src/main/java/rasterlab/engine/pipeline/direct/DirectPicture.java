@@ -131,7 +131,7 @@ public final class DirectPicture implements AutoCloseable {
         PixelColors light =
                 !perPixel
                         ? new ColoredPixels()
-                        : tinted ? LitPixels.tinted(lighting) : new LitPixels(lighting, false);
+                        : tinted ? LitPixels.tinted(lighting) : new LitPixels(lighting);
         PixelColors colours = laid.map(l -> textured(look, l, light, opaque)).orElse(light);
         return new Surface.PerPixel(colours)
                 .over(vertices)

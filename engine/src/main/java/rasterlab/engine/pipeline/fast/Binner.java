@@ -3,7 +3,7 @@ package rasterlab.engine.pipeline.fast;
 import java.util.Arrays;
 
 /**
- * Triangles: out of sight, clipped, culled, without a pixel's centre, or sorted into bands.
+ * Triangles: out of sight, clipped, culled, or sorted into bands.
  *
  * <p>One per thread. The order within a band is the mesh's, whichever thread sorts a chunk.
  */
@@ -48,7 +48,8 @@ final class Binner {
         }
     }
 
-    private void keep(FrameState frame, ScreenVertices v, int a, int b, int c, TriangleChunk chunk) {
+    private void keep(
+            FrameState frame, ScreenVertices v, int a, int b, int c, TriangleChunk chunk) {
         int ax = v.x(a);
         int ay = v.y(a);
         int bx = v.x(b);
@@ -62,9 +63,6 @@ final class Binner {
         int bottom = Subpixels.endPixel(Math.max(ay, Math.max(by, cy)));
         int left = Subpixels.firstPixel(Math.min(ax, Math.min(bx, cx)));
         int right = Subpixels.endPixel(Math.max(ax, Math.max(bx, cx)));
-        if (bottom - top == 1
-                && right - left == 1
-                && TinyScan.misses(left, top, ax, ay, bx, by, cx, cy, twiceArea > 0)) return;
         top = Math.max(top, 0);
         bottom = Math.min(bottom, frame.picture.height());
         if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.picture.width())) return;

@@ -4,7 +4,6 @@ import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
@@ -18,33 +17,29 @@ public final class PixelBatch {
      */
     public static final int SIZE = RowDepth.WIDEST * TriangleScan.ROWS;
 
-    private final RowLoops loops;
     private final Map<VertexQuantity, float[]> values = new EnumMap<>(VertexQuantity.class);
     private final Map<VertexQuantity, float[]> right = new EnumMap<>(VertexQuantity.class);
     private final Map<VertexQuantity, float[]> down = new EnumMap<>(VertexQuantity.class);
     private final Set<VertexQuantity> wanted = EnumSet.noneOf(VertexQuantity.class);
     private final Set<VertexQuantity> sloping = EnumSet.noneOf(VertexQuantity.class);
 
-    /** Loops in lanes may write beyond the last pixel. */
-    static final int ROOM = SIZE + RowLoops.MOST_LANES;
-
     /** The cell of the picture. */
-    final int[] cell = new int[ROOM];
+    final int[] cell = new int[SIZE];
 
     /** The weights of the triangle's corners b and c. */
-    final float[] weightB = new float[ROOM];
+    final float[] weightB = new float[SIZE];
 
-    final float[] weightC = new float[ROOM];
+    final float[] weightC = new float[SIZE];
 
     /** Depth, 0 to 1. */
-    final float[] depth = new float[ROOM];
+    final float[] depth = new float[SIZE];
 
     /** 1/w, linear on the picture; w while colours are found. */
-    final float[] nearness = new float[ROOM];
+    final float[] nearness = new float[SIZE];
 
     final PixelSlopes slopes = new PixelSlopes();
 
-    private final float[] squaredSteps = new float[ROOM];
+    private final float[] squaredSteps = new float[SIZE];
 
     /** Whether alpha counts for nothing. */
     boolean opaque;
@@ -57,18 +52,6 @@ public final class PixelBatch {
 
     /** The colours that come out, 0xAARRGGBB. */
     public final int[] argb = new int[SIZE];
-
-    /**
-     * @param loops those of the thread whose batch this is
-     */
-    PixelBatch(RowLoops loops) {
-        this.loops = loops;
-    }
-
-    /** How many numbers are computed at a time. */
-    public Lanes lanes() {
-        return loops.lanes();
-    }
 
     /** Forgets what waits and makes room for what those colours want. */
     void begin(PixelColors colors) {
@@ -83,7 +66,7 @@ public final class PixelBatch {
         for (VertexQuantity quantity : FrameState.QUANTITIES)
             if (next.contains(quantity)) {
                 now.add(quantity);
-                if (!room.containsKey(quantity)) room.put(quantity, new float[ROOM]);
+                if (!room.containsKey(quantity)) room.put(quantity, new float[SIZE]);
             } else now.remove(quantity);
     }
 
@@ -121,7 +104,7 @@ public final class PixelBatch {
     public float[] squaredSteps(int width, int height) {
         requireSlope(VertexQuantity.TEXTURE_S);
         requireSlope(VertexQuantity.TEXTURE_T);
-        loops.squareSteps(this, width, height, squaredSteps);
+        RowLoops.squareSteps(this, width, height, squaredSteps);
         return squaredSteps;
     }
 
@@ -138,12 +121,12 @@ public final class PixelBatch {
      *     arrays, as the others
      */
     public void pack(float[] red, float[] green, float[] blue) {
-        loops.pack(this, red, green, blue);
+        PixelLevels.pack(count, red, green, blue, argb);
     }
 
     /** The same with an alpha where it counts. */
     public void pack(float[] red, float[] green, float[] blue, float[] alpha) {
-        loops.pack(this, red, green, blue);
+        PixelLevels.pack(count, red, green, blue, argb);
         if (!opaque) PixelLevels.setAlpha(count, alpha, argb);
     }
 }

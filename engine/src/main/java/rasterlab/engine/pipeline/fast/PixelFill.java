@@ -11,16 +11,10 @@ import rasterlab.engine.scene.VertexQuantity;
  * per thread.
  */
 final class PixelFill {
-    private static final int FEW = 4;
-
     private final Band band;
-    private final PixelBatch batch;
+    private final PixelBatch batch = new PixelBatch();
     private final RowWeights weights = new RowWeights();
 
-    /** The triangle of a listed pixel. */
-    private final TinyScan listed = new TinyScan();
-
-    private final RowLoops loops;
     private final float[][] values = new float[FrameState.QUANTITIES.length][];
     private final boolean[] affine = new boolean[FrameState.QUANTITIES.length];
     private final boolean[] divided = new boolean[FrameState.QUANTITIES.length];
@@ -47,10 +41,8 @@ final class PixelFill {
     /** Whether the batch may still know of pixels from behind. */
     private boolean fromBehind;
 
-    PixelFill(Band band, RowLoops loops) {
+    PixelFill(Band band) {
         this.band = band;
-        this.loops = loops;
-        batch = new PixelBatch(loops);
     }
 
     /** Forgets what a frame left behind that failed. */
@@ -84,12 +76,11 @@ final class PixelFill {
     void fill(TriangleScan scan, ScreenVertices v, int third) {
         float[] depth = testedDepth();
         weights.load(scan, v);
-        if (blending.early() && addBox(depth, scan, v, third)) return;
-        loops.scan(scan);
+        scan.scan();
         while (weights.row < scan.rows) {
-            if (batch.count > PixelBatch.SIZE - RowLoops.MOST_LANES) flush();
+            if (batch.count == PixelBatch.SIZE) flush();
             int first = batch.count;
-            loops.collect(depth, band.depthStart, scan, weights, blending.early(), batch);
+            RowLoops.collect(depth, band.depthStart, scan, weights, blending.early(), batch);
             interpolate(scan, v, third, first);
         }
     }
@@ -100,80 +91,9 @@ final class PixelFill {
     void fill(TinyScan scan, ScreenVertices v, int third) {
         if (batch.count + scan.columns * scan.rows > PixelBatch.SIZE) flush();
         int first = batch.count;
-        loops.collect(testedDepth(), band.depthStart, band.width, scan, v, blending.early(), batch);
+        RowLoops.collect(
+                testedDepth(), band.depthStart, band.width, scan, v, blending.early(), batch);
         interpolate(scan, v, third, first);
-    }
-
-    /**
-     * Collects the pixels that a block lists from a place on, up to what is none or the end;
-     * returns that place.
-     */
-    int addListed(TinyBlock block, int from) {
-        float[] depth = testedDepth();
-        int start = band.depthStart;
-        boolean early = blending.early();
-        int place = from;
-        for (; block.isPixel(place); place++) {
-            if (batch.count == PixelBatch.SIZE) flush();
-            int pixel = block.pixel(place);
-            int cell = block.cell[pixel];
-            float here = block.depth(place);
-            if (!(here < depth[cell - start])) continue;
-            if (early) depth[cell - start] = here;
-            else batch.depth[batch.count] = here;
-            batch.cell[batch.count] = cell;
-            batch.weightB[batch.count] = block.weightB[pixel];
-            batch.weightC[batch.count++] = block.weightC[pixel];
-            interpolateLast(block, block.triangle(place));
-        }
-        return place;
-    }
-
-    /**
-     * {@link #interpolate} for the last pixel alone: to find again what two pixels of a triangle
-     * share costs less than a loop whose length nobody foresees, or than to keep it.
-     */
-    private void interpolateLast(TinyBlock block, int triangle) {
-        int i = batch.count - 1;
-        float weightB = batch.weightB[i];
-        float weightC = batch.weightC[i];
-        ScreenVertices v = block.vertices;
-        float[] numbers = v.values;
-        int atA = v.at(block.a[triangle]);
-        int atB = v.at(block.b[triangle]);
-        int atC = v.at(block.c[triangle]);
-        float qa = v.nearness(block.a[triangle]);
-        float qb = v.nearness(block.b[triangle]);
-        float qc = v.nearness(block.c[triangle]);
-        batch.fromBehind[i] = block.fromBehind[triangle] != 0;
-        fromBehind |= batch.fromBehind[i];
-        for (int k = 0; k < firstFlat; k++) {
-            float a = numbers[atA + k] * (affine[k] ? 1 : qa);
-            float b = numbers[atB + k] * (affine[k] ? 1 : qb) - a;
-            float c = numbers[atC + k] * (affine[k] ? 1 : qc) - a;
-            values[k][i] = a + weightB * b + weightC * c;
-        }
-        if (divides) batch.nearness[i] = qa + weightB * (qb - qa) + weightC * (qc - qa);
-        for (int k = firstFlat; k < count; k++)
-            values[k][i] = v.attribute(k, block.corner(triangle, 2));
-        if (batch.slopes.wanted()) endRun(block, triangle);
-    }
-
-    private void endRun(TinyBlock block, int triangle) {
-        listed.takeCorners(block, triangle);
-        findCorners(listed, block.vertices);
-        batch.slopes.endRun(listed, frame, corners, firstFlat, batch.count);
-    }
-
-    /** Returns false, and does nothing, where the triangle's rows have to be found. */
-    private boolean addBox(float[] depth, TriangleScan scan, ScreenVertices v, int third) {
-        int found = loops.findInBox(depth, band.depthStart, band.width, scan, weights.depth);
-        if (found == RowLoops.NOT_SOUGHT) return false;
-        if (batch.count + found > PixelBatch.SIZE) flush();
-        int first = batch.count;
-        loops.addFound(band.width, scan, weights, batch);
-        interpolate(scan, v, third, first);
-        return true;
     }
 
     /** The depths that pixels are tested against: where none is, of something infinitely far. */
@@ -194,7 +114,7 @@ final class PixelFill {
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
         }
         findCorners(scan, v);
-        between(divides ? firstFlat + 1 : firstFlat, first);
+        RowLoops.between(batch, growing, corners, divides ? firstFlat + 1 : firstFlat, first);
         for (int k = firstFlat; k < count; k++)
             Arrays.fill(values[k], first, batch.count, v.attribute(k, third));
         batch.slopes.endRun(scan, frame, corners, firstFlat, batch.count);
@@ -218,12 +138,6 @@ final class PixelFill {
         corners[k] = a;
         corners[RowLoops.VALUES + k] = b;
         corners[2 * RowLoops.VALUES + k] = c;
-    }
-
-    /** A few pixels are not worth a call of loops in lanes. */
-    private void between(int n, int first) {
-        if (batch.count - first < FEW) PlainLoops.interpolate(batch, growing, corners, n, first);
-        else loops.between(batch, growing, corners, n, first);
     }
 
     /** Divides, colours and writes what waits. */

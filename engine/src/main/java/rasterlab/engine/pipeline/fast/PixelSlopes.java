@@ -47,11 +47,6 @@ final class PixelSlopes {
         }
     }
 
-    /** Whether any slope is wanted. */
-    boolean wanted() {
-        return count > 0;
-    }
-
     /**
      * Ends a run: the batch's pixels since the last one are of one triangle.
      *

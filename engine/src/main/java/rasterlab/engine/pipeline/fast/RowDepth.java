@@ -60,7 +60,7 @@ final class RowDepth {
         double downB = scan.downB * inverseArea;
         double downC = scan.downC * inverseArea;
         stepZ = (float) (toB * zb + toC * zc);
-        int columns = columns(scan);
+        int columns = scan.boxRight - scan.boxLeft;
         double cornerB = scan.cornerB() * inverseArea;
         double cornerC = scan.cornerC() * inverseArea;
         cornerZ = (float) (cornerB * zb + za + cornerC * zc);
@@ -76,11 +76,6 @@ final class RowDepth {
                         && steep + 1 <= LARGEST * inverseArea
                         && deep <= DEEPEST;
         gentle = compact && steep <= GENTLE;
-    }
-
-    /** How many columns are looked at, eight at a time: they may go beyond the box. */
-    static int columns(TriangleScan scan) {
-        return scan.boxRight - scan.boxLeft + 7 & ~7;
     }
 
     /** Finds the depth where a row begins. */

@@ -24,8 +24,8 @@ final class ScreenVertices {
     /**
      * {@link #stride} numbers for each vertex: its depth, 0 at the near plane and 1 at the far
      * plane, and its nearness 1/w, both linear on the picture; then its attributes, what the
-     * surface wants, as {@link FrameState#attribute} lists it; colours are levels 0 to 255 for surfaces
-     * of vertices, else 0 to 1. Those of a mesh are found for needed vertices only.
+     * surface wants, as {@link FrameState#attribute} lists it; colours are levels 0 to 255 for
+     * surfaces of vertices, else 0 to 1. Those of a mesh are found for needed vertices only.
      */
     float[] values = new float[0];
 
@@ -104,7 +104,7 @@ final class ScreenVertices {
         if (room < vertices) room = Math.max(vertices, room + (room >> 1));
         if (values.length < vertices * stride) values = Arrays.copyOf(values, room * stride);
         if (room == code.length) return;
-        places = Arrays.copyOf(places, room + VertexLoops.SPARE);
+        places = Arrays.copyOf(places, room);
         code = Arrays.copyOf(code, room);
         needed = new boolean[room / GROUP + 1];
     }

@@ -66,50 +66,6 @@ final class TinyFill {
         }
     }
 
-    /**
-     * Draws the pixels that a block lists from a place on, up to what is none or the end; returns
-     * that place.
-     */
-    static int listed(Band band, TinyBlock block, int from) {
-        int[] argb = band.argb;
-        float[] depth = band.depth;
-        int start = band.depthStart;
-        int place = from;
-        for (; block.isPixel(place); place++) {
-            int triangle = block.triangle(place);
-            int pixel = block.pixel(place);
-            int cell = block.cell[pixel];
-            float here = block.depth(place);
-            if (!(here < depth[cell - start])) continue;
-            depth[cell - start] = here;
-            argb[cell] =
-                    color(
-                            block.vertices,
-                            block.a[triangle],
-                            block.b[triangle],
-                            block.c[triangle],
-                            block.weightB[pixel],
-                            block.weightC[pixel]);
-        }
-        return place;
-    }
-
-    /** The same, each triangle in the colour of its third corner. */
-    static int listedFlat(Band band, TinyBlock block, int from) {
-        int[] argb = band.argb;
-        float[] depth = band.depth;
-        int start = band.depthStart;
-        int place = from;
-        for (; block.isPixel(place); place++) {
-            int cell = block.cell[block.pixel(place)];
-            float here = block.depth(place);
-            if (!(here < depth[cell - start])) continue;
-            depth[cell - start] = here;
-            argb[cell] = FlatFill.argb(block.vertices, block.corner(block.triangle(place), 2));
-        }
-        return place;
-    }
-
     private static int color(ScreenVertices v, int a, int b, int c, float weightB, float weightC) {
         float qa = v.nearness(a);
         float ofB = v.nearness(b);

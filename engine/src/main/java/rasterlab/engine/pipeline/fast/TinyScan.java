@@ -93,35 +93,6 @@ final class TinyScan extends Scan {
         return true;
     }
 
-    /** Takes what was found of a triangle with a larger box. */
-    void take(TinyBlock block, int triangle) {
-        takeCorners(block, triangle);
-        left = block.left[triangle];
-        columns = block.columns[triangle];
-        rows = block.rows[triangle];
-        at = block.at[triangle];
-        rowA = block.rowA[triangle];
-        rowB = block.rowB[triangle];
-        rowC = block.rowC[triangle];
-        stepA = block.stepA[triangle];
-        downA = block.downA[triangle];
-        ownB = block.ownB[triangle];
-        ownC = block.ownC[triangle];
-    }
-
-    /** Takes only what values between the corners depend on. */
-    void takeCorners(TinyBlock block, int triangle) {
-        a = block.a[triangle];
-        b = block.b[triangle];
-        c = block.c[triangle];
-        fromBehind = block.fromBehind[triangle] != 0;
-        inverseArea = block.inverseArea[triangle];
-        stepB = block.stepB[triangle];
-        stepC = block.stepC[triangle];
-        downB = block.downB[triangle];
-        downC = block.downC[triangle];
-    }
-
     /** b, c and the first centre p are seen from a. */
     private void edges(int bx, int by, int cx, int cy, int px, int py) {
         stepA = by - cy << Subpixels.BITS;
@@ -166,32 +137,5 @@ final class TinyScan extends Scan {
             }
         }
         count = found;
-    }
-
-    /** Whether the triangle does not own the only centre in its box. */
-    static boolean misses(
-            int column,
-            int row,
-            int ax,
-            int ay,
-            int bx,
-            int by,
-            int cx,
-            int cy,
-            boolean counterClockwise) {
-        int px = column << Subpixels.BITS;
-        int py = row << Subpixels.BITS;
-        int eA = edge(bx - px, by - py, cx - px, cy - py, counterClockwise);
-        int eB = edge(cx - px, cy - py, ax - px, ay - py, counterClockwise);
-        int eC = edge(ax - px, ay - py, bx - px, by - py, counterClockwise);
-        return (eA | eB | eC) < 0;
-    }
-
-    /** Negative where the origin is not owned by an edge whose triangle is so turned. */
-    private static int edge(int fromX, int fromY, int toX, int toY, boolean counterClockwise) {
-        int cross = fromX * toY - fromY * toX;
-        return counterClockwise
-                ? -cross + TriangleScan.owned(fromX - toX, fromY - toY)
-                : cross + TriangleScan.owned(toX - fromX, toY - fromY);
     }
 }

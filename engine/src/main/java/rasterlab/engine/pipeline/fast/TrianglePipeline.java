@@ -3,7 +3,6 @@ package rasterlab.engine.pipeline.fast;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 
@@ -44,19 +43,10 @@ public final class TrianglePipeline implements AutoCloseable {
      * @param threads 1 to 256, the caller's included
      */
     public TrianglePipeline(int threads) {
-        this(threads, Lanes.best());
-    }
-
-    /**
-     * @param threads 1 to 256, the caller's included
-     * @param lanes how many vertices or pixels are computed at a time
-     * @throws IllegalStateException where there are not so many lanes
-     */
-    public TrianglePipeline(int threads, Lanes lanes) {
         WorkerTeam.checkSize(threads);
         workers = new Worker[threads];
         for (int k = 0; k < threads; k++)
-            workers[k] = new Worker(new VertexStage(lanes), new Binner(), new BandStage(lanes));
+            workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage());
         team = new WorkerTeam(threads);
     }
 

@@ -30,9 +30,6 @@ final class TriangleScan extends Scan {
     final double[] edgeB = new double[ROWS];
     final double[] edgeC = new double[ROWS];
 
-    /** The cell after the band's last. */
-    int end;
-
     private int pictureWidth;
 
     /** The box: its first column and the column after its last. */
@@ -60,7 +57,6 @@ final class TriangleScan extends Scan {
     /** Finds the box; {@link #scan} has to find the pixels. */
     void load(ScreenVertices v, int first, int second, int third, Band band) {
         pictureWidth = band.width;
-        end = band.bottom() * pictureWidth;
         int ax = v.x(first);
         int ay = v.y(first);
         long area = cross(v.x(second) - ax, v.y(second) - ay, v.x(third) - ax, v.y(third) - ay);

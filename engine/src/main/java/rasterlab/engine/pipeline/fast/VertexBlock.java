@@ -1,7 +1,5 @@
 package rasterlab.engine.pipeline.fast;
 
-import rasterlab.engine.lanes.Lanes;
-
 /**
  * A few hundred vertices in eye space, one array for each quantity; cells [0, count) are used. Who
  * gets a block may overwrite all of it.
@@ -9,8 +7,6 @@ import rasterlab.engine.lanes.Lanes;
 public final class VertexBlock {
     /** The most vertices of a block: all arrays together stay in the first-level cache. */
     public static final int SIZE = 256;
-
-    private final Lanes lanes;
 
     /** Vertices in use. */
     public int count;
@@ -37,16 +33,4 @@ public final class VertexBlock {
 
     /** 0 is transparent, 1 opaque. */
     public final float[] alpha = new float[SIZE];
-
-    /**
-     * @param lanes how many numbers are computed at a time
-     */
-    VertexBlock(Lanes lanes) {
-        this.lanes = lanes;
-    }
-
-    /** How many numbers are computed at a time. */
-    public Lanes lanes() {
-        return lanes;
-    }
 }

@@ -1,7 +1,6 @@
 package rasterlab.engine.pipeline.fast;
 
 import java.util.Arrays;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
@@ -13,8 +12,7 @@ import rasterlab.engine.scene.VertexQuantity;
  * vector instructions. One per thread.
  */
 final class VertexStage {
-    private final VertexBlock block;
-    private final VertexLoops loops;
+    private final VertexBlock block = new VertexBlock();
 
     /** World positions or normals of the block's vertices, whichever are transformed. */
     private final float[] worldX = new float[VertexBlock.SIZE];
@@ -25,11 +23,6 @@ final class VertexStage {
     private final float[] clipY = new float[VertexBlock.SIZE];
     private final float[] clipZ = new float[VertexBlock.SIZE];
     private final float[] clipW = new float[VertexBlock.SIZE];
-
-    VertexStage(Lanes lanes) {
-        block = new VertexBlock(lanes);
-        loops = VertexLoops.of(lanes);
-    }
 
     static int blocks(TriangleMesh mesh) {
         return (mesh.vertexCount() + VertexBlock.SIZE - 1) / VertexBlock.SIZE;
@@ -80,7 +73,7 @@ final class VertexStage {
         transform(matrix, 2, clipZ);
         transform(matrix, 3, clipW);
         ScreenVertices out = frame.vertices;
-        loops.place(block.count, clipX, clipY, clipW, frame.subpixels, out.places, from);
+        place(block.count, clipX, clipY, clipW, frame.subpixels, out.places, from);
         int any = findCodes(out.code, from);
         double[][] planes = frame.view.worldPlanes();
         if (planes.length > 0)
@@ -117,7 +110,7 @@ final class VertexStage {
 
     /** Returns what some vertex has of a {@link ClipCode}. */
     private int findCodes(short[] codes, int from) {
-        if (loops.allSeen(block.count, clipX, clipY, clipZ, clipW)) {
+        if (allSeen(block.count, clipX, clipY, clipZ, clipW)) {
             Arrays.fill(codes, from, from + block.count, (short) 0);
             return 0;
         }
@@ -134,7 +127,7 @@ final class VertexStage {
     private void putDepths(FrameState frame, int from) {
         transform(frame.view.toClip(), 2, clipZ);
         transform(frame.view.toClip(), 3, clipW);
-        loops.depths(block.count, clipZ, clipW);
+        depths(block.count, clipZ, clipW);
         for (int i = 0; i < block.count; i++) frame.vertices.put(from + i, clipZ[i], clipW[i]);
     }
 
@@ -219,5 +212,35 @@ final class VertexStage {
         for (int i = 0; i < block.count; i++)
             channel[i] = most * Math.max(0, Math.min(1, channel[i]));
         put(to, k, channel, 0, from);
+    }
+
+    /** Whether all of n vertices in clip space have the {@link ClipCode} 0. */
+    static boolean allSeen(int n, float[] x, float[] y, float[] z, float[] w) {
+        for (int i = 0; i < n; i++) if (ClipCode.of(x[i], y[i], z[i], w[i]) != 0) return false;
+        return true;
+    }
+
+    /**
+     * Finds the {@linkplain ScreenVertices#places places} of n vertices in clip space; one that w
+     * gives none, or that is beyond the guard, has any.
+     *
+     * @param places the first vertex's is {@code places[from]}
+     */
+    private static void place(
+            int n, float[] x, float[] y, float[] w, Subpixels subpixels, long[] places, int from) {
+        for (int i = 0; i < n; i++) {
+            double nearness = 1.0 / w[i];
+            int pixelX = subpixels.x(x[i] * nearness);
+            places[from + i] = ScreenVertices.place(pixelX, subpixels.y(y[i] * nearness));
+        }
+    }
+
+    /** Replaces z of n vertices by their depth, 0 to 1 if they are seen, w by 1/w. */
+    private static void depths(int n, float[] z, float[] w) {
+        for (int i = 0; i < n; i++) {
+            double nearness = 1.0 / w[i];
+            z[i] = (float) (0.5 + 0.5 * (z[i] * nearness));
+            w[i] = (float) nearness;
+        }
     }
 }

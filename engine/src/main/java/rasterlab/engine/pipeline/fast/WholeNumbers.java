@@ -1,6 +1,6 @@
 package rasterlab.engine.pipeline.fast;
 
-/** Rounding by addition: no conversion, and the same in lanes. */
+/** Rounding by addition: no conversion. */
 final class WholeNumbers {
     /** Leaves, when added to a number below 2⁵¹, the nearest whole one in the sum's lowest bits. */
     static final double ROUND = 0x1.8p52;

@@ -54,8 +54,7 @@ final class LayeredPaint implements FacePaint {
     }
 
     private static void layOver(PixelRow row, int[] behind, int at) {
-        for (int i = 0; i < row.size; i++)
-            behind[at + i] = Blend.over(row.argb[i], behind[at + i], Blend.WHOLE);
+        for (int i = 0; i < row.size; i++) behind[at + i] = Blend.over(row.argb[i], behind[at + i]);
     }
 
     @Override

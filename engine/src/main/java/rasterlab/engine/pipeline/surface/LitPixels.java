@@ -28,23 +28,14 @@ import rasterlab.engine.scene.VertexQuantity;
  */
 public final class LitPixels implements PixelColors {
     private final ThreadLocal<PointShade> shades;
-    private final Colors colors;
+    private final boolean tinted;
     private final Set<VertexQuantity> wants;
-
-    /** The use of the colours of the surface under this one. */
-    private enum Colors {
-        NOTHING,
-        SHARES,
-        TINT
-    }
 
     /**
      * @param lighting its lights and eye in eye space; where it stands now counts
-     * @param meshColors whether the colours of the surface under this one, unlit, stand for the
-     *     material's ambient and diffuse shares and its alpha
      */
-    public LitPixels(PointLighting lighting, boolean meshColors) {
-        this(lighting, meshColors ? Colors.SHARES : Colors.NOTHING);
+    public LitPixels(PointLighting lighting) {
+        this(lighting, false);
     }
 
     /**
@@ -52,15 +43,15 @@ public final class LitPixels implements PixelColors {
      * colours of the surface under this one.
      */
     public static LitPixels tinted(PointLighting lighting) {
-        return new LitPixels(lighting, Colors.TINT);
+        return new LitPixels(lighting, true);
     }
 
-    private LitPixels(PointLighting lighting, Colors colors) {
+    private LitPixels(PointLighting lighting, boolean tinted) {
         PointLighting now = lighting.forThread();
         shades = ThreadLocal.withInitial(() -> new PointShade(now));
-        this.colors = colors;
+        this.tinted = tinted;
         wants = EnumSet.range(X, NORMAL_Z);
-        if (colors != Colors.NOTHING) wants.addAll(EnumSet.range(RED, ALPHA));
+        if (tinted) wants.addAll(EnumSet.range(RED, ALPHA));
     }
 
     @Override
@@ -79,8 +70,7 @@ public final class LitPixels implements PixelColors {
         float[] nz = batch.values(NORMAL_Z);
         for (int i = 0; i < batch.count; i++) {
             shade.place(x[i], y[i], z[i], nx[i], ny[i], nz[i]);
-            if (colors == Colors.SHARES) colored(shade, batch, i);
-            else if (colors == Colors.TINT) tinted(shade, batch, i);
+            if (tinted) tinted(shade, batch, i);
             else shade.byMaterial(batch.fromBehind[i]);
             batch.argb[i] = Levels.argb(shade.rgba[0], shade.rgba[1], shade.rgba[2], shade.rgba[3]);
         }
@@ -92,14 +82,5 @@ public final class LitPixels implements PixelColors {
                 batch.values(RED)[i],
                 batch.values(GREEN)[i],
                 batch.values(BLUE)[i]);
-    }
-
-    private static void colored(PointShade shade, PixelBatch batch, int i) {
-        shade.colored(
-                batch.fromBehind[i],
-                batch.values(RED)[i],
-                batch.values(GREEN)[i],
-                batch.values(BLUE)[i],
-                batch.values(ALPHA)[i]);
     }
 }

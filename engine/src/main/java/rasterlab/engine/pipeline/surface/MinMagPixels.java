@@ -85,6 +85,6 @@ public final class MinMagPixels implements PixelColors {
         for (int i = 0; i < count; i++)
             texel[i] = filters.texel(sampler, s[i], t[i], DetailLevel.quick(sRight[i]));
         under.color(batch);
-        environment.combine(batch.lanes(), count, batch.argb, texel);
+        environment.combine(count, batch.argb, texel);
     }
 }

@@ -28,10 +28,6 @@ final class PointShade {
         this.nz = nz;
     }
 
-    boolean seesBack() {
-        return lighting.seesBack(x, y, z, nx, ny, nz);
-    }
-
     void byMaterial(boolean fromBehind) {
         lighting.shade(x, y, z, nx, ny, nz, fromBehind, rgba, 0);
     }
@@ -41,13 +37,5 @@ final class PointShade {
         rgba[1] = green;
         rgba[2] = blue;
         lighting.shadeTinted(x, y, z, nx, ny, nz, fromBehind, rgba, 0);
-    }
-
-    void colored(boolean fromBehind, float red, float green, float blue, float alpha) {
-        rgba[0] = red;
-        rgba[1] = green;
-        rgba[2] = blue;
-        rgba[3] = alpha;
-        lighting.shadeColoured(x, y, z, nx, ny, nz, fromBehind, rgba, 0);
     }
 }

@@ -70,8 +70,8 @@ public final class TexelPixels implements PixelColors {
             return;
         }
         if (matrix.isPresent()) matrix.get().transform(batch.count, s, t);
-        if (filter == TexelFilter.LINEAR) sampler.linear(batch.lanes(), batch.count, s, t, texel);
-        else sampler.nearest(batch.lanes(), batch.count, s, t, texel);
+        if (filter == TexelFilter.LINEAR) sampler.linear(batch.count, s, t, texel);
+        else sampler.nearest(batch.count, s, t, texel);
     }
 
     private void lookTrilinear(PixelBatch batch, float[] s, float[] t, int[] texel) {
@@ -79,7 +79,7 @@ public final class TexelPixels implements PixelColors {
         int height = sampler.texture().height();
         if (matrix.isEmpty()) {
             float[] squaredStep = batch.squaredSteps(width, height);
-            sampler.trilinear(batch.lanes(), batch.count, s, t, squaredStep, texel);
+            sampler.trilinear(batch.count, s, t, squaredStep, texel);
             return;
         }
         float[] sRight = batch.right(TEXTURE_S);
@@ -90,6 +90,6 @@ public final class TexelPixels implements PixelColors {
         matrix.get().transformSlopes(batch.count, s, t, sDown, tDown);
         matrix.get().transform(batch.count, s, t);
         DetailLevel.squareSteps(batch.count, sRight, tRight, sDown, tDown, width, height);
-        sampler.trilinear(batch.lanes(), batch.count, s, t, sRight, texel);
+        sampler.trilinear(batch.count, s, t, sRight, texel);
     }
 }

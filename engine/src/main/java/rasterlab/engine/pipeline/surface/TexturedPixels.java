@@ -66,6 +66,6 @@ public final class TexturedPixels implements PixelColors {
         int[] texel = found.get();
         texels.look(batch, texel);
         under.color(batch);
-        environment.combine(batch.lanes(), batch.count, batch.argb, texel);
+        environment.combine(batch.count, batch.argb, texel);
     }
 }

@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.transform.GlMatrices;
@@ -21,9 +20,9 @@ class ClipperTest {
         for (int seed = 0; seed < 2000; seed++) {
             var frame = new FrameState();
             frame.begin(pair(new Random(seed)), view, surface, out, new float[0]);
-            new VertexStage(Lanes.best()).place(frame, 0);
+            new VertexStage().place(frame, 0);
             Arrays.fill(frame.vertices.needed, true);
-            new VertexStage(Lanes.best()).fill(frame, 0);
+            new VertexStage().fill(frame, 0);
             var one = new Clipper().clip(frame, 0, 1, 2);
             var other = new Clipper().clip(frame, 1, 0, 3);
             assertEquals(0, least(one, other), "seed " + seed);

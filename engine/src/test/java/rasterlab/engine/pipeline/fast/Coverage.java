@@ -1,6 +1,5 @@
 package rasterlab.engine.pipeline.fast;
 
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 
@@ -18,8 +17,7 @@ final class Coverage {
         var out = new Raster(width, height);
         var frame = new FrameState();
         frame.begin(mesh, view, new Surface.Flat(VertexColors.own()), out, new float[0]);
-        for (int k = 0; k < VertexStage.blocks(mesh); k++)
-            new VertexStage(Lanes.best()).place(frame, k);
+        for (int k = 0; k < VertexStage.blocks(mesh); k++) new VertexStage().place(frame, k);
         var coverage = new Coverage(width * height);
         var band = new Band();
         for (int k = 0; k < Binner.chunks(mesh.triangleCount()); k++) {

@@ -11,11 +11,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import org.joml.Matrix4d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 import rasterlab.engine.texture.DetailLevel;
@@ -85,15 +83,14 @@ class PixelSlopesTest {
                 .withTexture(st[0], st[1]);
     }
 
-    private static void draw(Lanes lanes, PixelColors colors) {
-        if (lanes == Lanes.EIGHT) EightLanes.assumeThere();
+    private static void draw(PixelColors colors) {
         var view =
                 new TriangleView(
                         new Matrix4d(),
                         GlMatrices.perspective(60, 1, 1, 10),
                         List.of(),
                         Culling.NONE);
-        try (var pipeline = new TrianglePipeline(1, lanes)) {
+        try (var pipeline = new TrianglePipeline(1)) {
             var surface = new Surface.PerPixel(colors);
             pipeline.drawOn(0, strips(), view, surface, new DepthRaster(SIDE, SIDE), () -> false);
         }
@@ -104,7 +101,6 @@ class PixelSlopesTest {
     @ValueSource(booleans = {false, true})
     void leadToTheNextPixels(boolean linear) {
         draw(
-                Lanes.ONE,
                 new Checked(
                         linear,
                         (batch, slopes) -> {
@@ -146,11 +142,9 @@ class PixelSlopesTest {
                 "pixels %d and %d".formatted(here, next));
     }
 
-    @ParameterizedTest
-    @EnumSource(Lanes.class)
-    void makeTheSquaredSteps(Lanes lanes) {
+    @Test
+    void makeTheSquaredSteps() {
         draw(
-                lanes,
                 new Checked(
                         false,
                         (batch, slopes) -> {

@@ -70,28 +70,5 @@ class TinyScanTest {
         assertEquals(rows.fromBehind, tiny.fromBehind, triangle);
         assertEquals(rows.b, tiny.b, triangle);
         assertEquals(rows.inverseArea, tiny.inverseArea, triangle);
-        assertMisses(owned, triangle);
-    }
-
-    private void assertMisses(BitSet owned, String triangle) {
-        int left = Subpixels.firstPixel(Math.min(v.x(0), Math.min(v.x(1), v.x(2))));
-        int top = Subpixels.firstPixel(Math.min(v.y(0), Math.min(v.y(1), v.y(2))));
-        int right = Subpixels.endPixel(Math.max(v.x(0), Math.max(v.x(1), v.x(2))));
-        int bottom = Subpixels.endPixel(Math.max(v.y(0), Math.max(v.y(1), v.y(2))));
-        if (right - left != 1 || bottom - top != 1) return;
-        if (left < 0 || left >= SIDE || rows.rows != 1) return;
-        assertEquals(
-                owned.isEmpty(),
-                TinyScan.misses(
-                        left,
-                        top,
-                        v.x(0),
-                        v.y(0),
-                        v.x(1),
-                        v.y(1),
-                        v.x(2),
-                        v.y(2),
-                        TwiceArea.of(v) < 0),
-                triangle);
     }
 }

@@ -35,7 +35,7 @@ final class LitSurfaces {
     }
 
     static Surface.Smooth gouraud() {
-        return new Surface.Smooth(new LitVertices(lighting(), false));
+        return new Surface.Smooth(new LitVertices(lighting()));
     }
 
     static Surface.PerPixel textured(TexelFilter filter, PixelColors under) {
@@ -45,13 +45,13 @@ final class LitSurfaces {
     }
 
     static List<Surface> all() {
-        var phong = new LitPixels(lighting(), false);
+        var phong = new LitPixels(lighting());
         var flat = new Surface.Flat(gouraud().colors());
         return List.of(
                 gouraud(),
                 flat,
                 new Surface.PerPixel(phong),
-                new Surface.PerPixel(new LitPixels(lighting(), true)),
+                new Surface.PerPixel(LitPixels.tinted(lighting())),
                 textured(TexelFilter.NEAREST, new ColoredPixels()).over(gouraud()),
                 textured(TexelFilter.LINEAR, new ColoredPixels()).over(flat),
                 textured(TexelFilter.MIPMAP, phong),

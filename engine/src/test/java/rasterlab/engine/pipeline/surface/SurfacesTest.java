@@ -8,11 +8,8 @@ import org.joml.Matrix4d;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.color.Levels;
-import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.FrameBytes;
 import rasterlab.engine.pipeline.fast.Culling;
 import rasterlab.engine.pipeline.fast.DepthRaster;
@@ -56,35 +53,15 @@ class SurfacesTest {
         }
     }
 
-    @ParameterizedTest(name = "with {0} threads a bit of the picture of eight lanes is another")
-    @ValueSource(ints = {1, 2, 3})
-    @Tag("slow")
-    void isTheSameInAnyNumberOfLanes(int threads) {
-        EightLanes.assumeThere();
-        for (TriangleMesh mesh : List.of(TORUS, CROWDED))
-            for (Surface surface : LitSurfaces.all()) {
-                var one = new DepthRaster(160, 100);
-                var eight = new DepthRaster(160, 100);
-                try (var plain = new TrianglePipeline(1, Lanes.ONE);
-                        var vectors = new TrianglePipeline(threads, Lanes.EIGHT)) {
-                    plain.drawOn(7, mesh, VIEW, surface, one, () -> false);
-                    vectors.drawOn(7, mesh, VIEW, surface, eight, () -> false);
-                }
-                EightLanes.assertSame(one, eight, surface.toString());
-            }
-    }
-
     /** All into one picture, as a scene of several bodies is drawn. */
-    @ParameterizedTest(name = "{0} threads, {1}: a later frame allocates")
-    @CsvSource({"1, ONE", "2, ONE", "1, EIGHT", "2, EIGHT"})
+    @ParameterizedTest(name = "{0} threads: a later frame allocates")
+    @ValueSource(ints = {1, 2})
     @Tag("slow")
-    void allocatesNothingAfterTheFirstFrame(int threads, Lanes lanes) {
-        if (lanes == Lanes.EIGHT) EightLanes.assumeThere();
+    void allocatesNothingAfterTheFirstFrame(int threads) {
         var out = new DepthRaster(160, 100);
         var surfaces = LitSurfaces.all();
-        try (var pipeline = new TrianglePipeline(threads, lanes)) {
+        try (var pipeline = new TrianglePipeline(threads)) {
             FrameBytes.assertNoneInLaterFrames(
-                    lanes,
                     () -> {
                         for (int k = 0; k < surfaces.size(); k++) {
                             pipeline.drawOn(7, TORUS, VIEW, surfaces.get(k), out, () -> false);
@@ -108,14 +85,14 @@ class SurfacesTest {
         var lighting = LitSurfaces.lighting();
         var out = new DepthRaster(64, 64);
         try (var pipeline = new TrianglePipeline(1)) {
-            var phong = new Surface.PerPixel(new LitPixels(lighting, false));
+            var phong = new Surface.PerPixel(new LitPixels(lighting));
             pipeline.drawOn(7, wall, view, phong, out, () -> false);
             for (int i = 0; i < 64 * 64; i++) {
                 double x = (i % 64 + 0.5) / 16 - 2;
                 double y = 2 - (i / 64 + 0.5) / 16;
                 assertNear(lighting.argb(x, y, -2, 0, 0, 1, false), out.raster().argb()[i], i);
             }
-            var flat = new Surface.Flat(new LitVertices(lighting, false));
+            var flat = new Surface.Flat(new LitVertices(lighting));
             pipeline.drawOn(7, wall, view, flat, out, () -> false);
             int third = lighting.argb(3, 3, -2, 0, 0, 1, false);
             assertEquals(Levels.HIGHEST, third >>> 24);

@@ -1,13 +1,10 @@
 package rasterlab.tests.bench.pipeline;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.lwjgl.opengl.GL11C;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.fast.Surface;
+import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.pipeline.fast.VertexColors;
 import rasterlab.engine.raster.Raster;
@@ -28,50 +25,35 @@ final class FillBench {
         this.length = length;
     }
 
-    /**
-     * One row for each way.
-     *
-     * @param goals with the Vector API and without
-     */
-    List<Row> run(int side, Map<Lanes, Double> goals, List<Way> ways) {
+    Row run(int side, double goal, TrianglePipeline pipeline) {
         var mesh = mesh(side, AREA / (side * side));
         var toEye = new Matrix4d();
         var toClip = new Matrix4d();
         var view = new TriangleView(toEye, toClip);
         var surface = new Surface.Smooth(VertexColors.own());
-        var pictures = new ArrayList<Raster>();
-        var runs = new ArrayList<Runnable>();
-        for (Way way : ways) {
-            var out = new Raster(WIDTH, HEIGHT);
-            pictures.add(out);
-            runs.add(() -> way.pipeline().drawOn(0, mesh, view, surface, out, () -> false));
-        }
+        var out = new Raster(WIDTH, HEIGHT);
         try (var target = new GlTarget(WIDTH, HEIGHT);
                 var program = GlProgram.colored();
                 var glMesh = new GlMesh(mesh, VertexQuantity.RED)) {
             GL11C.glEnable(GL11C.GL_CULL_FACE);
             program.use(toEye, toClip);
-            runs.add(
-                    () -> {
-                        target.clear(0xFF000000);
-                        glMesh.draw();
-                        target.forgetDepths();
-                        GL11C.glFinish();
-                    });
-            var times = new InterleavedTimes(length, runs.toArray(Runnable[]::new));
-            int[] peer = target.read();
-            var rows = new ArrayList<Row>();
-            for (int k = 0; k < ways.size(); k++)
-                rows.add(
-                        new Row(
-                                "%,d triangles of %d px with depth, %s"
-                                        .formatted(mesh.triangleCount(), side, ways.get(k).name()),
-                                times.text(k),
-                                "OpenGL " + times.text(ways.size()),
-                                times.ratio(ways.size(), k),
-                                goals.get(ways.get(k).lanes()),
-                                Difference.of(pictures.get(k).argb(), peer)::text));
-            return rows;
+            var times =
+                    new InterleavedTimes(
+                            length,
+                            () -> pipeline.drawOn(0, mesh, view, surface, out, () -> false),
+                            () -> {
+                                target.clear(0xFF000000);
+                                glMesh.draw();
+                                target.forgetDepths();
+                                GL11C.glFinish();
+                            });
+            return new Row(
+                    "%,d triangles of %d px with depth".formatted(mesh.triangleCount(), side),
+                    times.text(0),
+                    "OpenGL " + times.text(1),
+                    times.ratio(1, 0),
+                    goal,
+                    Difference.of(out.argb(), target.read())::text);
         }
     }
 

@@ -27,7 +27,7 @@ final class JobProcess {
             throws IOException, InterruptedException {
         var arguments =
                 List.of(String.valueOf(number), String.valueOf(quick), String.valueOf(language));
-        Job job = PipelineJobs.all(quick, List.of()).get(number);
+        Job job = PipelineJobs.all(quick).get(number);
         return new OwnProcess(job.options(), JobProcess.class, arguments).run(out, err);
     }
 
@@ -36,11 +36,9 @@ final class JobProcess {
         boolean quick = Boolean.parseBoolean(arguments[1]);
         var words = new BenchWords(Language.valueOf(arguments[2]));
         var out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
-        List<Way> ways = Way.all();
-        Job job = PipelineJobs.all(quick, ways).get(Integer.parseInt(arguments[0]));
+        Job job = PipelineJobs.all(quick).get(Integer.parseInt(arguments[0]));
         if (job.openGl()) OffscreenContext.open(OffscreenContext.Profile.CORE);
-        for (Row row : job.rows().get()) out.println(row.line(words));
+        out.println(job.row().get().line(words));
         out.flush();
-        ways.forEach(Way::close);
     }
 }

@@ -23,8 +23,6 @@ final class OwnProcess {
     /** What {@link #run} returns for a process that had to be ended. */
     static final int TOO_LONG = -1;
 
-    private static final String WARNING = "WARNING: Using incubator modules";
-
     /** A debugger or profiler is for one process. */
     private static final List<String> NOT_SHARED = List.of("-agent", "-javaagent", "-Xrun");
 
@@ -60,8 +58,7 @@ final class OwnProcess {
     }
 
     /**
-     * Runs it to its end and hands on what it printed and complained of, but for Java's warning of
-     * the Vector API, which this process has given.
+     * Runs it to its end and hands on what it printed and complained of.
      *
      * @return its exit code, or {@link #TOO_LONG} after {@value #LIMIT_MINUTES} minutes
      * @throws IOException if it cannot be started or what it printed cannot be read
@@ -116,10 +113,7 @@ final class OwnProcess {
     }
 
     private static void handOn(Path file, PrintStream to) throws IOException {
-        new String(Files.readAllBytes(file), StandardCharsets.UTF_8)
-                .lines()
-                .filter(line -> !line.startsWith(WARNING))
-                .forEach(to::println);
+        new String(Files.readAllBytes(file), StandardCharsets.UTF_8).lines().forEach(to::println);
         to.flush();
     }
 }

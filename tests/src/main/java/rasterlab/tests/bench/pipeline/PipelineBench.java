@@ -12,8 +12,6 @@ import rasterlab.tests.bench.pipeline.PipelineJobs.Job;
 /**
  * The pipeline's goals: each measured in a process of its own and printed as soon as it is.
  *
- * <p>Where the Vector API is there, each is measured with it and without.
- *
  * <p>On one core (LP_NUM_THREADS=0 taskset -c 1 ./lab bench pipeline) the goals are those of one
  * core, and the figures the steadiest.
  */
@@ -43,11 +41,10 @@ public final class PipelineBench {
      * @return whether all was measured that can be here
      */
     public boolean run() throws IOException, InterruptedException {
-        out.println(Way.names(words));
         String missing = tellMachine();
         out.println(words.head("head.pipeline"));
         boolean measured = true;
-        List<Job> jobs = PipelineJobs.all(quick, List.of());
+        List<Job> jobs = PipelineJobs.all(quick);
         for (int k = 0; k < jobs.size(); k++)
             if (jobs.get(k).work().contains(only)) measured &= measure(k, jobs.get(k), missing);
         return measured;
@@ -89,6 +86,6 @@ public final class PipelineBench {
 
     /** What there is to measure, in the table's order. */
     public static List<String> works() {
-        return PipelineJobs.all(true, List.of()).stream().map(Job::work).toList();
+        return PipelineJobs.all(true).stream().map(Job::work).toList();
     }
 }

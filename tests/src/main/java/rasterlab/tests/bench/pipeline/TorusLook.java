@@ -4,7 +4,6 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.lwjgl.opengl.GL11C;
 import rasterlab.engine.pipeline.fast.Blending;
-import rasterlab.engine.pipeline.fast.DistantLight;
 import rasterlab.engine.pipeline.fast.Surface;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
 import rasterlab.engine.pipeline.surface.TexelFilter;

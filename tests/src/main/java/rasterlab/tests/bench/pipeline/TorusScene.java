@@ -1,7 +1,6 @@
 package rasterlab.tests.bench.pipeline;
 
 import org.joml.Matrix4d;
-import rasterlab.engine.pipeline.fast.DistantLight;
 import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.shape.Torus;

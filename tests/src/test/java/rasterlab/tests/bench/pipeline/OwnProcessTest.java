@@ -30,14 +30,13 @@ class OwnProcessTest {
     private final ByteArrayOutputStream out = new ByteArrayOutputStream();
     private final ByteArrayOutputStream err = new ByteArrayOutputStream();
 
-    /** Says something on both streams, warned of vectors, and ends with its argument. */
+    /** Says something on both streams and ends with its argument. */
     static final class Program {
         private Program() {}
 
         public static void main(String[] code) throws IOException {
             byte[] said = (SAID + "\n").getBytes(StandardCharsets.UTF_8);
             System.out.write(said);
-            System.err.println("WARNING: Using incubator modules: jdk.incubator.vector");
             System.err.write(said);
             System.exit(Integer.parseInt(code[0]));
         }

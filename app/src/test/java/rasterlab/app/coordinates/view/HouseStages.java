@@ -1,7 +1,9 @@
-package rasterlab.engine.scene;
+package rasterlab.app.coordinates.view;
 
 import org.joml.Matrix4d;
 import org.joml.Vector4d;
+import rasterlab.engine.scene.House;
+import rasterlab.engine.transform.ProjectionMatrices;
 import rasterlab.engine.transform.TextbookMatrices;
 
 /**
@@ -14,25 +16,25 @@ import rasterlab.engine.transform.TextbookMatrices;
  * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, "forming the
  * picture".
  */
-public final class HouseStages {
-    public static final double SHIFT_Y = -150;
-    public static final double R = -1.0 / 700;
+final class HouseStages {
+    static final double SHIFT_Y = -150;
+    static final double R = -1.0 / 700;
 
     private HouseStages() {}
 
     /** Row k is vertex k + 1. */
-    public static double[][] world() {
-        return apply(TextbookMatrices.scale(House.SCALE));
+    static double[][] world() {
+        return apply(scale());
     }
 
-    public static double[][] eye() {
+    static double[][] eye() {
         return apply(eyeMatrix());
     }
 
     /** The third number is z / H, which the picture does not use. */
-    public static double[][] screen() {
+    static double[][] screen() {
         return apply(
-                TextbookMatrices.onePointPerspective(R)
+                ProjectionMatrices.perspective(0, 0, R)
                         .mul(TextbookMatrices.translation(0, SHIFT_Y, 0))
                         .mul(eyeMatrix()));
     }
@@ -42,7 +44,11 @@ public final class HouseStages {
         return TextbookMatrices.rotationX(Math.toRadians(10))
                 .mul(TextbookMatrices.rotationY(Math.toRadians(-40)))
                 .mul(TextbookMatrices.rotationX(Math.toRadians(-90)))
-                .mul(TextbookMatrices.scale(House.SCALE));
+                .mul(scale());
+    }
+
+    private static Matrix4d scale() {
+        return TextbookMatrices.scale(House.SCALE, House.SCALE, House.SCALE);
     }
 
     private static double[][] apply(Matrix4d matrix) {

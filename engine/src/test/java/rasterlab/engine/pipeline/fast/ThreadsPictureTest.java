@@ -1,20 +1,13 @@
 package rasterlab.engine.pipeline.fast;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
 import org.joml.Matrix4d;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
 import rasterlab.engine.pipeline.surface.TexelFilter;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
@@ -27,9 +20,9 @@ import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.GlMatrices;
 
-/** The picture of eight lanes beside that of one, bit for bit. */
+/** The picture of several threads beside that of one, bit for bit. */
 @Tag("slow")
-class EightLanesTest {
+class ThreadsPictureTest {
     private static final int PICTURES = 60;
     private static final int TRIANGLES = 60;
 
@@ -55,41 +48,36 @@ class EightLanesTest {
         return new Surface.PerPixel(new TexturedPixels(sampler, filter, mode, new ColoredPixels()));
     }
 
-    @BeforeAll
-    static void needEight() {
-        EightLanes.assumeThere();
-    }
-
     /**
      * Pictures as wide as one pixel to more than a batch, triangles from specks to slivers; with
      * depths that are kept and without.
      */
     @ParameterizedTest(name = "with {0} threads a bit of a picture is another")
-    @ValueSource(ints = {1, 2, 3})
+    @ValueSource(ints = {2, 3})
     void drawTheSamePicture(int threads) {
         long seed = 2026 + threads;
         var random = new Random(seed);
-        try (var one = new TrianglePipeline(1, Lanes.ONE);
-                var eight = new TrianglePipeline(threads, Lanes.EIGHT)) {
+        try (var one = new TrianglePipeline(1);
+                var several = new TrianglePipeline(threads)) {
             for (int k = 0; k < PICTURES; k++) {
                 int width = 1 + random.nextInt(k % 4 == 0 ? 1500 : 70);
                 int height = 1 + random.nextInt(100);
                 var mesh = mesh(random, width, height, TRIANGLES, 3 * width + 50);
                 var view = PixelSpace.view(width, height, Culling.NONE);
                 String what = "seed %d, picture %d".formatted(seed, k);
-                drawBoth(new Scene(what, width, height, view, mesh), one, eight);
+                drawBoth(new Scene(what, width, height, view, mesh), one, several);
             }
         }
     }
 
     /** The mesh has as many triangles as pixels, so that small ones are found in blocks. */
     @ParameterizedTest(name = "with {0} threads a bit of a crowded picture is another")
-    @ValueSource(ints = {1, 2, 3})
+    @ValueSource(ints = {2, 3})
     void drawTheSameCrowdedPicture(int threads) {
         long seed = 2036 + threads;
         var random = new Random(seed);
-        try (var one = new TrianglePipeline(1, Lanes.ONE);
-                var eight = new TrianglePipeline(threads, Lanes.EIGHT)) {
+        try (var one = new TrianglePipeline(1);
+                var several = new TrianglePipeline(threads)) {
             for (int k = 0; k < PICTURES / 4; k++) {
                 int width = 1 + random.nextInt(70);
                 int height = 1 + random.nextInt(100);
@@ -97,14 +85,14 @@ class EightLanesTest {
                 var mesh = mesh(random, width, height, width * height, size);
                 var view = PixelSpace.view(width, height, Culling.NONE);
                 String what = "seed %d, picture %d".formatted(seed, k);
-                drawBoth(new Scene(what, width, height, view, mesh), one, eight);
+                drawBoth(new Scene(what, width, height, view, mesh), one, several);
             }
         }
     }
 
     /** Where corners are not all as far from the eye, and some behind it. */
     @ParameterizedTest(name = "with {0} threads a bit of a crowded torus is another")
-    @ValueSource(ints = {1, 3})
+    @ValueSource(ints = {2, 3})
     void drawTheSameCrowdedTorus(int threads) {
         var toEye = new Matrix4d().translate(0, 0.2, -1.2).rotateX(-0.9);
         var view = new TriangleView(toEye, GlMatrices.perspective(60, 1.25, 0.1, 10));
@@ -114,9 +102,9 @@ class EightLanesTest {
         for (float[] channel : color)
             for (int v = 0; v < channel.length; v++) channel[v] = random.nextFloat();
         var mesh = torus.withColors(color[0], color[1], color[2], color[3]);
-        try (var one = new TrianglePipeline(1, Lanes.ONE);
-                var eight = new TrianglePipeline(threads, Lanes.EIGHT)) {
-            drawBoth(new Scene("torus", 100, 80, view, mesh), one, eight);
+        try (var one = new TrianglePipeline(1);
+                var several = new TrianglePipeline(threads)) {
+            drawBoth(new Scene("torus", 100, 80, view, mesh), one, several);
         }
     }
 
@@ -126,15 +114,15 @@ class EightLanesTest {
         }
     }
 
-    private static void drawBoth(Scene scene, TrianglePipeline one, TrianglePipeline eight) {
+    private static void drawBoth(Scene scene, TrianglePipeline one, TrianglePipeline several) {
         for (Surface surface : SURFACES) {
             DepthRaster expected = scene.picture();
             DepthRaster actual = scene.picture();
             one.drawOn(7, scene.mesh, scene.view, surface, expected, () -> false);
-            eight.drawOn(7, scene.mesh, scene.view, surface, actual, () -> false);
+            several.drawOn(7, scene.mesh, scene.view, surface, actual, () -> false);
             String what = scene.what + ", " + surface;
-            EightLanes.assertSame(expected, actual, what);
-            for (var pipeline : List.of(one, eight)) {
+            SamePicture.assertSame(expected, actual, what);
+            for (var pipeline : List.of(one, several)) {
                 var alone = new Raster(scene.width, scene.height);
                 pipeline.drawOn(7, scene.mesh, scene.view, surface, alone, () -> false);
                 assertArrayEquals(expected.raster().argb(), alone.argb(), what);
@@ -172,24 +160,5 @@ class EightLanesTest {
         return PixelSpace.mesh(corners, depth, triangles)
                 .withColors(color[0], color[1], color[2], color[3])
                 .withTexture(st[0], st[1]);
-    }
-
-    /** What is written back there may be stale: the next band is another thread's. */
-    @ParameterizedTest(name = "the band from row {0} reaches into row {1}")
-    @CsvSource({"0, 32", "32, 64", "64, 70"})
-    void stayInTheirBand(int top, int end) {
-        var out = new DepthRaster(5, 70);
-        var vertices = new ScreenVertices();
-        vertices.begin(3, 0);
-        vertices.put(1, 4 * Subpixels.ONE, 0, 0, 0);
-        vertices.put(2, 0, 80 * Subpixels.ONE, 0, 0);
-        var scan = new TriangleScan();
-        scan.load(vertices, 0, 1, 2, Bands.of(out, top));
-        assertEquals(end * 5, scan.end);
-    }
-
-    @Test
-    void chooseEightWhereTheyAre() {
-        assertTrue(Lanes.best() == Lanes.EIGHT, "one lane was chosen");
     }
 }

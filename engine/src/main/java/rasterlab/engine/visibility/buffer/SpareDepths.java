@@ -1,0 +1,25 @@
+package rasterlab.engine.visibility.buffer;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicReference;
+
+/** The buffer of the last frame, for the next one of the same size; safe to use by many threads. */
+final class SpareDepths {
+    /** A larger buffer is not kept between frames, in pixels: a screen of 3840×2160 fits. */
+    private static final int LARGEST_KEPT = 1 << 23;
+
+    private final AtomicReference<int[]> spare = new AtomicReference<>(new int[0]);
+
+    /** A buffer whose pixels hold nothing. */
+    int[] takeEmpty(int pixels) {
+        int[] last = spare.getAndSet(new int[0]);
+        int[] buffer = last.length == pixels ? last : new int[pixels];
+        Arrays.fill(buffer, DepthCodes.EMPTY);
+        return buffer;
+    }
+
+    /** Keeps a buffer that nobody reads any more. */
+    void giveBack(int[] buffer) {
+        if (buffer.length <= LARGEST_KEPT) spare.set(buffer);
+    }
+}

@@ -1,0 +1,154 @@
+package rasterlab.tests.rules;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMethod;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The product is what the product uses: what only tests or benchmarks name stands with them, and
+ * what nobody names is deleted.
+ *
+ * <p>Methods are judged in the modules that have no window and no Kotlin, whose compiler copies
+ * some of them to where they are called; the contract is what students call.
+ */
+class ProductUseTest {
+    /** Programs: Java itself starts them. */
+    private static final Set<String> STARTED =
+            Set.of("rasterlab.app.Main", "rasterlab.grader.MainKt");
+
+    /** Methods that only tests call today, one a line: no line is added. */
+    private static final String ONLY_TESTED = "only-tested.txt";
+
+    /** Where methods are judged. */
+    private static final List<String> JUDGED = List.of("rasterlab.engine", "rasterlab.exercises");
+
+    private static JavaClasses product;
+
+    @BeforeAll
+    static void importClasses() {
+        product =
+                new ClassFileImporter()
+                        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                        .withImportOption(place -> !place.contains("/rasterlab/tests/"))
+                        .importPackages("rasterlab");
+    }
+
+    @Test
+    @DisplayName("a class of the product is named by tests alone, or by nobody")
+    void everyClassIsUsed() {
+        List<String> unused =
+                product.stream()
+                        .filter(type -> outermost(type).equals(type))
+                        .filter(type -> !type.getSimpleName().equals("package-info"))
+                        .filter(type -> !STARTED.contains(type.getName()))
+                        .filter(type -> !isKotlin(type))
+                        .filter(type -> !isNamed(type))
+                        .map(JavaClass::getName)
+                        .sorted()
+                        .toList();
+        assertEquals(List.of(), unused, "move them to the tests, use them or delete them");
+    }
+
+    /** Constants are copied by the compiler, so a class of constants alone seems to be unnamed. */
+    private static boolean isNamed(JavaClass type) {
+        return type.getMethods().isEmpty()
+                || withNested(type)
+                        .flatMap(part -> part.getDirectDependenciesToSelf().stream())
+                        .anyMatch(use -> !outermost(use.getOriginClass()).equals(type));
+    }
+
+    private static Stream<JavaClass> withNested(JavaClass type) {
+        return product.stream().filter(part -> outermost(part).equals(type));
+    }
+
+    @Test
+    @DisplayName("a method of the product is called by tests alone, or by nobody")
+    void everyMethodIsUsed() throws IOException {
+        Set<String> listed = listed();
+        var fresh = new TreeSet<>(unusedMethods());
+        fresh.removeAll(listed);
+        assertEquals(Set.of(), fresh, "move them to the tests, use them or delete them");
+        var used = new TreeSet<>(listed);
+        used.removeAll(unusedMethods());
+        assertEquals(Set.of(), used, "these are used or gone: take them off " + ONLY_TESTED);
+    }
+
+    private static Set<String> listed() throws IOException {
+        try (var in = ProductUseTest.class.getResourceAsStream(ONLY_TESTED)) {
+            String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            return text.lines().collect(Collectors.toCollection(TreeSet::new));
+        }
+    }
+
+    private static Set<String> unusedMethods() {
+        return product.stream()
+                .filter(type -> JUDGED.stream().anyMatch(type.getPackageName()::startsWith))
+                .flatMap(type -> type.getMethods().stream())
+                .filter(method -> !isCalled(method) && !isForOthers(method))
+                .map(method -> method.getOwner().getSimpleName() + "." + method.getName())
+                .collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    private static boolean isCalled(JavaMethod method) {
+        for (JavaAccess<?> access : method.getAccessesToSelf())
+            if (!access.getOrigin().equals(method)) return true;
+        return false;
+    }
+
+    /** What the compiler writes, Java or a library calls, or a caller knows by a wider type. */
+    private static boolean isForOthers(JavaMethod method) {
+        JavaClass owner = method.getOwner();
+        return method.getModifiers().contains(JavaModifier.SYNTHETIC)
+                || method.getModifiers().contains(JavaModifier.BRIDGE)
+                || !method.getAnnotations().isEmpty()
+                || owner.isRecord() && owner.tryGetField(method.getName()).isPresent()
+                || owner.isEnum() && Set.of("values", "valueOf").contains(method.getName())
+                || method.getName().equals("main")
+                || overrides(method);
+    }
+
+    private static boolean overrides(JavaMethod method) {
+        return wider(method.getOwner().reflect())
+                .flatMap(type -> Stream.of(type.getDeclaredMethods()))
+                .anyMatch(
+                        other ->
+                                other.getName().equals(method.getName())
+                                        && other.getParameterCount()
+                                                == method.getParameters().size());
+    }
+
+    private static Stream<Class<?>> wider(Class<?> type) {
+        return Stream.concat(
+                        Stream.ofNullable(type.getSuperclass()), Stream.of(type.getInterfaces()))
+                .flatMap(above -> Stream.concat(Stream.of(above), wider(above)));
+    }
+
+    private static JavaClass outermost(JavaClass type) {
+        Optional<JavaClass> around = type.getEnclosingClass();
+        return around.map(ProductUseTest::outermost).orElse(type);
+    }
+
+    private static boolean isKotlin(JavaClass type) {
+        return type.getSource()
+                .flatMap(source -> source.getFileName())
+                .filter(name -> name.endsWith(".kt"))
+                .isPresent();
+    }
+}
