@@ -43,7 +43,7 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|property\\.areas|answer\\.(?:at.*|worst.*)|drawing\\..*");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|property\\.areas|answer\\.(?:at.*|worst.*)|drawing\\..*|decided\\..*|compared\\.(?:within|steps)");
 
     /** The texts whose places hold values of steps. */
     private static final Pattern STEPS = Pattern.compile("predict\\.(?:right|wrong|open|why)");
@@ -64,6 +64,7 @@ public record Message(List<Sentence> sentences) {
             Set.of(
                     "known-mistake",
                     "known-fault.told",
+                    "compared.within",
                     "known-answer.told",
                     "case.break.method",
                     "why.mistake",
@@ -208,7 +209,7 @@ public record Message(List<Sentence> sentences) {
         List<Sentence> sentences = new ArrayList<>();
         try {
             for (String[] one : OwnJson.MAPPER.readValue(data, String[][].class)) {
-                if (one.length == 0 || !ReportTexts.in("en").has(one[0])) return quoted(english);
+                if (one.length == 0 || !ReportTexts.in("en").had(one[0])) return quoted(english);
                 sentences.add(new Sentence(one[0], List.of(one).subList(1, one.length)));
             }
             return new Message(sentences);

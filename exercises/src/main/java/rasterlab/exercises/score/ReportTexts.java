@@ -18,7 +18,11 @@ import rasterlab.exercises.words.TopicWords;
 record ReportTexts(ResourceBundle general) {
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
     private static final Pattern ON_A_TOPIC =
-            Pattern.compile("(mutant|property|place|faults?)\\.([a-z-]+)\\.(.+)");
+            Pattern.compile(
+                    "(mutant|property|place|faults?|decided|rule|bound)\\.([a-z-]+)\\.(.+)");
+
+    /** The beginning of the keys of texts that no new report has. */
+    private static final String WAS = "was.";
 
     /** The number of characters beyond which only the first faults are told. */
     private static final int LONG_FAULTS = 120;
@@ -45,7 +49,13 @@ record ReportTexts(ResourceBundle general) {
         return place.texts.containsKey(place.key);
     }
 
+    /** Whether a stored report may have that key, though no new one does. */
+    boolean had(String key) {
+        return has(key) || general.containsKey(WAS + key);
+    }
+
     String text(String key) {
+        if (!has(key) && had(key)) return general.getString(WAS + key);
         Place place = place(key);
         String text = place.texts.getString(place.key);
         if (place.key.equals(key)) return text;

@@ -190,6 +190,23 @@ class MessageTest {
         assertEquals("as it was", Message.ofData(data, "as it was").in("ru"));
     }
 
+    @ParameterizedTest(name = "a stored sentence without a text of today is in English only: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "known-answer | ray answers the same | ray отвечает так же",
+                "pixel.twice | pixel ray is plotted twice | пиксель ray нарисован дважды",
+                "answer.worst.ulps | what is misjudged is up to ray ulps from the boundary | неверно оценённое отстоит от границы не больше чем на ray ulp",
+                "break.none-answers | no right method takes this input, so it breaks nothing; ray says | ни один верный метод не принимает этот вход, поэтому он никого не разоблачает; метод ray сообщает:"
+            })
+    void aSentenceThatIsOnlyStoredIsReadInBothLanguages(
+            String key, String english, String russian) {
+        Message stored = Message.ofData("[[\"%s\",\"ray\"]]".formatted(key), "another");
+        assertEquals(english, stored.in("en"));
+        assertEquals(russian, stored.in("ru"));
+        assertFalse(Message.isKnown(key), "a new report would have it");
+    }
+
     @Test
     void aKeyWithoutATextIsOurMistake() {
         assertThrows(AssertionError.class, () -> Message.of("no-such-key"));
