@@ -76,7 +76,7 @@ final class TopicInputs<C, I> {
             throw fields.wrong("", Phrase.of("field.either", "given", "hazard"));
         return new Read<>(
                 fields.has("hazard")
-                        ? List.of(hazard(fields))
+                        ? hazard(fields)
                         : given(Phrase.of("field", place, "given"), fields),
                 fields.flag("mayRefuse", false),
                 fields.flag("strict", false),
@@ -112,13 +112,34 @@ final class TopicInputs<C, I> {
                 one.property().isPresent() ? "property" : one.generated() ? "generate" : "input");
     }
 
-    private I hazard(JsonFields fields) {
+    /** The input of a hazard; where it is several as they are told outside, those. */
+    private List<I> hazard(JsonFields fields) {
         String name = fields.word("hazard", topic.hazards().stream().map(Hazard::name).toList());
-        return topic.hazards().stream()
-                .filter(hazard -> hazard.name().equals(name))
-                .findFirst()
-                .orElseThrow()
-                .input();
+        I input =
+                topic.hazards().stream()
+                        .filter(hazard -> hazard.name().equals(name))
+                        .findFirst()
+                        .orElseThrow()
+                        .input();
+        if (untold(input).isEmpty()) return List.of(input);
+        List<I> singles = format.singles(input);
+        for (I one : singles)
+            untold(one)
+                    .ifPresent(
+                            why -> {
+                                throw fields.wrong("hazard", Phrase.of("field.untold", name, why));
+                            });
+        return singles;
+    }
+
+    /** Why no report could show an input; empty where it can. */
+    private Optional<Phrase> untold(I input) {
+        try {
+            Leaves.tree(format, input);
+            return Optional.empty();
+        } catch (IllegalArgumentException untold) {
+            return Optional.of(Phrase.ofTheEngine(untold.getMessage()));
+        }
     }
 
     /** One input, or several that are tried one after the other. */

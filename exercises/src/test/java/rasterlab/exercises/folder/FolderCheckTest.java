@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.exercises.score.Phrase;
 
 /** All that is wrong in an exercise's folder is told at once, with file, place and reason. */
 class FolderCheckTest {
@@ -88,6 +89,34 @@ class FolderCheckTest {
         List<String> faults = faults();
         assertEquals(1, faults.size(), faults.toString());
         assertTrue(faults.get(0).contains(file), faults.toString());
+    }
+
+    @ParameterizedTest(name = "an input that no report can show is taken: {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "line-plane | parallel | a plane is told by a point of it, not by c | плоскость передаётся точкой на ней",
+                "spline-function | overshoot | that the shape counts is not told | то, что важна форма, не передаётся",
+                "texture-filter | hair | a picture is told in greys, got 0 | изображение передаётся в серых тонах"
+            })
+    void anUntoldHazardIsTold(String topic, String hazard, String why, String russian)
+            throws IOException {
+        folder = Files.createDirectory(parent.resolve("untold"));
+        for (Map.Entry<String, String> file : NewFolder.files(topic).entrySet())
+            Files.writeString(folder.resolve(file.getKey()), file.getValue());
+        String cases = Files.readString(folder.resolve("cases.json"));
+        Files.writeString(
+                folder.resolve("cases.json"),
+                cases.replaceFirst(
+                        "(?s)\"input\" : \\{.*?}",
+                        "\"input\" : {\"hazard\" : \"" + hazard + "\"}"));
+        List<Phrase> faults = FolderCheck.faults(folder);
+        assertEquals(1, faults.size(), faults.toString());
+        String said = faults.get(0).in("en");
+        String place = "field 'hazard' must be a hazard that a report can show, got '" + hazard;
+        assertTrue(said.contains("cases.json") && said.contains(place), said);
+        assertTrue(said.endsWith(why), said);
+        assertTrue(faults.get(0).in("ru").contains(russian), faults.get(0).in("ru"));
     }
 
     @Test
