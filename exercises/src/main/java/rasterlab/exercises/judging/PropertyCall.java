@@ -178,16 +178,12 @@ final class PropertyCall<C, I, O> implements Call {
         I other = broken.get().answered().input();
         Optional<O> wanted = broken.get().wanted();
         O output = broken.get().answered().output();
-        Message broke =
-                property.broken()
-                        .and(property.rule())
-                        .and(counterexample(other))
-                        .and(
-                                wanted.map(one -> unfit(other, one, output))
-                                        .orElse(broken.get().said()));
+        Message broke = property.broken().and(counterexample(other));
+        Message unfit =
+                wanted.map(one -> unfit(other, one, output)).orElse(broken.get().said());
         Message which = whichIsWrong(mine, other);
-        Message itself = which.isEmpty() ? without(broke, wrong.said()) : wrong.said();
-        Message said = broke.and(which).and(itself);
+        Message itself = which.isEmpty() ? without(unfit, wrong.said()) : wrong.said();
+        Message said = BriefMessage.of(broke, unfit, property.rule(), which, itself);
         return new Finding(GradingVerdict.WRONG, said, wrong.pictures(), wrong.explanations());
     }
 
