@@ -84,7 +84,8 @@ final class InputCall<C, I, O> implements Call {
         List<List<Cause>> causes = own.isEmpty() ? known().of(actual) : own;
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
         O beside = grading.beside(input, right, actual, demand, causes);
-        Message said = grading.difference(input, beside, actual);
+        Message differs = grading.difference(input, beside, actual);
+        Message said = differs.and(decided(beside, actual, differs));
         // where several mistakes that are known give this answer, none of them is told
         List<Cause> told = !own.isEmpty() || known().areOne(causes) ? causes.get(0) : List.of();
         for (Cause one : told) said = said.and(one.said());
@@ -93,6 +94,13 @@ final class InputCall<C, I, O> implements Call {
             said = said.and(alike(further.get(), told));
         return new Finding(
                 GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
+    }
+
+    /** By which value a right method decides on the item that is told to differ. */
+    private Message decided(O right, O actual, Message differs) {
+        return grading.differing(input, right, actual, differs)
+                .map(at -> Decisions.of(topic().name(), input(), grading.json(input, right), at))
+                .orElse(Message.NONE);
     }
 
     /** A method that gives the same answer; its faults too, where they alone explain it. */

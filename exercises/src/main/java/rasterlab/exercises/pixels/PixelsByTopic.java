@@ -19,6 +19,7 @@ import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.drawing.PixelPictures;
 import rasterlab.exercises.judging.ByTopic;
 import rasterlab.exercises.judging.Demand;
+import rasterlab.exercises.judging.Differing;
 import rasterlab.exercises.judging.TimedInput;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
@@ -140,6 +141,12 @@ public abstract class PixelsByTopic<C, I> extends ByTopic<C, I, PixelRecording> 
                             String kind = first.kind().name().toLowerCase(Locale.ROOT);
                             return Message.of("pixel." + kind, first.pixel());
                         });
+    }
+
+    @Override
+    protected final Optional<Differing> differing(
+            I input, PixelRecording right, PixelRecording actual, Message said) {
+        return FirstDifference.of(right, actual).map(first -> Differing.at(first.pixel()));
     }
 
     /** {@inheritDoc} The first faulty method that draws the very same. */

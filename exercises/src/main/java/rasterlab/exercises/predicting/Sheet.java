@@ -11,6 +11,7 @@ import rasterlab.engine.format.Misfit;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.judging.InputTemplate;
+import rasterlab.exercises.judging.Walk;
 import rasterlab.exercises.score.Phrase;
 
 /**

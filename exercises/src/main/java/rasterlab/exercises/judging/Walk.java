@@ -1,4 +1,4 @@
-package rasterlab.exercises.predicting;
+package rasterlab.exercises.judging;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
@@ -27,12 +27,12 @@ import rasterlab.exercises.json.StrictJson;
  *
  * @param steps an object each
  */
-record Walk(List<JsonNode> steps) {
+public record Walk(List<JsonNode> steps) {
 
     /** Whole numbers below are doubles. */
     private static final double MOST_WHOLE = 0x1p53;
 
-    Walk {
+    public Walk {
         steps = List.copyOf(steps);
     }
 
@@ -43,13 +43,28 @@ record Walk(List<JsonNode> steps) {
      * @throws Misfit if it is no input of the topic, or the method has no steps
      * @throws IllegalArgumentException if the method refuses the input
      */
-    static Walk of(String topic, String method, String input) {
-        JsonNode answer = tree(answer(Topics.named(topic), method, input));
+    public static Walk of(String topic, String method, String input) {
         List<JsonNode> steps = new ArrayList<>();
-        for (JsonNode one : answer.path("steps"))
-            if (one.isArray()) one.forEach(steps::add);
-            else steps.add(one);
+        each(topic, method, input).forEach(steps::addAll);
         return new Walk(steps);
+    }
+
+    /**
+     * The steps for each of several things in one input; one list where they are not told apart.
+     */
+    static List<List<JsonNode>> each(String topic, String method, String input) {
+        JsonNode answer = tree(answer(Topics.named(topic), method, input));
+        List<List<JsonNode>> walks = new ArrayList<>();
+        List<JsonNode> alone = new ArrayList<>();
+        for (JsonNode one : answer.path("steps")) {
+            if (!one.isArray()) alone.add(one);
+            else {
+                List<JsonNode> steps = new ArrayList<>();
+                one.forEach(steps::add);
+                walks.add(steps);
+            }
+        }
+        return walks.isEmpty() ? List.of(alone) : walks;
     }
 
     private static <C, I, O> Written answer(Topic<C, I, O> topic, String method, String input) {
