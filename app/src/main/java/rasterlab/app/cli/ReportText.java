@@ -2,8 +2,11 @@ package rasterlab.app.cli;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.stream.Stream;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
@@ -111,10 +114,29 @@ final class ReportText {
                         texts.text("case"),
                         texts.text("verdict"),
                         texts.text("points"),
+                        texts.text("compared"),
                         texts.text("message"));
         for (PublishedCase judged : cases) table.add(row(judged));
         table.lines().forEach(out::println);
+        printRules(cases);
         for (PublishedCase judged : cases) printPicture(judged);
+    }
+
+    /** The rules by which answers are right, each once, with its cases where not all have it. */
+    private void printRules(List<PublishedCase> cases) {
+        Map<String, List<String>> titles = new LinkedHashMap<>();
+        for (PublishedCase judged : cases)
+            judged.rule()
+                    .ifPresent(
+                            rule ->
+                                    titles.computeIfAbsent(rule, none -> new ArrayList<>())
+                                            .add(judged.title()));
+        if (!titles.isEmpty()) out.println();
+        titles.forEach(
+                (rule, of) ->
+                        say(
+                                "rule",
+                                titles.size() == 1 ? rule : String.join(", ", of) + " – " + rule));
     }
 
     private List<String> row(PublishedCase judged) {
@@ -123,6 +145,7 @@ final class ReportText {
                 judged.title(),
                 GradingVerdict.word(verdict, language()),
                 CaseReport.pointsOf(judged.points(), judged.of()),
+                judged.tolerance().orElse(""),
                 judged.message());
     }
 

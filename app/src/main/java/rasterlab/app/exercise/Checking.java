@@ -30,10 +30,10 @@ final class Checking implements AutoCloseable {
                         source,
                         CaseSelection.open(),
                         done -> {
-                            cases.add(TriedCase.of(done));
+                            cases.add(TriedCase.of(exercise, done));
                             judged.accept(List.copyOf(cases));
                         });
-        return Outcome.checked(source, report)
+        return Outcome.checked(exercise, source, report)
                 .with(report.figures().map(one -> PublishedSpeed.of(exercise.topic(), one)));
     }
 

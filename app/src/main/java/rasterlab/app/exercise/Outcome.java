@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
@@ -106,13 +107,26 @@ record Outcome(
         return Math.max(0, points.total() - hints);
     }
 
+    /** A report of this machine. */
+    static Outcome checked(Exercise exercise, String source, Report report) {
+        return checked(
+                source,
+                report,
+                report.cases().stream().map(one -> TriedCase.of(exercise, one)).toList());
+    }
+
+    /** The same where it is not known which exercise it is of. */
     static Outcome checked(String source, Report report) {
+        return checked(source, report, report.cases().stream().map(TriedCase::of).toList());
+    }
+
+    private static Outcome checked(String source, Report report, List<TriedCase> cases) {
         return new Outcome(
                 source,
                 0,
                 report.verdict().code(),
                 report.points(),
-                report.cases().stream().map(TriedCase::of).toList(),
+                cases,
                 report.diagnostics().stream()
                         .map(one -> new Remark(one.line(), one.column(), Said.of(one::message)))
                         .toList(),

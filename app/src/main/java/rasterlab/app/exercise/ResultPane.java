@@ -261,7 +261,9 @@ final class ResultPane extends JPanel {
                         .filter(one -> !telling.contains(one.name()))
                         .isPresent();
         String words = smallest ? texts.text("smallest", said) : said;
-        reason.setText(words.isEmpty() ? hint(chosen) : words);
+        String rule = chosen.map(one -> one.rule().in(texts.language())).orElse("");
+        String told = words.isEmpty() ? hint(chosen) : words;
+        reason.setText(rule.isEmpty() ? told : told + "\n" + rule);
         reason.setCaretPosition(0);
         chart.filter(one -> chosen.filter(CASE_OF_SPEED).isPresent())
                 .ifPresentOrElse(

@@ -108,7 +108,9 @@ final class Submitting {
             // Not by its name: several may be called hidden.
             Optional<PublishedCase> other = at(russian.cases(), cases.size());
             Said said = new Said(one.message(), other.map(PublishedCase::message).orElse(""));
-            cases.add(tried(one, withReason(said, one, other), pictures(one, other)));
+            cases.add(
+                    tried(one, withReason(said, one, other), pictures(one, other))
+                            .under(rule(one, other)));
         }
         return new Outcome(
                 source,
@@ -133,6 +135,18 @@ final class Submitting {
                         because(Language.ENGLISH, english.why()),
                         because(Language.RUSSIAN, russian.flatMap(PublishedCase::why)));
         return said.equals(Said.NOTHING) ? reason : said.above(reason);
+    }
+
+    private static Said rule(PublishedCase english, Optional<PublishedCase> russian) {
+        return new Said(
+                rule(Language.ENGLISH, Optional.of(english)), rule(Language.RUSSIAN, russian));
+    }
+
+    private static String rule(Language language, Optional<PublishedCase> one) {
+        return TriedCase.rule(
+                language,
+                one.flatMap(PublishedCase::tolerance).orElse(""),
+                one.flatMap(PublishedCase::rule).orElse(""));
     }
 
     private static String because(Language language, Optional<String> why) {

@@ -2,10 +2,14 @@ package rasterlab.app.exercise;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.topic.CaseRules;
+import rasterlab.exercises.topic.CaseRules.CaseRule;
 
 /**
  * One case of a result.
@@ -13,6 +17,7 @@ import rasterlab.exercises.score.GradingVerdict;
  * @param verdict a code, as in the HTTP API; "" for a case that was not tried yet, or whose verdict
  *     may still change
  * @param said why points were lost
+ * @param rule how an answer is compared, and what makes it right; nothing where that is not told
  * @param scene the case as a scene file; "" where it is hidden
  */
 record TriedCase(
@@ -21,10 +26,23 @@ record TriedCase(
         int points,
         int of,
         Said said,
+        Said rule,
         List<TriedPicture> pictures,
         String scene) {
     TriedCase {
         pictures = List.copyOf(pictures);
+    }
+
+    /** A case of which it is not told what makes an answer right. */
+    TriedCase(
+            String name,
+            String verdict,
+            int points,
+            int of,
+            Said said,
+            List<TriedPicture> pictures,
+            String scene) {
+        this(name, verdict, points, of, said, Said.NOTHING, pictures, scene);
     }
 
     static TriedCase of(CaseReport report) {
@@ -36,6 +54,36 @@ record TriedCase(
                 Said.of(report::message),
                 report.pictures().stream().map(TriedPicture::of).toList(),
                 report.scene());
+    }
+
+    /** A case of that exercise, with what makes an answer right. */
+    static TriedCase of(Exercise exercise, CaseReport report) {
+        TriedCase judged = of(report);
+        return CaseRules.of(exercise, report.name())
+                .map(
+                        right ->
+                                new Said(
+                                        rule(Language.ENGLISH, right),
+                                        rule(Language.RUSSIAN, right)))
+                .map(judged::under)
+                .orElse(judged);
+    }
+
+    private static String rule(Language language, CaseRule right) {
+        String code = language.locale().getLanguage();
+        return rule(language, right.tolerance().in(code), right.rule().in(code));
+    }
+
+    /** How an answer is compared, and where there is one the rule, as a sentence each. */
+    static String rule(Language language, String tolerance, String rule) {
+        Texts texts = Texts.of("exercise", language);
+        if (tolerance.isEmpty()) return "";
+        String compared = texts.text("compared", tolerance);
+        return rule.isEmpty() ? compared : compared + " " + texts.text("rule", rule);
+    }
+
+    TriedCase under(Said next) {
+        return new TriedCase(name, verdict, points, of, said, next, pictures, scene);
     }
 
     /** The open cases of an exercise, none of them tried. */
@@ -64,11 +112,11 @@ record TriedCase(
     }
 
     private TriedCase called(String next) {
-        return new TriedCase(next, verdict, points, of, said, pictures, scene);
+        return new TriedCase(next, verdict, points, of, said, rule, pictures, scene);
     }
 
     TriedCase withoutVerdict() {
-        return new TriedCase(name, "", 0, of, Said.NOTHING, List.of(), scene);
+        return new TriedCase(name, "", 0, of, Said.NOTHING, rule, List.of(), scene);
     }
 
     /** Pixels that its pictures show; 0 where it has none. */

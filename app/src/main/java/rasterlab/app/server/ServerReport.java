@@ -87,6 +87,8 @@ public final class ServerReport {
                 number(one, "of"),
                 text(one, "message"),
                 Optional.ofNullable(one.path("place").textValue()),
+                Optional.ofNullable(one.path("tolerance").textValue()),
+                Optional.ofNullable(one.path("rule").textValue()),
                 all(one.path("pictures"), ServerReport::picture),
                 one.path("scene").isObject() ? one.path("scene").toString() : "",
                 Optional.ofNullable(one.path("why").textValue()));

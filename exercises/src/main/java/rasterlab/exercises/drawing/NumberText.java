@@ -7,7 +7,7 @@ import java.math.MathContext;
  * Writes numbers for pictures and texts: with few digits, but as many as tell a wrong one from the
  * right one. The minus is a hyphen, as {@link rasterlab.exercises.score.Message} wants it.
  */
-final class NumberText {
+public final class NumberText {
     /** Significant digits of a number that need not be told from another one. */
     static final int USUAL_DIGITS = 6;
 
@@ -20,7 +20,7 @@ final class NumberText {
     private NumberText() {}
 
     /** A number with the usual digits. */
-    static String of(double value) {
+    public static String of(double value) {
         return of(value, USUAL_DIGITS);
     }
 

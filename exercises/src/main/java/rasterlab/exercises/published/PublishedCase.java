@@ -8,6 +8,7 @@ import java.util.function.Function;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.PublishedVerdict;
+import rasterlab.exercises.topic.CaseRules.CaseRule;
 
 /**
  * A judged case.
@@ -16,6 +17,8 @@ import rasterlab.exercises.score.PublishedVerdict;
  *     turn came
  * @param place in the answer that the message tells in words, as a path of its JSON; empty where it
  *     tells none
+ * @param tolerance how exactly an answer is compared with the right one; empty for what is no case
+ * @param rule on ties, borders or the order of what is answered; empty where there is none
  * @param scene the case as a scene file; "" where there is none
  * @param why the case is there, of a hidden one that may be seen whole; empty where that is not
  *     told
@@ -29,6 +32,8 @@ public record PublishedCase(
         int of,
         String message,
         Optional<String> place,
+        Optional<String> tolerance,
+        Optional<String> rule,
         List<PublishedPicture> pictures,
         String scene,
         Optional<String> why)
@@ -55,6 +60,8 @@ public record PublishedCase(
                 judged.of(),
                 judged.message(language),
                 judged.place(),
+                Optional.empty(),
+                Optional.empty(),
                 judged.pictures().stream()
                         .map(one -> PublishedPicture.of(one, language, url.apply(one)))
                         .toList(),
@@ -68,6 +75,19 @@ public record PublishedCase(
      * @param reason in the language of the other words
      */
     public PublishedCase because(String reason) {
+        return with(tolerance, rule, Optional.of(reason));
+    }
+
+    /** The same with what makes an answer right, in that language. */
+    public PublishedCase under(CaseRule right, String language) {
+        return with(
+                Optional.of(right.tolerance().in(language)),
+                Optional.of(right.rule().in(language)).filter(told -> !told.isEmpty()),
+                why);
+    }
+
+    private PublishedCase with(
+            Optional<String> newTolerance, Optional<String> newRule, Optional<String> newWhy) {
         return new PublishedCase(
                 name,
                 title,
@@ -77,9 +97,11 @@ public record PublishedCase(
                 of,
                 message,
                 place,
+                newTolerance,
+                newRule,
                 pictures,
                 scene,
-                Optional.of(reason));
+                newWhy);
     }
 
     @Override
@@ -94,6 +116,8 @@ public record PublishedCase(
         out.writeNumberField("of", of);
         out.writeStringField("message", message);
         out.writeStringField("place", place.orElse(null));
+        out.writeStringField("tolerance", tolerance.orElse(null));
+        out.writeStringField("rule", rule.orElse(null));
         out.writeArrayFieldStart("pictures");
         for (PublishedPicture one : pictures) one.write(out);
         out.writeEndArray();

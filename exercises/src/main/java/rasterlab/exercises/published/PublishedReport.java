@@ -9,6 +9,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.topic.CaseRules;
 
 /**
  * A report in one language, with the fields that a submission has in the HTTP API, as far as they
@@ -48,20 +49,28 @@ public record PublishedReport(
                 exercise.revision(),
                 report.verdict().code(),
                 PublishedPoints.of(report.points()),
-                report.cases().stream()
-                        .map(
-                                one ->
-                                        PublishedCase.of(
-                                                one,
-                                                language,
-                                                exercise.caseTitle(one.name(), language),
-                                                picture -> url.apply(one, picture)))
-                        .toList(),
+                report.cases().stream().map(one -> judged(exercise, one, language, url)).toList(),
                 report.diagnostics().stream()
                         .map(one -> PublishedDiagnostic.of(one, language))
                         .toList(),
                 report.isolation(),
                 report.figures().map(one -> PublishedSpeed.of(exercise.topic(), one)));
+    }
+
+    private static PublishedCase judged(
+            Exercise exercise,
+            CaseReport one,
+            String language,
+            BiFunction<CaseReport, CasePicture, String> url) {
+        PublishedCase judged =
+                PublishedCase.of(
+                        one,
+                        language,
+                        exercise.caseTitle(one.name(), language),
+                        picture -> url.apply(one, picture));
+        return CaseRules.of(exercise, one.name())
+                .map(right -> judged.under(right, language))
+                .orElse(judged);
     }
 
     @Override

@@ -14,6 +14,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.published.PublishedSpeed
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.topic.CaseRules
 import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
@@ -63,6 +64,7 @@ class Results(
                         ?.takeIf { recorded != null && case.isOpenTo(who, due) }
                         ?.let { reasons.of(it, case.name(), language) }
                 },
+                rule = { case -> exercise?.let { CaseRules.of(it, case.name()).getOrNull() } },
             )
         return submission.view(who, submissions.position(id), live.casesOf(id), recorded, against, due, words) {
             exercise?.let { known -> PublishedSpeed.of(known.topic(), it) }

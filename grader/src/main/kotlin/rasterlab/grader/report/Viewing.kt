@@ -19,6 +19,7 @@ import rasterlab.exercises.published.PublishedSpeed
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.SpeedFigures
+import rasterlab.exercises.topic.CaseRules.CaseRule
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.text
 import rasterlab.grader.submission.Recorded
@@ -94,6 +95,7 @@ class CaseWords(
     val language: String,
     val title: (CaseReport) -> String,
     val reason: (CaseReport) -> String?,
+    val rule: (CaseReport) -> CaseRule? = { null },
 )
 
 /** A part of a published report in our JSON, as it writes itself. */
@@ -174,5 +176,6 @@ fun CaseReport.view(
 ): PublishedCase {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
     val case = PublishedCase.of(this, words.language, words.title(this)) { "$folder/${it.kind()}.png" }
-    return words.reason(this)?.let(case::because) ?: case
+    val ruled = words.rule(this)?.let { case.under(it, words.language) } ?: case
+    return words.reason(this)?.let(ruled::because) ?: ruled
 }

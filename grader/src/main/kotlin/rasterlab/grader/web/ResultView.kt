@@ -152,6 +152,12 @@ private fun FlowContent.case(
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +earned(texts, case) }
     }
+    case.tolerance.getOrNull()?.let { compared ->
+        p("rule") {
+            +texts.say("result.compared", compared)
+            case.rule.getOrNull()?.let { +" ${texts.say("result.rule", it)}" }
+        }
+    }
     val step = sheet?.step(case.name)
     if (sheet != null && step != null) {
         stepResult(texts, sheet, step)
