@@ -18,10 +18,10 @@ import rasterlab.app.polygon.BrushKind;
 import rasterlab.app.polygon.CutFigure;
 import rasterlab.app.polygon.FillFigure;
 import rasterlab.app.polygon.InsideFigure;
-import rasterlab.app.polygon.PolygonPoint;
 import rasterlab.app.polygon.PolygonChoice;
 import rasterlab.app.polygon.PolygonLabState;
 import rasterlab.app.polygon.PolygonMode;
+import rasterlab.app.polygon.PolygonPoint;
 import rasterlab.app.polygon.SeedFigure;
 import rasterlab.contract.FillRule;
 

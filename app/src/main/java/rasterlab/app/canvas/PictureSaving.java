@@ -66,7 +66,7 @@ final class PictureSaving {
         writing.write(Texts.of("canvas", language).text("picture.title"), work, then);
     }
 
-    /** Drawn now, and packed when it is written. */
+    /** The file's content, drawn now, and packed when it is written. */
     private Supplier<byte[]> content(PictureForm form) {
         if (form == PictureForm.SVG) {
             SvgDrawing drawing = picture.svg().get();

@@ -29,7 +29,8 @@ final class CameraOption implements ITypeConverter<SphericalView> {
         if (Math.abs(radians) > SceneSetting.MOST_RADIANS)
             throw new TypeConversionException(
                     "angle must be from %s to %s radians, got '%s'"
-                            .formatted(-SceneSetting.MOST_RADIANS, SceneSetting.MOST_RADIANS, text));
+                            .formatted(
+                                    -SceneSetting.MOST_RADIANS, SceneSetting.MOST_RADIANS, text));
         return radians;
     }
 

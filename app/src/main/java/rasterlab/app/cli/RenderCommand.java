@@ -177,7 +177,8 @@ final class RenderCommand implements Callable<Integer> {
             Scene scene = texture.laid(opened, opened.scene().zoomed(scale), look.texture(opened));
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
             Projection chosen =
-                    opened.option("--projection", Projection.named(projection), SceneSetting.PROJECTION);
+                    opened.option(
+                            "--projection", Projection.named(projection), SceneSetting.PROJECTION);
             String method = opened.option("--visibility", visibility, SceneSetting.VISIBILITY);
             return new RenderRequest(
                     scene,

@@ -13,9 +13,9 @@ import rasterlab.app.model.SceneText;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.scene.obj.UpAxis;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /** What {@code ./lab render} shows: a scene by name, or a file. */

@@ -63,7 +63,8 @@ final class TextureOptions {
                         ? null
                         : EngineNames.constant("texture environment", Mode.values(), environment);
         return new TextureChange(
-                        shown.option(along, SceneSetting.WRAP), shown.option(mixed, SceneSetting.ENVIRONMENT))
+                        shown.option(along, SceneSetting.WRAP),
+                        shown.option(mixed, SceneSetting.ENVIRONMENT))
                 .of(changed);
     }
 

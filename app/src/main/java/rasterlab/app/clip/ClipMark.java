@@ -58,7 +58,8 @@ sealed interface ClipMark {
      * @param dx the way an arrow head points, with dy
      * @param words beside it, "" for none
      */
-    record Sign(ClipPoint at, double dx, double dy, Shape shape, String words) implements ClipMark {}
+    record Sign(ClipPoint at, double dx, double dy, Shape shape, String words)
+            implements ClipMark {}
 
     /** Words in the middle of what is seen of a region, whose ends may be infinite. */
     record Region(double xmin, double ymin, double xmax, double ymax, String words)

@@ -53,6 +53,7 @@ final class ClipNotes {
             return plane.segments().stream().allMatch(s -> s.a().isFinite() && s.b().isFinite());
         if (scene instanceof VolumeScene space)
             return space.segments().stream().allMatch(s -> s.a().isFinite() && s.b().isFinite());
-        return List.copyOf(((PolygonClipScene) scene).subject()).stream().allMatch(ClipPoint::isFinite);
+        return List.copyOf(((PolygonClipScene) scene).subject()).stream()
+                .allMatch(ClipPoint::isFinite);
     }
 }

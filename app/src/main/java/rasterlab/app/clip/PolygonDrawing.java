@@ -20,7 +20,8 @@ final class PolygonDrawing {
      * @param step as {@link ClipLabState#step}
      * @param wrong marked when the result is shown
      */
-    static List<ClipMark> of(PolygonClipScene scene, Clipping clipping, int step, List<ClipMark> wrong) {
+    static List<ClipMark> of(
+            PolygonClipScene scene, Clipping clipping, int step, List<ClipMark> wrong) {
         var drawing = new PolygonDrawing(scene);
         drawing.add(new ClipMark.Area(scene.window().corners(), ClipMark.Ink.WINDOW));
         drawing.add(new ClipMark.Area(scene.subject(), ClipMark.Ink.GIVEN));
@@ -50,7 +51,9 @@ final class PolygonDrawing {
         boolean open = step.border() < 0;
         if (!open) add(new ClipMark.Area(corners, ClipMark.Ink.LEFT));
         if (!open)
-            add(ClipMark.Line.of(continued(side(scene.window(), step.border())), ClipMark.Ink.TESTED));
+            add(
+                    ClipMark.Line.of(
+                            continued(side(scene.window(), step.border())), ClipMark.Ink.TESTED));
         add(new ClipMark.Line(corners, !open, ClipMark.Ink.STEP));
         if (step.passing() == ClipStep.Passing.BOTH) passage(step.places());
     }

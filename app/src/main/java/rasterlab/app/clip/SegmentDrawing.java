@@ -55,7 +55,8 @@ final class SegmentDrawing {
         double y = side == 2 ? sides.ymax() : sides.ymin();
         return side % 2 == 0
                 ? ClipMark.Line.of(new double[] {sides.xmin() - far, y, sides.xmax() + far, y}, ink)
-                : ClipMark.Line.of(new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
+                : ClipMark.Line.of(
+                        new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
     }
 
     /** The codes of the nine regions. */

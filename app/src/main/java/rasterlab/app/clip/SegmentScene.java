@@ -76,7 +76,8 @@ public record SegmentScene(
     public Map<ClipGrip, ClipPoint> grips() {
         var grips = new LinkedHashMap<ClipGrip, ClipPoint>();
         for (int i = 0; i < segments.size(); i++)
-            for (int end = 0; end < 2; end++) grips.put(ClipGrip.end(i, end), segments.get(i).end(end));
+            for (int end = 0; end < 2; end++)
+                grips.put(ClipGrip.end(i, end), segments.get(i).end(end));
         for (int i = 0; i < window.corners().size(); i++)
             grips.put(ClipGrip.window(i), window.corners().get(i));
         return grips;

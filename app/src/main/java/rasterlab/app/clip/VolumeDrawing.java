@@ -36,7 +36,8 @@ final class VolumeDrawing {
         ClipStep current =
                 step > 0 && step <= clipping.steps().size() ? clipping.steps().get(step - 1) : null;
         drawing.volume(current == null ? -1 : current.border());
-        for (SpaceSegment segment : scene.segments()) drawing.line(segment.ends(), ClipMark.Ink.GIVEN);
+        for (SpaceSegment segment : scene.segments())
+            drawing.line(segment.ends(), ClipMark.Ink.GIVEN);
         boolean finished = step > clipping.steps().size();
         if (finished) drawing.parts(clipping, Integer.MAX_VALUE);
         if (current != null) drawing.step(clipping, current);
@@ -91,7 +92,8 @@ final class VolumeDrawing {
                         .filter(corner -> Arrays.stream(FACES[other]).anyMatch(c -> c == corner))
                         .toArray();
         if (shared.length != 2) return;
-        List<ClipPoint> ends = List.of(picture.of(corner(shared[0])), picture.of(corner(shared[1])));
+        List<ClipPoint> ends =
+                List.of(picture.of(corner(shared[0])), picture.of(corner(shared[1])));
         add(new ClipMark.Line(ends, false, seen ? ClipMark.Ink.WINDOW : ClipMark.Ink.HIDDEN));
     }
 

@@ -200,7 +200,7 @@ public final class CourseMapPane extends JPanel implements AutoCloseable {
         };
     }
 
-    /** In a column of deadlines the date alone. */
+    /** The date alone in a column of deadlines. */
     private String deadline(Instant time) {
         return below ? texts.text("until", date(time)) : date(time);
     }

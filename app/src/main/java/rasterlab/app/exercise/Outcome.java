@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.published.PublishedSpeed;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 
 /**
  * What a check or a server answered to one source.

@@ -20,8 +20,8 @@ import org.commonmark.renderer.NodeRenderer;
 import org.commonmark.renderer.html.AttributeProvider;
 import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlRenderer;
-import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.FormulaMarkdown;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Typeset;
 
 /**

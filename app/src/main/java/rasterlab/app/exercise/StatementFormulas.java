@@ -11,9 +11,9 @@ import org.commonmark.node.Node;
 import org.commonmark.renderer.NodeRenderer;
 import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlWriter;
-import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.FormulaBlock;
 import rasterlab.exercises.formula.InlineFormula;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Typeset;
 import rasterlab.exercises.score.Message;
 

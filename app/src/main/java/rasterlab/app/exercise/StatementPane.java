@@ -17,8 +17,8 @@ import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.StatementPicture;
-import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Typeset;
 
 /** What an exercise asks for, as a page. */

@@ -27,7 +27,8 @@ final class LightMethods {
         String reflection = choice.reflection().name().toLowerCase(Locale.ROOT).replace('_', '-');
         methods.add(called("reflection.", "shade", reflection));
         String normals = choice.body().normals();
-        if (!normals.equals(LitBody.OWN)) methods.add(called("normals.", "vertex-normals", normals));
+        if (!normals.equals(LitBody.OWN))
+            methods.add(called("normals.", "vertex-normals", normals));
         return methods;
     }
 

@@ -67,7 +67,8 @@ final class LightVerdicts implements AutoCloseable {
         var verdicts = new LinkedHashMap<String, Verdict.Kind>();
         for (String name : LitBody.NORMALS) {
             Images found = normals(body.withNormals(name));
-            Deviation off = topic.compare(new TriangleSurface(new double[0], new int[0]), right, found);
+            Deviation off =
+                    topic.compare(new TriangleSurface(new double[0], new int[0]), right, found);
             verdicts.put(name, kind(topic, off));
         }
         return verdicts;

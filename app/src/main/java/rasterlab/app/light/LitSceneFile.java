@@ -14,9 +14,9 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /**

@@ -22,9 +22,9 @@ import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.Projection;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /**
@@ -67,7 +67,8 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
                     Part.never(SceneSetting.TEXTURE_IMAGE),
                     Part.never(SceneSetting.DEPTH_CUE),
                     Part.never(SceneSetting.STEREO),
-                    new Part<>(SceneSetting.PROJECTION, EnumSet.of(Projection.PERSPECTIVE)::contains),
+                    new Part<>(
+                            SceneSetting.PROJECTION, EnumSet.of(Projection.PERSPECTIVE)::contains),
                     new Part<>(SceneSetting.CULL, EnumSet.of(Cull.NONE)::contains),
                     new Part<>(SceneSetting.OUTLINE, outlined -> !outlined),
                     new Part<>(
@@ -79,7 +80,8 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
                             EnumSet.of(TextureMode.NONE, TextureMode.AUTO)::contains),
                     Part.never(SceneSetting.WRAP),
                     Part.never(SceneSetting.ENVIRONMENT),
-                    new Part<>(SceneSetting.HIDDEN_LINES, EnumSet.of(HiddenLines.REMOVED)::contains),
+                    new Part<>(
+                            SceneSetting.HIDDEN_LINES, EnumSet.of(HiddenLines.REMOVED)::contains),
                     new Part<>(SceneSetting.CREASE, degrees -> degrees == 0));
 
     /**

@@ -117,7 +117,8 @@ final class TopicBodies {
 
     /** The choice that shows an input. */
     static LightChoice shown(String body, Object input, String method) {
-        LightChoice first = LightChoice.first().with(new LitBody(body, LitBody.COARSEST, LitBody.OWN));
+        LightChoice first =
+                LightChoice.first().with(new LitBody(body, LitBody.COARSEST, LitBody.OWN));
         if (input instanceof FacePoints points) return face(first, points.face());
         if (input instanceof LitPoints points) return point(first, points.points().get(0), method);
         String own = ownNormals(input, method);
@@ -125,7 +126,10 @@ final class TopicBodies {
                 own.isEmpty()
                         ? new LitBody(body, LitBody.COARSEST, method.isEmpty() ? "plain" : method)
                         : new LitBody(body + "/" + own, LitBody.COARSEST, LitBody.OWN);
-        return first.with(shown).with(facing((TriangleSurface) input)).with(MIDDLE).withArrows(true);
+        return first.with(shown)
+                .with(facing((TriangleSurface) input))
+                .with(MIDDLE)
+                .withArrows(true);
     }
 
     /** Looks slantingly at the side that most of the surface has; at a closed one, as usual. */

@@ -84,7 +84,10 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
                         : List.of(Unlike.of(Unlike.Kind.NORMAL_LENGTH, n[0], n[1], n[2])));
     }
 
-    /** Level with the point, from beyond it to beyond the middle, to see the light around it. */
+    /**
+     * A floor level with the point, from beyond it to beyond the middle, to see the light around
+     * it.
+     */
     private static Mesh floor(double pointX) {
         double from = Math.min(0, pointX) - BEYOND;
         double wide = Math.abs(pointX) + 2 * BEYOND;
@@ -145,7 +148,8 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
     }
 
     /** The normals that the method finds for the input's own numbers. */
-    private static Mesh withNormals(Mesh mesh, TriangleSurface bare, String method, List<Unlike> unlike) {
+    private static Mesh withNormals(
+            Mesh mesh, TriangleSurface bare, String method, List<Unlike> unlike) {
         var topic = new NormalsTopic();
         double[] found =
                 topic.record(topic.method(method).implementation(), bare, Integer.MAX_VALUE)

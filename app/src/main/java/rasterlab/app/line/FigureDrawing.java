@@ -128,7 +128,8 @@ record FigureDrawing(
         return drawn ? topics.exact(arc) : Optional.of(NO_PIXELS);
     }
 
-    private static void decisions(Optional<ArcWalk> walk, int most, Map<RasterPoint, Double> decisions) {
+    private static void decisions(
+            Optional<ArcWalk> walk, int most, Map<RasterPoint, Double> decisions) {
         if (walk.isEmpty()) return;
         ArcWalk steps = walk.get();
         for (int i = 0; i <= most && steps.advance(); i++)

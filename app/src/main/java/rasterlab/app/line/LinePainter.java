@@ -161,7 +161,8 @@ final class LinePainter {
         if (grid.cell() < 6) return;
         g.setColor(colours.ink());
         g.setStroke(new BasicStroke(2f));
-        for (PixelCoverage.Shade shade : drawing.shades(step)) g.draw(square(shade.x(), shade.y(), 0));
+        for (PixelCoverage.Shade shade : drawing.shades(step))
+            g.draw(square(shade.x(), shade.y(), 0));
     }
 
     private Rectangle2D square(int pixelX, int pixelY, double inset) {

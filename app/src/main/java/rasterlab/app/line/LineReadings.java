@@ -120,7 +120,8 @@ final class LineReadings {
     private String wrong(PixelDifference difference) {
         int missing = difference.missing().size();
         int extra = difference.extra().size();
-        OptionalInt first = state.drawings().tried().map(TriedSegment::first).orElse(OptionalInt.empty());
+        OptionalInt first =
+                state.drawings().tried().map(TriedSegment::first).orElse(OptionalInt.empty());
         return first.isEmpty()
                 ? texts.text("other.wrong", missing, extra)
                 : texts.text("tried.wrong", missing, extra, first.getAsInt());

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.surface.Brush;
-import rasterlab.engine.surface.Pen;
 import rasterlab.engine.surface.DrawingSurface;
+import rasterlab.engine.surface.Pen;
 
 /**
  * A line from point to point and the pen that draws it.
@@ -32,7 +32,11 @@ public record PenFigure(List<RasterPoint> points, double width, boolean round, D
 
     static PenFigure first() {
         return new PenFigure(
-                List.of(new RasterPoint(6, 34), new RasterPoint(18, 8), new RasterPoint(30, 34), new RasterPoint(54, 16)),
+                List.of(
+                        new RasterPoint(6, 34),
+                        new RasterPoint(18, 8),
+                        new RasterPoint(30, 34),
+                        new RasterPoint(54, 16)),
                 5,
                 true,
                 Dashes.SOLID);

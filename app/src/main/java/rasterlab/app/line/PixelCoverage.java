@@ -162,7 +162,8 @@ public record PixelCoverage(List<Shade> shades) {
         return worst;
     }
 
-    private static int excess(Map<RasterPoint, Integer> drawn, Map<RasterPoint, Integer> wanted, int x, int y) {
+    private static int excess(
+            Map<RasterPoint, Integer> drawn, Map<RasterPoint, Integer> wanted, int x, int y) {
         var pixel = new RasterPoint(x, y);
         return drawn.getOrDefault(pixel, 0) - wanted.getOrDefault(pixel, 0);
     }

@@ -12,8 +12,8 @@ import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
-import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.SceneSetting;
+import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.Settings;
 
 /** Scene files on disk. */
@@ -67,7 +67,8 @@ public final class SceneText {
             throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
         } catch (IllegalArgumentException | Complaint e) {
             throw Complaint.badInput(
-                    "%s: %s: %s".formatted(file, SceneSetting.TEXTURE_IMAGE.place(), e.getMessage()));
+                    "%s: %s: %s"
+                            .formatted(file, SceneSetting.TEXTURE_IMAGE.place(), e.getMessage()));
         }
     }
 

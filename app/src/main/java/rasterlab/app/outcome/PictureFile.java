@@ -52,8 +52,7 @@ public final class PictureFile {
         int width = image.getWidth();
         int height = image.getHeight();
         var texels = new int[width * height];
-        for (int y = 0; y < height; y++)
-            FileLevels.row(image, y, texels, (height - 1 - y) * width);
+        for (int y = 0; y < height; y++) FileLevels.row(image, y, texels, (height - 1 - y) * width);
         return Texture.of(width, height, components, texels);
     }
 

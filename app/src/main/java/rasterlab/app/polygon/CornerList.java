@@ -52,7 +52,9 @@ final class CornerList {
         PolygonPoint from = corners.get(corner);
         PolygonPoint to = corners.get((corner + 1) % corners.size());
         return inserted(
-                corners, corner, new PolygonPoint((from.x() + to.x()) / 2, (from.y() + to.y()) / 2));
+                corners,
+                corner,
+                new PolygonPoint((from.x() + to.x()) / 2, (from.y() + to.y()) / 2));
     }
 
     /** One more there, between the ends of the edge that is nearest. */
@@ -71,7 +73,8 @@ final class CornerList {
         return inserted(corners, nearest, at);
     }
 
-    private static List<PolygonPoint> inserted(List<PolygonPoint> corners, int behind, PolygonPoint place) {
+    private static List<PolygonPoint> inserted(
+            List<PolygonPoint> corners, int behind, PolygonPoint place) {
         if (corners.size() >= MOST) return corners;
         var copy = new ArrayList<>(corners);
         copy.add(behind + 1, place);

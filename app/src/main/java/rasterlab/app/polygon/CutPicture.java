@@ -96,7 +96,10 @@ record CutPicture(
                 g, map.viewX(middle.x()) - MARK / 2, map.viewY(middle.y()) - MARK / 2, MARK);
     }
 
-    /** Each in its triangle, and clear of labels and of the numbers before it where it can be. */
+    /**
+     * Writes each in its triangle, and clear of labels and of the numbers before it where it can
+     * be.
+     */
     private void number(FigureLines strokes, List<Cut> made) {
         var full = new ArrayList<Rectangle>(taken);
         for (int i = 0; i < made.size(); i++) {

@@ -12,7 +12,8 @@ import rasterlab.engine.polygon.scan.PolygonTask;
  * @param width of the picture, in pixels
  * @param height of the picture, in pixels
  */
-public record FillFigure(List<PolygonPoint> corners, FillRule rule, int width, int height, BrushKind brush)
+public record FillFigure(
+        List<PolygonPoint> corners, FillRule rule, int width, int height, BrushKind brush)
         implements PolygonFigure {
     public FillFigure {
         corners = List.copyOf(corners);

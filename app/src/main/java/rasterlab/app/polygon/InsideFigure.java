@@ -12,7 +12,8 @@ import rasterlab.engine.polygon.ShapeAndPoints;
  * @param points the first one is judged step by step
  * @param whole whether only points with whole coordinates are looked at
  */
-public record InsideFigure(boolean triangle, List<PolygonPoint> corners, List<PolygonPoint> points, boolean whole)
+public record InsideFigure(
+        boolean triangle, List<PolygonPoint> corners, List<PolygonPoint> points, boolean whole)
         implements PolygonFigure {
     public InsideFigure {
         corners = List.copyOf(corners);

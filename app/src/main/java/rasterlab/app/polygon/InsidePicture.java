@@ -141,7 +141,8 @@ record InsidePicture(
     }
 
     /** A ring round the point that the step is about, with what is said of it. */
-    private void paintAnswer(Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
+    private void paintAnswer(
+            Graphics2D g, PlaneMap map, FigureLines strokes, StageColours colours) {
         PolygonPoint point = figure.points().get(step - 1);
         double x = map.viewX(point.x());
         double y = map.viewY(point.y());

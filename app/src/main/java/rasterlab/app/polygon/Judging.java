@@ -18,7 +18,8 @@ import rasterlab.engine.study.Deviation;
 final class Judging {
     private Judging() {}
 
-    static MethodOutcome of(PolygonTopics topics, PolygonMode mode, InsideFigure figure, String method) {
+    static MethodOutcome of(
+            PolygonTopics topics, PolygonMode mode, InsideFigure figure, String method) {
         ShapeAndPoints input = figure.input();
         Points corners = input.corners();
         Points points = input.points();

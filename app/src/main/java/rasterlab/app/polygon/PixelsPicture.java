@@ -179,7 +179,9 @@ record PixelsPicture(PolygonFigure figure, String method, PixelAnswer answer, Wr
         int y = answer.runs().y(run);
         if (figure instanceof FillFigure)
             strokes.dashed(
-                    new PolygonPoint(-0.5, y), new PolygonPoint(image.getWidth() - 0.5, y), colours.focus());
+                    new PolygonPoint(-0.5, y),
+                    new PolygonPoint(image.getWidth() - 0.5, y),
+                    colours.focus());
         g.setColor(colours.focus());
         g.setStroke(new BasicStroke(2.5f));
         g.draw(frame(map, run));

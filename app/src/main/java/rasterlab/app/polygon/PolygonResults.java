@@ -8,7 +8,8 @@ import java.util.Optional;
  * @param outcome of the chosen method
  * @param other of the second method, if one is compared
  */
-public record PolygonResults(PolygonScene scene, MethodOutcome outcome, Optional<MethodOutcome> other) {
+public record PolygonResults(
+        PolygonScene scene, MethodOutcome outcome, Optional<MethodOutcome> other) {
     static PolygonResults of(PolygonTopics topics, PolygonScene scene) {
         Optional<MethodOutcome> other =
                 scene.comparison().isEmpty()

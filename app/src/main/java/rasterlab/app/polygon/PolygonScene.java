@@ -5,7 +5,8 @@ package rasterlab.app.polygon;
  *
  * @param comparison a second method, "" for none
  */
-public record PolygonScene(PolygonMode mode, PolygonFigure figure, String method, String comparison) {
+public record PolygonScene(
+        PolygonMode mode, PolygonFigure figure, String method, String comparison) {
     /** Opens on a method that no hazard is known to break. */
     static PolygonScene first(PolygonMode mode) {
         return switch (mode) {

@@ -14,7 +14,8 @@ import rasterlab.engine.fill.FillTask;
  * @param pen where a wall is put up or taken away
  * @param same whether the new colour is the one that the seed has already
  */
-public record SeedFigure(List<String> rows, PolygonPoint seed, PolygonPoint pen, int connectivity, boolean same)
+public record SeedFigure(
+        List<String> rows, PolygonPoint seed, PolygonPoint pen, int connectivity, boolean same)
         implements PolygonFigure {
     static final char WALL = '#';
     static final char FREE = '.';

@@ -47,7 +47,8 @@ final class ClipSketches {
     }
 
     private static List<Point2D> side(List<Point2D> box, int from) {
-        return QuestionPoints.along(List.of(box.get(from), box.get((from + 1) % box.size())), false);
+        return QuestionPoints.along(
+                List.of(box.get(from), box.get((from + 1) % box.size())), false);
     }
 
     /** What is left of the polygon, and the side whose turn it is. */
@@ -71,7 +72,8 @@ final class ClipSketches {
         }
         figures.add(new Path(QuestionPoints.all(whole), true, Look.DONE));
         figures.add(new Path(QuestionPoints.all(left), true, Look.NEWEST));
-        for (Point2D corner : QuestionPoints.all(left)) figures.add(new Dot(corner, "", Look.NEWEST));
+        for (Point2D corner : QuestionPoints.all(left))
+            figures.add(new Dot(corner, "", Look.NEWEST));
         return new Board(Space.PLANE, figures, new None());
     }
 }

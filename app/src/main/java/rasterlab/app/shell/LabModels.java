@@ -99,8 +99,8 @@ public final class LabModels implements AutoCloseable {
      * The models of a new window, none of them made.
      *
      * @param events runs what it is given on one thread, in order
-     * @param restore brings parts of a lab that is made, by the name under which they are kept,
-     *     to what they showed; on the thread that makes the lab
+     * @param restore brings parts of a lab that is made, by the name under which they are kept, to
+     *     what they showed; on the thread that makes the lab
      * @param onFailure told what background work threw, on any thread
      */
     static LabModels unmade(

@@ -223,7 +223,7 @@ final class TabbedLabs extends JTabbedPane {
         inTurn(index, steps);
     }
 
-    /** Each in an event of its own, after this one. */
+    /** Runs each in an event of its own, after this one. */
     private void inTurn(int index, List<Runnable> steps) {
         if (steps.isEmpty()) return;
         later(

@@ -122,7 +122,7 @@ public final class WindowStart {
         }
     }
 
-    /** Each in an event of its own; one that throws ends it. */
+    /** Runs each in an event of its own; one that throws ends it. */
     private static void inTurn(List<Runnable> steps) {
         if (steps.isEmpty()) return;
         EventQueue.invokeLater(

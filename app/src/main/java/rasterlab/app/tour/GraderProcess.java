@@ -158,8 +158,8 @@ final class GraderProcess implements AutoCloseable {
     }
 
     /**
-     * Level by level: a child is asked only once its parent has ended. Were all asked at once, a
-     * parent that sees its child killed could say so into a closed pipe, and end of that.
+     * Stops level by level: a child is asked only once its parent has ended. Were all asked at
+     * once, a parent that sees its child killed could say so into a closed pipe, and end of that.
      */
     private static void stop(ProcessHandle parent, Duration longest) throws InterruptedException {
         List<ProcessHandle> children = parent.children().toList();

@@ -17,7 +17,7 @@ enum HazardView {
     THREE_CORNERS("house", "painter-textbook", 0.95 * Math.PI, 1.15 * Math.PI, 0.5, 1, true),
     /** The right mean still misorders: a large face beside a small one. */
     MEAN("house", "painter", 0.45 * Math.PI, 0.85 * Math.PI, 0.5, 1, true),
-    /** Level with the eye, the vase's rings shrink to lines: hardly anything is wrong. */
+    /** The vase's rings, level with the eye, shrink to lines: hardly anything is wrong. */
     EDGE_ON("vase", "painter", 0, Math.PI / 2, 1, 1.6, true),
     /** Each board lies before the next one in a circle: no order of whole faces is right. */
     CYCLIC("cyclic-overlap", "painter"),

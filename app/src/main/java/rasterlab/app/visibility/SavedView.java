@@ -38,7 +38,8 @@ final class SavedView {
             said = said.with(SceneSetting.TWO_SIDED, look.sides() == Sides.TWO);
         if (look.cue() > 0) said = said.with(SceneSetting.DEPTH_CUE, new DepthCue(look.cue()));
         if (look.near() > 0) said = said.with(SceneSetting.NEAR, look.near() * rho);
-        if (look.far() < Double.POSITIVE_INFINITY) said = said.with(SceneSetting.FAR, look.far() * rho);
+        if (look.far() < Double.POSITIVE_INFINITY)
+            said = said.with(SceneSetting.FAR, look.far() * rho);
         return look.clipPlanes().isEmpty()
                 ? said
                 : said.with(SceneSetting.CLIP_PLANES, look.clipPlanes());
@@ -61,7 +62,9 @@ final class SavedView {
                                 .orElse(next.projection()))
                 .withVisibility(said.get(SceneSetting.VISIBILITY).orElse(next.visibility()))
                 .withShading(
-                        said.get(SceneSetting.SHADING).map(ShadingMethod::code).orElse(next.shading()))
+                        said.get(SceneSetting.SHADING)
+                                .map(ShadingMethod::code)
+                                .orElse(next.shading()))
                 .withEdges(said.get(SceneSetting.OUTLINE).orElse(false))
                 .with(look(said, rho));
     }

@@ -19,9 +19,9 @@ import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
+import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
-import rasterlab.exercises.scene.SceneSetting;
 import rasterlab.exercises.scene.Settings;
 
 /** Scenes, models and textures from files, and views of scenes into files. */

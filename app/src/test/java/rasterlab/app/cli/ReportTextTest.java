@@ -20,8 +20,8 @@ import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 
 class ReportTextTest {
     private static final String NAME = "steep-line";

@@ -131,7 +131,8 @@ class ClipLabModelTest {
         model.chooseMode(ClipMode.POLYGON);
         model.move(ClipGrip.corner(0), -9, 1);
         model.chooseMode(ClipMode.SEGMENTS);
-        assertEquals(new ClipPoint(-2, -2), model.state().choice().segments().segments().get(0).a());
+        assertEquals(
+                new ClipPoint(-2, -2), model.state().choice().segments().segments().get(0).a());
         assertEquals(new ClipPoint(-9, 1), model.state().choice().polygon().subject().get(0));
     }
 

@@ -83,7 +83,8 @@ class ClipPictureTest {
         List<ClipMark> right = drawn(SegmentScene.first(), -1);
         assertEquals(3, lines(right, ClipMark.Ink.LEFT).count());
         assertEquals(0, lines(right, ClipMark.Ink.MISSING).count());
-        List<ClipMark> wrong = drawn(SegmentScene.first().withMethod("cohen-sutherland-textbook"), -1);
+        List<ClipMark> wrong =
+                drawn(SegmentScene.first().withMethod("cohen-sutherland-textbook"), -1);
         assertTrue(lines(wrong, ClipMark.Ink.MISSING).count() > 0);
         assertTrue(lines(wrong, ClipMark.Ink.EXTRA).count() > 0);
     }
@@ -101,7 +102,9 @@ class ClipPictureTest {
     @Test
     void sutherlandHodgmanShowsTheLineOfTheSide() {
         ClipMark.Line tested =
-                lines(drawn(PolygonClipScene.first(), 2), ClipMark.Ink.TESTED).findFirst().orElseThrow();
+                lines(drawn(PolygonClipScene.first(), 2), ClipMark.Ink.TESTED)
+                        .findFirst()
+                        .orElseThrow();
         assertTrue(tested.points().stream().allMatch(p -> p.x() == 10), "the right side");
     }
 
@@ -127,7 +130,9 @@ class ClipPictureTest {
     @Test
     void boxAfterTheDivisionIsSquare() {
         VolumeScene scene =
-                VolumeScene.first().withSpace(VolumeSpace.CANONICAL).withView(new VolumeViewpoint(0, 0));
+                VolumeScene.first()
+                        .withSpace(VolumeSpace.CANONICAL)
+                        .withView(new VolumeViewpoint(0, 0));
         for (ClipMark.Line edge : lines(drawn(scene, 0), ClipMark.Ink.WINDOW).toList())
             for (ClipPoint corner : edge.points()) {
                 assertEquals(1, Math.abs(corner.x()), 1e-12);

@@ -142,7 +142,10 @@ class CaseChoiceTest {
                 () -> {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
-                    show(pane, BackgroundWork.NONE, Optional.of(ShownResult.outcome(GradingVerdict.OK)));
+                    show(
+                            pane,
+                            BackgroundWork.NONE,
+                            Optional.of(ShownResult.outcome(GradingVerdict.OK)));
                     assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
                 });
@@ -211,7 +214,10 @@ class CaseChoiceTest {
                     show(pane, BackgroundWork.NONE, before);
                     show(pane, BackgroundWork.of(BackgroundWork.Phase.JOINING), before);
                     assertEquals("wrong", cases(pane).getValueAt(3, 3));
-                    show(pane, new BackgroundWork(BackgroundWork.Phase.CHECKING, 0, 9, List.of()), before);
+                    show(
+                            pane,
+                            new BackgroundWork(BackgroundWork.Phase.CHECKING, 0, 9, List.of()),
+                            before);
                     assertEquals("wrong", cases(pane).getValueAt(3, 3));
                     show(pane, judged(1), before);
                     assertEquals("–", cases(pane).getValueAt(3, 3));
@@ -308,7 +314,8 @@ class CaseChoiceTest {
 
     private static BackgroundWork judged(int cases) {
         List<TriedCase> all = wrong().cases();
-        return new BackgroundWork(BackgroundWork.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
+        return new BackgroundWork(
+                BackgroundWork.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
     }
 
     private static JTable cases(ResultPane pane) {

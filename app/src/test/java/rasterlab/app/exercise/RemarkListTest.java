@@ -84,7 +84,8 @@ class RemarkListTest {
     void messagesGoWithTheirText() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    var checking = new BackgroundWork(BackgroundWork.Phase.CHECKING, 0, 9, List.of());
+                    var checking =
+                            new BackgroundWork(BackgroundWork.Phase.CHECKING, 0, 9, List.of());
                     assertTrue(tellsRemarks("class A {", "class A {", BackgroundWork.NONE));
                     assertTrue(tellsRemarks("class A {", "class A {", checking));
                     assertFalse(tellsRemarks("class A {", "class A { }", checking));

@@ -49,7 +49,8 @@ class ResultGuideTest {
         "SENDING, 0, 0, true, sending",
         "WAITING, 2, 0, true, place 2 in the queue"
     })
-    void barTellsOnlyWhatIsDone(BackgroundWork.Phase phase, int done, int of, boolean unknown, String said)
+    void barTellsOnlyWhatIsDone(
+            BackgroundWork.Phase phase, int done, int of, boolean unknown, String said)
             throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
@@ -177,7 +178,8 @@ class ResultGuideTest {
                     LabTheme.LIGHT.install();
                     ResultPane pane = pane(language, FAILURES::add);
                     TriedCase tried = judged(TriedCase.untried(EXERCISE).get(0), verdict);
-                    var grading = new BackgroundWork(BackgroundWork.Phase.GRADING, 1, 0, List.of(tried));
+                    var grading =
+                            new BackgroundWork(BackgroundWork.Phase.GRADING, 1, 0, List.of(tried));
                     show(pane, grading, Optional.empty());
                     ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
                     String said = ((JTextArea) named(pane, "reason")).getText();

@@ -61,7 +61,8 @@ class ResultPlacesTest {
         Rectangle before = named(pane, "cases.scroll").getBounds();
         Rectangle guide = named(pane, "guide.scroll").getBounds();
         for (GradingVerdict verdict : EnumSet.complementOf(EnumSet.copyOf(CaseTable.OF_NO_CASE))) {
-            EventQueue.invokeAndWait(() -> show(pane, BackgroundWork.NONE, Optional.of(outcome(verdict))));
+            EventQueue.invokeAndWait(
+                    () -> show(pane, BackgroundWork.NONE, Optional.of(outcome(verdict))));
             OffscreenPainter.paint(pane, width, height);
             Rectangle after = named(pane, "cases.scroll").getBounds();
             // The line above may wrap, by which the table is lower.

@@ -85,7 +85,8 @@ final class ShownResult {
     /**
      * @param kept of the panes of one window
      */
-    static ResultPane pane(Language language, ExercisePanesKept kept, Consumer<Throwable> onFailure) {
+    static ResultPane pane(
+            Language language, ExercisePanesKept kept, Consumer<Throwable> onFailure) {
         return new ResultPane(
                 Texts.of("exercise", language),
                 kept,
@@ -100,7 +101,8 @@ final class ShownResult {
         show(pane, EXERCISE, work, outcome);
     }
 
-    static void show(ResultPane pane, Exercise exercise, BackgroundWork work, Optional<Outcome> outcome) {
+    static void show(
+            ResultPane pane, Exercise exercise, BackgroundWork work, Optional<Outcome> outcome) {
         pane.show(
                 new ExerciseState(
                         exercise,

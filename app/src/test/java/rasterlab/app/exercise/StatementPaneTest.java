@@ -27,8 +27,8 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
+import rasterlab.exercises.formula.TexFormula;
 
 class StatementPaneTest {
     private final Formulas formulas = new Formulas();

@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Formulas;
+import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Typeset;
 
 class StatementTest {

@@ -251,9 +251,7 @@ class LabsFileTest {
                     try (LabModels models = LabModels.first(failures::add)) {
                         file.read()
                                 .ifPresent(
-                                        left ->
-                                                file.restore(
-                                                        left, Map.of("line", models.line())));
+                                        left -> file.restore(left, Map.of("line", models.line())));
                     }
                 });
         assertTrue(file.save(Map.of("line", "new", "clip", "new"), Set.of("line", "clip")));

@@ -8,8 +8,8 @@ import java.util.stream.IntStream;
 import rasterlab.engine.format.EitherShape;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.GivenUp;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 

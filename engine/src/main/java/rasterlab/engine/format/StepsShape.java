@@ -4,7 +4,8 @@ import java.io.IOException;
 import java.util.List;
 
 /**
- * Recorded steps, or a list of them for each thing that was walked for, as {@link RecordedSteps} writes.
+ * Recorded steps, or a list of them for each thing that was walked for, as {@link RecordedSteps}
+ * writes.
  */
 public final class StepsShape extends EitherShape<List<List<Written>>> {
     private static final Shape<List<Written>> STEPS = Shape.list(new OpenShape());

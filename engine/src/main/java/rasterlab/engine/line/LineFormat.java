@@ -5,13 +5,13 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.contract.CoveragePixels;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
+import rasterlab.engine.format.GrowingDoubles;
 import rasterlab.engine.format.MadeShape;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.raster.AnsweredPixels;
@@ -108,7 +108,8 @@ final class LineFormat extends Format<LineRasterizer, Segment, PixelRecording> {
     @Override
     protected void check(Call<LineRasterizer> call, Segment segment) {
         if (!(call.method() instanceof WindowedLine))
-            RecordedSteps.requireAtMost("/to", MOST_STEPS, "steps by " + call.name(), segment.steps());
+            RecordedSteps.requireAtMost(
+                    "/to", MOST_STEPS, "steps by " + call.name(), segment.steps());
     }
 
     @Override

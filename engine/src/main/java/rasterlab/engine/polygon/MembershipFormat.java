@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -63,7 +63,8 @@ public abstract class MembershipFormat<C> extends Format<C, ShapeAndPoints, Memb
     protected abstract Written walked(Call<C> call, ShapeAndPoints input);
 
     /** Writes the answer of a judge that records steps. */
-    protected final Written walked(ShapeAndPoints input, Membership.Judge judge, RecordedSteps steps) {
+    protected final Written walked(
+            ShapeAndPoints input, Membership.Judge judge, RecordedSteps steps) {
         return answer(input, judged(input, judge), null, steps);
     }
 

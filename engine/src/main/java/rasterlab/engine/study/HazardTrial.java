@@ -120,12 +120,20 @@ public final class HazardTrial {
     }
 
     static <C, I, O> Verdict judge(
-            Topic<C, I, O> topic, Method<C> method, I input, ExactAnswer<O> answer, Duration wallLimit) {
+            Topic<C, I, O> topic,
+            Method<C> method,
+            I input,
+            ExactAnswer<O> answer,
+            Duration wallLimit) {
         return tried(topic, method, input, answer, wallLimit).verdict();
     }
 
     private static <C, I, O> Tried<O> tried(
-            Topic<C, I, O> topic, Method<C> method, I input, ExactAnswer<O> answer, Duration wallLimit) {
+            Topic<C, I, O> topic,
+            Method<C> method,
+            I input,
+            ExactAnswer<O> answer,
+            Duration wallLimit) {
         var outcome =
                 Guard.call(
                         "trial of " + method.name(),

@@ -43,7 +43,9 @@ final class LitScenes {
 
     static Scene shinyBall(LightModel model) {
         return scene(
-                ball(9, 6), new Appearance(RED, BLUE, Optional.empty()), new SceneLight(model, NONE));
+                ball(9, 6),
+                new Appearance(RED, BLUE, Optional.empty()),
+                new SceneLight(model, NONE));
     }
 
     static final Optional<LightSource> NONE = Optional.empty();

@@ -65,7 +65,8 @@ public final class ContractCall {
     public void writeArguments(Object[] arguments, DataOutputStream out) throws IOException {
         for (int i = 0; i < arguments.length; i++) {
             if (arguments[i] instanceof PixelGrid picture) GridSheet.write(picture, out);
-            else if (!SinkSheets.isKept(given.get(i))) Values.write(given.get(i), arguments[i], out);
+            else if (!SinkSheets.isKept(given.get(i)))
+                Values.write(given.get(i), arguments[i], out);
         }
     }
 
@@ -191,7 +192,8 @@ public final class ContractCall {
         List<Object> held = arrays.before(this, arguments);
         int items = 0;
         for (int i = 0; i < arguments.length; i++)
-            if (SinkSheets.isKept(given.get(i))) items += SinkSheets.replay(given.get(i), in, arguments[i]);
+            if (SinkSheets.isKept(given.get(i)))
+                items += SinkSheets.replay(given.get(i), in, arguments[i]);
         Object value = null;
         if (returnsValue()) {
             value = HeldArrays.read(Values.read(method.getReturnType(), in), held, in);

@@ -58,8 +58,8 @@ public final class SinkSheets {
     }
 
     /**
-     * Sends what {@link SinkSheet#writeTo} wrote to a sink, or into a picture, of this process; returns
-     * the number of items.
+     * Sends what {@link SinkSheet#writeTo} wrote to a sink, or into a picture, of this process;
+     * returns the number of items.
      */
     static int replay(Class<?> kind, DataInputStream in, Object into) throws IOException {
         int items = Values.length(in, Integer.BYTES);

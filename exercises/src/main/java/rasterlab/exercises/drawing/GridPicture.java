@@ -35,7 +35,9 @@ final class GridPicture {
         cell = Math.max(SMALLEST_CELL, Math.min(LARGEST_CELL, SIDE / longest));
     }
 
-    /** The right, extra and missing pixels as PNG; right ones that are {@code amiss} crossed out. */
+    /**
+     * The right, extra and missing pixels as PNG; right ones that are {@code amiss} crossed out.
+     */
     byte[] difference(PixelDifference difference, PixelSet amiss) {
         return png(
                 graphics -> {

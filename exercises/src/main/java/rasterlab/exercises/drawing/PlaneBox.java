@@ -88,9 +88,7 @@ record PlaneBox(AxisRange x, AxisRange y, boolean sameScale) {
     }
 
     private static List<CasePoint> finite(Stream<PlaneFigure> figures) {
-        return figures.flatMap(each -> each.points().stream())
-                .filter(CasePoint::isFinite)
-                .toList();
+        return figures.flatMap(each -> each.points().stream()).filter(CasePoint::isFinite).toList();
     }
 
     private static boolean isWindow(PlaneFigure figure) {

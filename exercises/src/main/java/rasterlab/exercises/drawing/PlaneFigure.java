@@ -41,8 +41,7 @@ public record PlaneFigure(Form form, List<CasePoint> points) {
     }
 
     public static PlaneFigure segment(double x0, double y0, double x1, double y1) {
-        return new PlaneFigure(
-                Form.SEGMENT, List.of(new CasePoint(x0, y0), new CasePoint(x1, y1)));
+        return new PlaneFigure(Form.SEGMENT, List.of(new CasePoint(x0, y0), new CasePoint(x1, y1)));
     }
 
     public static PlaneFigure window(double xmin, double ymin, double xmax, double ymax) {

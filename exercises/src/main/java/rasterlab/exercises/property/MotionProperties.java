@@ -35,7 +35,8 @@ final class MotionProperties {
                                                     -turn.degrees(),
                                                     images.coordinates()),
                                     (turn, images) -> new Images(turn.points(), 3))),
-                    Property.<ViewTask, Images>always("view", "orthogonality", new DistancesKept()));
+                    Property.<ViewTask, Images>always(
+                            "view", "orthogonality", new DistancesKept()));
 
     private MotionProperties() {}
 

@@ -63,7 +63,8 @@ final class ChildJars implements AutoCloseable {
         Map<String, byte[]> contracts = new TreeMap<>();
         for (Class<?> contract : TopicGradings.contracts())
             contracts.putAll(ClassFiles.closure(contract, CONTRACTS));
-        for (Class<?> kind : SinkSheets.kinds()) contracts.putAll(ClassFiles.closure(kind, CONTRACTS));
+        for (Class<?> kind : SinkSheets.kinds())
+            contracts.putAll(ClassFiles.closure(kind, CONTRACTS));
         write(folder.resolve(CONTRACT), contracts);
         Map<String, byte[]> harness = new TreeMap<>();
         String own = RunMain.class.getPackageName().replace('.', '/') + '/';

@@ -12,8 +12,8 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 
 /** Adds up points and puts the report together. */
 final class ReportSheet {
@@ -36,7 +36,8 @@ final class ReportSheet {
 
     /** Nothing was run. */
     Report rejected(GradingVerdict verdict, List<Diagnostic> reasons) {
-        return new Report(verdict, new ScorePoints(0, 0, 0, possible), List.of(), reasons, isolation, 0);
+        return new Report(
+                verdict, new ScorePoints(0, 0, 0, possible), List.of(), reasons, isolation, 0);
     }
 
     /**

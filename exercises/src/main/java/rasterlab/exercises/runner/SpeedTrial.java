@@ -28,7 +28,7 @@ final class SpeedTrial {
      */
     private static final int MOST_BEFORE = 60;
 
-    /** Each in fresh children, later than the one before. */
+    /** The most tries, each in fresh children, later than the one before. */
     private static final int MOST_TRIES = 4;
 
     private final ContractCalls contract;

@@ -28,7 +28,11 @@ final class CaseJson {
         if (cut.isPresent() && !file.has("drawn"))
             throw cut.get().wrong("must stand beside \"drawn\", which there is not");
         return file.optional("drawn")
-                .map(pixels -> new Drawn(pixels(pixels), cut.map(SceneJsonPlace::flag).orElse(false)));
+                .map(
+                        pixels ->
+                                new Drawn(
+                                        pixels(pixels),
+                                        cut.map(SceneJsonPlace::flag).orElse(false)));
     }
 
     private static List<Pixel> pixels(SceneJsonPlace drawn) {

@@ -89,7 +89,8 @@ final class InlineScene {
     }
 
     /** The numbers of all corners. */
-    private static double[] all(List<SceneJsonPlace> faces, String field, int each, int[][] corners) {
+    private static double[] all(
+            List<SceneJsonPlace> faces, String field, int each, int[][] corners) {
         var numbers = DoubleStream.builder();
         for (int f = 0; f < corners.length; f++) {
             List<SceneJsonPlace> of = faces.get(f).at(field).members();

@@ -23,7 +23,8 @@ final class LightJson {
     static SceneLight read(SceneJsonPlace light) {
         light.object("ambient", "localViewer", "twoSided", "reflection", "lights", "atEye");
         List<Light> lights = new ArrayList<>();
-        for (SceneJsonPlace one : light.at("lights").members()) lights.add(one.made(LightJson::light));
+        for (SceneJsonPlace one : light.at("lights").members())
+            lights.add(one.made(LightJson::light));
         var model =
                 new LightModel(
                         light.at("ambient").numbers(3, 0, 1),

@@ -56,7 +56,8 @@ public final class SceneSetting<T> {
     public static final SceneSetting<Double> FAR = number("far", -LARGEST, LARGEST);
 
     public static final SceneSetting<List<ClipPlane>> CLIP_PLANES =
-            new SceneSetting<>("clipPlanes", place -> place.made(SceneSetting::planes), SceneSetting::json);
+            new SceneSetting<>(
+                    "clipPlanes", place -> place.made(SceneSetting::planes), SceneSetting::json);
 
     /** One of {@code Renderer.visibilities()}, or {@code Renderer.SURFACES}. */
     public static final SceneSetting<String> VISIBILITY =
@@ -77,11 +78,13 @@ public final class SceneSetting<T> {
     public static final SceneSetting<String> TEXTURE_IMAGE =
             new SceneSetting<>("textureImage", SceneJsonPlace::text, JSON::textNode);
 
-    public static final SceneSetting<Wrap> WRAP = named("wrap", List.of(Wrap.values()), SceneSetting::code);
+    public static final SceneSetting<Wrap> WRAP =
+            named("wrap", List.of(Wrap.values()), SceneSetting::code);
     public static final SceneSetting<TextureEnvironment.Mode> ENVIRONMENT =
             named("environment", List.of(TextureEnvironment.Mode.values()), SceneSetting::code);
     public static final SceneSetting<Set<LightTerm>> TERMS =
-            new SceneSetting<>("terms", place -> place.made(SceneSetting::terms), SceneSetting::json);
+            new SceneSetting<>(
+                    "terms", place -> place.made(SceneSetting::terms), SceneSetting::json);
     public static final SceneSetting<Boolean> TWO_SIDED = flag("twoSided");
     public static final SceneSetting<Cull> CULL = named("cull", List.of(Cull.values()), Cull::code);
     public static final SceneSetting<HiddenLines> HIDDEN_LINES =
@@ -100,7 +103,8 @@ public final class SceneSetting<T> {
             named("stereo", List.of(Stereo.Kind.values()), Stereo.Kind::code);
 
     /** The distance of the two eyes in world units. */
-    public static final SceneSetting<Double> EYES = number("eyes", LEAST_EYES, SphericalView.FARTHEST);
+    public static final SceneSetting<Double> EYES =
+            number("eyes", LEAST_EYES, SphericalView.FARTHEST);
 
     /** The settings that a file has beside its scene. */
     static final List<SceneSetting<?>> OF_VIEW =
@@ -129,13 +133,15 @@ public final class SceneSetting<T> {
     private final Function<SceneJsonPlace, T> reader;
     private final Function<T, JsonNode> writer;
 
-    private SceneSetting(String field, Function<SceneJsonPlace, T> reader, Function<T, JsonNode> writer) {
+    private SceneSetting(
+            String field, Function<SceneJsonPlace, T> reader, Function<T, JsonNode> writer) {
         this.field = field;
         this.reader = reader;
         this.writer = writer;
     }
 
-    private static <E> SceneSetting<E> named(String field, List<E> known, Function<E, String> code) {
+    private static <E> SceneSetting<E> named(
+            String field, List<E> known, Function<E, String> code) {
         return new SceneSetting<>(
                 field,
                 place -> place.made(given -> Named.find(field, given.text(), known, code)),

@@ -255,7 +255,8 @@ class PlanePicturesTest {
     }
 
     /** The pixels around a part of the plane. */
-    private static Rectangle2D around(PlaneToPixels view, double x0, double y0, double x1, double y1) {
+    private static Rectangle2D around(
+            PlaneToPixels view, double x0, double y0, double x1, double y1) {
         var part = new Rectangle2D.Double(view.x(x0), view.y(y0), 0, 0);
         part.add(view.x(x1), view.y(y1));
         return new Rectangle2D.Double(

@@ -29,8 +29,8 @@ import rasterlab.exercises.proving.Proving;
 import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.topic.TopicGradings;
 
 /** The folder that an exercise begins with is one that the server takes, whatever the topic. */

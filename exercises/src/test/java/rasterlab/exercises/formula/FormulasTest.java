@@ -193,7 +193,8 @@ class FormulasTest {
             })
     void boundsHowDeepFormulasLie(String begin) {
         for (int deep = 1; deep < 100; deep++) {
-            var set = formulas.set(new TexFormula(begin.repeat(deep) + "x" + end(begin, deep), true));
+            var set =
+                    formulas.set(new TexFormula(begin.repeat(deep) + "x" + end(begin, deep), true));
             if (set instanceof Typeset.Mistaken mistake) {
                 String key = mistake.message().sentences().get(0).key();
                 assertTrue(Set.of("formula.deep", "formula.large").contains(key), key);

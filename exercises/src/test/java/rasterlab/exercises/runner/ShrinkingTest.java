@@ -26,7 +26,7 @@ import rasterlab.exercises.topic.TopicGradings;
 class ShrinkingTest {
     private static final LineRasterizer RIGHT = new BresenhamLine();
 
-    /** Right but for the last pixel of lines that go five pixels to the left or more. */
+    /** Draws right but for the last pixel of lines that go five pixels to the left or more. */
     private static final LineRasterizer LEFT_IS_LOW =
             (x0, y0, x1, y1, out) -> {
                 boolean low = x1 <= x0 - 5;

@@ -17,7 +17,9 @@ internal class Refusal(
     private val problem =
         answer(
             "application/problem+json",
-            Json.encodeToString(ProblemDocument("urn:rasterlab:problem:$code", status.description, status.value, detail)),
+            Json.encodeToString(
+                ProblemDocument("urn:rasterlab:problem:$code", status.description, status.value, detail),
+            ),
         )
     private val pages =
         LANGUAGES.associateWith { answer("text/html; charset=utf-8", plainErrorPage(PageTexts.of(it), status, code)) }

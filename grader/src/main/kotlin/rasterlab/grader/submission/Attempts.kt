@@ -8,8 +8,8 @@ import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.isForWantOfStorage

@@ -6,8 +6,8 @@ import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
 import java.sql.ResultSet

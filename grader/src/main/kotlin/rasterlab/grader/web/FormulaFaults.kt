@@ -3,10 +3,10 @@ package rasterlab.grader.web
 import org.commonmark.node.AbstractVisitor
 import org.commonmark.node.CustomBlock
 import org.commonmark.node.CustomNode
-import rasterlab.exercises.formula.TexFormula
 import rasterlab.exercises.formula.FormulaBlock
 import rasterlab.exercises.formula.Formulas
 import rasterlab.exercises.formula.InlineFormula
+import rasterlab.exercises.formula.TexFormula
 import rasterlab.exercises.formula.Typeset
 import rasterlab.exercises.score.Message
 

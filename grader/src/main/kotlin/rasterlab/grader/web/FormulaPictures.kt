@@ -5,10 +5,10 @@ import org.commonmark.node.Text
 import org.commonmark.renderer.NodeRenderer
 import org.commonmark.renderer.html.HtmlNodeRendererContext
 import org.commonmark.renderer.html.HtmlWriter
-import rasterlab.exercises.formula.TexFormula
 import rasterlab.exercises.formula.FormulaBlock
 import rasterlab.exercises.formula.Formulas
 import rasterlab.exercises.formula.InlineFormula
+import rasterlab.exercises.formula.TexFormula
 import rasterlab.exercises.formula.Typeset
 import java.awt.geom.PathIterator
 import kotlin.math.ceil

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.SpeedFigures
 import rasterlab.exercises.score.SpeedPoints
 import rasterlab.grader.ClassOfStudents

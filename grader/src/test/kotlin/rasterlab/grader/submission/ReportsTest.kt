@@ -17,8 +17,8 @@ import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.PicturePart
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.SpeedFigures
 import rasterlab.grader.Classroom
 import rasterlab.grader.course.Accounts

@@ -20,8 +20,8 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.Grading
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.ScorePoints
 import rasterlab.exercises.score.Report
+import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer

@@ -13,8 +13,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.exercises.scene.SceneFile;
-import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.SceneSetting;
+import rasterlab.exercises.scene.SceneView;
 import rasterlab.tests.Repository;
 
 class ReadmeTest {

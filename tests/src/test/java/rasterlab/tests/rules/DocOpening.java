@@ -34,12 +34,12 @@ record DocOpening(String place, String sentence) {
                     + "|Empty|Right|Wrong|Longer|Shorter|More|Less|Larger|Smaller|Wider|Narrower"
                     + "|Higher|Lower|Whole|Opaque|Nothing|None|Null|Small|Large|Slow|Fast|True"
                     + "|False|Same|Flat|Equal|Open|Wide|Nobody|Back|Near|Nearer|That|These|There"
-                    + "|Only";
+                    + "|Only|Positive|Negative|Level|Exact";
 
     private static final String AFTER =
             "by|in|at|on|of|to|for|from|with|without|as|when|where|while|only|once|until|unless|so"
                     + "|too|not|what|how|if|after|before|than|that|further|whenever|under|level"
-                    + "|along|alone|away|also|behind|out|over|else";
+                    + "|along|alone|away|also|behind|out|over|else|but|now";
 
     /** Names of a colour, and words that do stand at the beginning of a sentence. */
     private static final String FINE = "Called\\b|Red\\b|Need|Speed\\b|Right:|Wrong:";

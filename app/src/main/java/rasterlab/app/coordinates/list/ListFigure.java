@@ -3,8 +3,8 @@ package rasterlab.app.coordinates.list;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Wireframe;
 
@@ -42,7 +42,10 @@ final class ListFigure {
         for (int earlier = 0; earlier < step; earlier++)
             wire(scene.images(earlier, false), MarkInk.GHOST);
         if (scene.wrong()) wire(scene.images(step, true), MarkInk.OBJECT);
-        wire(scene.images(step, false), scene.wrong() ? MarkInk.PRINTED : MarkInk.OBJECT, scene.h(step));
+        wire(
+                scene.images(step, false),
+                scene.wrong() ? MarkInk.PRINTED : MarkInk.OBJECT,
+                scene.h(step));
         if (scene.choice().reading() == Reading.FRAME) frame(step);
     }
 
@@ -61,13 +64,17 @@ final class ListFigure {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
             marks.add(
                     new Mark.Line(
-                            spots.get(edge.from()), spots.get(edge.to()), right ? ink : MarkInk.WRONG));
+                            spots.get(edge.from()),
+                            spots.get(edge.to()),
+                            right ? ink : MarkInk.WRONG));
         }
     }
 
     private void dots(List<StagePoint> spots, MarkInk ink, double[] h) {
         for (int i = 0; i < spots.size(); i++)
-            marks.add(new Mark.Dot(spots.get(i), h.length == 0 || h[i] > 0 ? ink : MarkInk.WRONG, ""));
+            marks.add(
+                    new Mark.Dot(
+                            spots.get(i), h.length == 0 || h[i] > 0 ? ink : MarkInk.WRONG, ""));
     }
 
     /** The largest coordinate of the subject, as far as it reaches. */
@@ -79,6 +86,8 @@ final class ListFigure {
     private void frame(int step) {
         List<StagePoint> ends = places.of(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
-            marks.add(new Mark.Arrow(ends.get(0), ends.get(axis + 1), MarkInk.axis(axis), MOVED[axis]));
+            marks.add(
+                    new Mark.Arrow(
+                            ends.get(0), ends.get(axis + 1), MarkInk.axis(axis), MOVED[axis]));
     }
 }

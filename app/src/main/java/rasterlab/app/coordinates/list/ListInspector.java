@@ -16,8 +16,8 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.NamedControls;
+import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Texts;
 
 /** The list with its controls, the matrices and the coordinate table. */

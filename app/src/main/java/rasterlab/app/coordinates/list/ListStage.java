@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.PlaneStage;
 import rasterlab.app.language.Texts;
 

@@ -3,8 +3,8 @@ package rasterlab.app.coordinates.meeting;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.engine.geometry.Line;
 
@@ -64,7 +64,12 @@ final class MeetingFigure {
             most = Math.max(most, at(scene.exact()).x() + BEYOND);
         }
         marks.add(new Mark.Line(new StagePoint(least, 0), new StagePoint(most, 0), MarkInk.EDGE));
-        marks.add(new Mark.Arrow(new StagePoint(least, 0), new StagePoint(least, NORMAL), MarkInk.axis(2), "n"));
+        marks.add(
+                new Mark.Arrow(
+                        new StagePoint(least, 0),
+                        new StagePoint(least, NORMAL),
+                        MarkInk.axis(2),
+                        "n"));
         marks.add(new Mark.Words(new StagePoint(most, -NAME), MarkInk.EDGE, "n·p = c"));
     }
 

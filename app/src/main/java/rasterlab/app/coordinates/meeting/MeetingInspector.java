@@ -6,8 +6,8 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.NamedControls;
+import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -5,8 +5,8 @@ import java.util.List;
 import org.joml.Matrix4d;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wireframe;
@@ -71,6 +71,7 @@ final class StackFigure {
     private void cube(Matrix4d frame) {
         List<StagePoint> places = places(frame, CUBE.numbers());
         for (Wireframe.Edge edge : CUBE.edges())
-            marks.add(new Mark.Line(places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
+            marks.add(
+                    new Mark.Line(places.get(edge.from()), places.get(edge.to()), MarkInk.OBJECT));
     }
 }

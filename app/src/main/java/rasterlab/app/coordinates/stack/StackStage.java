@@ -4,8 +4,8 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.PlanePoint;
-import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.PlaneStage;
 import rasterlab.app.language.Texts;
 

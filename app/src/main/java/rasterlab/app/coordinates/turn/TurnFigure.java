@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Language;
 

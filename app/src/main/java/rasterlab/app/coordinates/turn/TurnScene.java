@@ -24,7 +24,11 @@ import rasterlab.engine.transform.rotate.Turns;
  * @param drifts of all methods in teaching order, the user's own last where it is chosen
  */
 record TurnScene(
-        TurnChoice choice, List<Step> steps, StagePoint exact, List<StagePoint> circle, List<Drift> drifts) {
+        TurnChoice choice,
+        List<Step> steps,
+        StagePoint exact,
+        List<StagePoint> circle,
+        List<Drift> drifts) {
     /** The most turns whose way is kept. */
     static final int MOST_TURNS = 360;
 
@@ -153,7 +157,8 @@ record TurnScene(
     }
 
     /** The images turned without drift. */
-    private static List<StagePoint> circle(Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
+    private static List<StagePoint> circle(
+            Topic<PlaneRotation, Turns, Images> topic, TurnChoice choice) {
         PlaneRotation method = topic.method("total-angle").implementation();
         var circle = new ArrayList<StagePoint>();
         for (int i = 0; i <= CIRCLE; i++) {

@@ -17,8 +17,8 @@ import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
-import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.language.Texts;
 
 /** The way round with the point that can be dragged, and the chart of the drift beside it. */

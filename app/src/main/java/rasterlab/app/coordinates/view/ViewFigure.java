@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
-import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.MarkBounds;
+import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wireframe;
@@ -104,7 +104,10 @@ final class ViewFigure {
             tip[axis] = 0.9 * reach;
             marks.add(
                     new Mark.Arrow(
-                            seen(0, 0, 0).get(0), seen(tip).get(0), MarkInk.axis(axis), AXES[axis]));
+                            seen(0, 0, 0).get(0),
+                            seen(tip).get(0),
+                            MarkInk.axis(axis),
+                            AXES[axis]));
         }
     }
 
@@ -186,11 +189,15 @@ final class ViewFigure {
     /** The box around all marks, but for vanishing points so far that the house would be a dot. */
     static Rectangle2D frame(List<Mark> marks) {
         Rectangle2D house =
-                MarkBounds.around(marks.stream().filter(mark -> mark.ink() == MarkInk.OBJECT).toList());
+                MarkBounds.around(
+                        marks.stream().filter(mark -> mark.ink() == MarkInk.OBJECT).toList());
         double most = FARTHEST * Math.max(house.getWidth(), house.getHeight());
         return MarkBounds.around(
                 marks.stream()
-                        .filter(mark -> !(mark instanceof Mark.Line line && line.ink() == MarkInk.HELP))
+                        .filter(
+                                mark ->
+                                        !(mark instanceof Mark.Line line
+                                                && line.ink() == MarkInk.HELP))
                         .filter(
                                 mark ->
                                         !(mark instanceof Mark.Cross cross
@@ -232,7 +239,9 @@ final class ViewFigure {
                 VanishingPoints.centre(projection, axis)
                         .ifPresent(at -> centres.add(back.transformPosition(at)));
             for (Vector3d centre : centres)
-                marks.add(new Mark.Cross(seen(centre.x, centre.y, centre.z).get(0), MarkInk.EYE, "E"));
+                marks.add(
+                        new Mark.Cross(
+                                seen(centre.x, centre.y, centre.z).get(0), MarkInk.EYE, "E"));
             if (centres.size() == 1) sight(image, centres.get(0));
         }
 
@@ -285,7 +294,9 @@ final class ViewFigure {
             marks.add(new Mark.Area(inEyeSpace(edge), MarkInk.PLANE));
             List<StagePoint> places = inEyeSpace(points);
             for (Wireframe.Edge each : ViewScene.HOUSE.edges())
-                marks.add(new Mark.Line(places.get(each.from()), places.get(each.to()), MarkInk.PLANE));
+                marks.add(
+                        new Mark.Line(
+                                places.get(each.from()), places.get(each.to()), MarkInk.PLANE));
         }
 
         private List<StagePoint> inEyeSpace(double[] planePoints) {

@@ -16,8 +16,8 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.card.TopicTexts;
-import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.NamedControls;
+import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.SliderField;
 import rasterlab.app.language.Texts;
 

@@ -10,8 +10,8 @@ import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.Figure;
+import rasterlab.app.coordinates.figure.MarkBounds;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.language.Texts;
 

@@ -5,8 +5,8 @@ import org.lwjgl.opengl.GL11;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.GlName;
-import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.opengl.state.GlShape;
+import rasterlab.app.opengl.state.Setting;
 
 /** The calls of one frame, from the cleared picture to the last shape. */
 public final class FrameCalls {

@@ -1,8 +1,8 @@
 package rasterlab.app.opengl.call;
 
 import org.lwjgl.opengl.GL11;
-import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.opengl.state.GlShape;
+import rasterlab.app.opengl.state.Setting;
 
 /** The vertices of a shape between glBegin and glEnd. */
 final class ShapeCalls {

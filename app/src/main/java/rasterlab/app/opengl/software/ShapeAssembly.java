@@ -5,8 +5,8 @@ import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
-import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.opengl.state.GlShape;
+import rasterlab.app.opengl.state.Setting;
 
 /** Vertices of a shape lit and put together to primitives, as OpenGL does it. */
 final class ShapeAssembly {
@@ -123,7 +123,7 @@ final class ShapeAssembly {
         return other;
     }
 
-    /** Positive where the corners run counter-clockwise on the picture. */
+    /** The signed area, positive where the corners run counter-clockwise on the picture. */
     private double area(double[] a, double[] b, double[] c) {
         double ax = projection.m00() * a[0];
         double ay = projection.m11() * a[1];

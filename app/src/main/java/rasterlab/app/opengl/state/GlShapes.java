@@ -39,7 +39,8 @@ final class GlShapes {
         for (int i = 0; i < rgb.length; i += 3)
             paint(rgb, i, Color.HSBtoRGB(0.55f + 0.1f * normals[i + 1], 0.35f, 1));
         var unit =
-                new GlShape("sphere", true, true, normals, normals, floats(sphere.st()), rgb, lines);
+                new GlShape(
+                        "sphere", true, true, normals, normals, floats(sphere.st()), rgb, lines);
         return unit.scaledTo(SPHERE, 0, 0, 0);
     }
 
@@ -124,7 +125,8 @@ final class GlShapes {
         float[] other = {-0.5f, 0, 2, 0.25f, 1.25f, 1.5f, 0.25f, 2};
         float[] rgb = {1, 0.4f, 0.4f, 0.4f, 1, 0.4f, 0.4f, 0.4f, 1, 1, 1, 1};
         int[] triangles = {0, 1, 2, 0, 2, 3};
-        return new GlShape("quad", false, true, xyz, normals, uneven ? other : even, rgb, triangles);
+        return new GlShape(
+                "quad", false, true, xyz, normals, uneven ? other : even, rgb, triangles);
     }
 
     static List<GlShape> of(GlChoice choice) {

@@ -38,7 +38,8 @@ class MarkLabelPlacesTest {
     @Test
     void labelOfAChosenVertexStandsOutsideItsRing() {
         var ring = new Rectangle(85, 85, 30, 30);
-        Rectangle place = new MarkLabelPlaces(VIEW, List.of(), List.of(ring)).take(100, 100, 20, 16);
+        Rectangle place =
+                new MarkLabelPlaces(VIEW, List.of(), List.of(ring)).take(100, 100, 20, 16);
         assertFalse(place.intersects(ring), place.toString());
     }
 

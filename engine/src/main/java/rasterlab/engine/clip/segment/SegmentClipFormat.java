@@ -15,8 +15,8 @@ import rasterlab.engine.clip.polygon.ConvexWindow;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -126,7 +126,8 @@ public final class SegmentClipFormat extends Format<SegmentClipper, SegmentsInWi
         }
         ClippedEnds left = capture.captured();
         if (!call.steps()) return out -> PartFormat.write(left.parts(), out);
-        RecordedSteps steps = steps(method, segments, s -> method.walk(corners, s[0], s[1], s[2], s[3]));
+        RecordedSteps steps =
+                steps(method, segments, s -> method.walk(corners, s[0], s[1], s[2], s[3]));
         return out -> {
             PartFormat.write(left.parts(), out);
             steps.write(out);

@@ -16,7 +16,9 @@ final class FaceWorkloads {
         double[] eye = {-1, 0, 6};
         for (int rows : new int[] {3, 10, 30}) {
             var points =
-                    FacePoints.grid(FaceSamples.dome(REACH, lamp, eye, FaceSamples.grey(0.5, 0.4, 30)), rows);
+                    FacePoints.grid(
+                            FaceSamples.dome(REACH, lamp, eye, FaceSamples.grey(0.5, 0.4, 30)),
+                            rows);
             workloads.add(
                     new Workload<>("pixels-" + points.count(), points.count(), List.of(points)));
         }

@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -99,7 +99,8 @@ final class NormalsFormat extends Format<VertexNormals, TriangleSurface, Images>
     protected void check(Call<VertexNormals> call, TriangleSurface surface) {
         if (!call.steps()) return;
         call.stepped(SteppedNormals.class);
-        RecordedSteps.requireAtMost(MOST_STEPPED, "corners of triangles", surface.triangles().length);
+        RecordedSteps.requireAtMost(
+                MOST_STEPPED, "corners of triangles", surface.triangles().length);
     }
 
     /** A face's normal added to a vertex's sum. */

@@ -51,6 +51,7 @@ final class NormalsWorkloads {
                 triangles.addAll(List.of(here + column, above + next, above + column));
             }
         }
-        return new TriangleSurface(vertices, triangles.stream().mapToInt(Integer::intValue).toArray());
+        return new TriangleSurface(
+                vertices, triangles.stream().mapToInt(Integer::intValue).toArray());
     }
 }

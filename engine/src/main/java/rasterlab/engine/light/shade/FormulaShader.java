@@ -6,8 +6,8 @@ import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.contract.Reflection;
 import rasterlab.contract.SpotCone;
-import rasterlab.engine.light.SpecularCosine;
 import rasterlab.engine.light.Powers;
+import rasterlab.engine.light.SpecularCosine;
 import rasterlab.engine.light.UnitVector;
 import rasterlab.engine.transform.Angle;
 
@@ -95,7 +95,8 @@ public final class FormulaShader implements PointShader, TermShader {
         if (reflection == Reflection.LAMBERT) return 0;
         double[] v = unit("to-eye", point.toEye());
         double cosine =
-                SpecularCosine.cosine(reflection, n[0], n[1], n[2], l[0], l[1], l[2], v[0], v[1], v[2]);
+                SpecularCosine.cosine(
+                        reflection, n[0], n[1], n[2], l[0], l[1], l[2], v[0], v[1], v[2]);
         double shininess = point.material().shininess();
         boolean steep = shininess > 0 && shininess < 1 && cosine < STEEP;
         return steep && reflection == Reflection.PHONG

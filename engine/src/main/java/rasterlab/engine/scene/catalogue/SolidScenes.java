@@ -39,11 +39,13 @@ final class SolidScenes {
     /**
      * @param phi the eye's angle from the z axis
      */
-    private static Recipe inSteps(String name, int usual, Appearance finish, SceneShape shape, double phi) {
+    private static Recipe inSteps(
+            String name, int usual, Appearance finish, SceneShape shape, double phi) {
         return new Recipe(name, usual, detail -> scene(name, finish, shape, phi, detail));
     }
 
-    private static Scene scene(String name, Appearance finish, SceneShape shape, double phi, int detail) {
+    private static Scene scene(
+            String name, Appearance finish, SceneShape shape, double phi, int detail) {
         var camera = new SphericalView(Math.PI / 9, phi, 500);
         return new Parts()
                 .add(finish, shape, detail, Math.max(3, detail / 2))

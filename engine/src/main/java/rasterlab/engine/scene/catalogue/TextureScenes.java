@@ -49,7 +49,11 @@ final class TextureScenes {
         var camera = new SphericalView(0.6, 1.25, 500);
         var tilted = new Placed(new Sphere(105), new Matrix4d().rotateX(TILT));
         return new Parts()
-                .add(Appearances.pictured(Pictures.earth()), tilted, detail, Math.max(3, detail / 2))
+                .add(
+                        Appearances.pictured(Pictures.earth()),
+                        tilted,
+                        detail,
+                        Math.max(3, detail / 2))
                 .scene("globe", Lamps.beside(camera), camera, 2.1);
     }
 }

@@ -69,7 +69,7 @@ public final class PiecewiseCubic {
     }
 
     /**
-     * Exact: a narrow piece would make a wrong value of a place that was rounded. The references
+     * The place folded exactly: a narrow piece would make a wrong value of a place that was rounded. The references
      * share none of it, see {@link SplineProblem#folded}.
      */
     private BigDecimal folded(double place) {

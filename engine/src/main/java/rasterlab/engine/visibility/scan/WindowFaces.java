@@ -95,7 +95,7 @@ final class WindowFaces {
         return false;
     }
 
-    /** Positive where the corners run clockwise on the picture, whose y grows down. */
+    /** The turn, positive where the corners run clockwise on the picture, whose y grows down. */
     private double turn(int first, int end) {
         double sum = 0;
         for (int k = first, p = end - 1; k < end; p = k++)

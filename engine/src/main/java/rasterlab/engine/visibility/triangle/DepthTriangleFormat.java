@@ -7,8 +7,8 @@ import rasterlab.contract.DepthTriangleFiller;
 import rasterlab.engine.format.Field;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.engine.format.Given;
-import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.RecordedSteps;
+import rasterlab.engine.format.Shape;
 import rasterlab.engine.format.ValueSink;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.study.Call;
@@ -147,7 +147,8 @@ final class DepthTriangleFormat
                             input.height());
             while (walk.advance()) {
                 int at = walk.y() * input.width() + walk.x();
-                RecordedSteps.add(steps, new Step(t + 1, walk.x(), walk.y(), walk.depth(), stored[at]));
+                RecordedSteps.add(
+                        steps, new Step(t + 1, walk.x(), walk.y(), walk.depth(), stored[at]));
                 stored[at] = Math.min(stored[at], walk.depth());
             }
         }

@@ -27,7 +27,8 @@ class FaceShadingTest {
         double[] corners = random.doubles(9, -1, 1).toArray();
         double[] normals = random.doubles(9, -1, 1).toArray();
         for (int k = 2; k < 9; k += 3) normals[k] = 1.5;
-        var material = FaceSamples.grey(random.nextDouble(), random.nextDouble(), random.nextInt(200));
+        var material =
+                FaceSamples.grey(random.nextDouble(), random.nextDouble(), random.nextInt(200));
         double[] lamp = random.doubles(3, 2, 5).toArray();
         double[] eye = random.doubles(3, 2, 5).toArray();
         var points = FacePoints.grid(FaceSamples.face(corners, normals, lamp, eye, material), 4);

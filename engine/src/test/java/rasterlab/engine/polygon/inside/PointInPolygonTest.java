@@ -121,7 +121,8 @@ class PointInPolygonTest {
     @Test
     void operationsAreCountedAsTheWalkGoes() {
         var input = new ShapeAndPoints(Points.of(0, -4, 4, 0, 0, 4, -4, 0), Points.of(-1, 0.5));
-        assertEquals(Map.of("edges", 4L, "crossings", 1L), TOPIC.operations(new RayCrossing(), input));
+        assertEquals(
+                Map.of("edges", 4L, "crossings", 1L), TOPIC.operations(new RayCrossing(), input));
     }
 
     @Test
