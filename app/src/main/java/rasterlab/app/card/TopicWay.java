@@ -9,7 +9,7 @@ import java.util.function.Predicate;
 import rasterlab.app.canvas.CommandInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.Plotted;
 
@@ -49,7 +49,7 @@ public record TopicWay<M>(
 
     /** Finds in what a lab shows an input otherwise than it is. */
     public interface Comparison<M> {
-        List<Unlike> unlike(M lab, TopicInput input, String method);
+        List<ShownDifference> unlike(M lab, TopicInput input, String method);
     }
 
     /**

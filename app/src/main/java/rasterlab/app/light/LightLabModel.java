@@ -14,7 +14,7 @@ import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.PictureMaker;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.Colors;
@@ -222,11 +222,11 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** How the lab shows a hazard's input, of a topic about light, otherwise than it is. */
-    public List<Unlike> unlike(Object input, String method) {
+    public List<ShownDifference> unlike(Object input, String method) {
         String shown = method.equals(OwnMethods.NAME) ? "" : method;
         if (!(input instanceof Colors colors)) return TopicBodies.unlike(input, shown);
         return ColourChoice.first().with(colors, "formula").outside()
-                ? List.of(Unlike.of(Unlike.Kind.COLOUR_CUT))
+                ? List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))
                 : List.of();
     }
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import rasterlab.app.canvas.GivenInput;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.contract.Attenuation;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.LitFace;
@@ -58,12 +58,12 @@ final class TopicBodies {
     }
 
     /** How the lab shows that input of a topic otherwise than it is. */
-    static List<Unlike> unlike(Object input, String method) {
-        var unlike = new ArrayList<Unlike>(TopicMesh.of(input, ownNormals(input, method)).unlike());
+    static List<ShownDifference> unlike(Object input, String method) {
+        var unlike = new ArrayList<ShownDifference>(TopicMesh.of(input, ownNormals(input, method)).unlike());
         if (input instanceof LitPoints points) {
             LitPoint point = points.points().get(0);
-            if (point.distance() == 0) unlike.add(Unlike.of(Unlike.Kind.LAMP_BESIDE, BESIDE));
-            if (SpotPlace.of(point).isPresent()) unlike.add(Unlike.of(Unlike.Kind.POINT_ASIDE));
+            if (point.distance() == 0) unlike.add(ShownDifference.of(ShownDifference.Kind.LAMP_BESIDE, BESIDE));
+            if (SpotPlace.of(point).isPresent()) unlike.add(ShownDifference.of(ShownDifference.Kind.POINT_ASIDE));
         }
         return unlike;
     }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.contract.LitFace;
 import rasterlab.contract.LitPoint;
 import rasterlab.engine.light.UnitVector;
@@ -21,7 +21,7 @@ import rasterlab.engine.transform.SphericalView;
  *
  * @param unlike in what it is other than the input's
  */
-record TopicMesh(Mesh mesh, List<Unlike> unlike) {
+record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
     /** World units from the middle to the farthest corner of a body that has no lamp and eye. */
     private static final double REACH = 64;
 
@@ -54,7 +54,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
         } catch (IllegalArgumentException noArea) {
             return new TopicMesh(
                     triangle(bent(corners, face.normals()), face.normals()),
-                    List.of(Unlike.of(Unlike.Kind.CORNER_MOVED)));
+                    List.of(ShownDifference.of(ShownDifference.Kind.CORNER_MOVED)));
         }
     }
 
@@ -81,7 +81,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
                 triangle(corners, normals),
                 Math.abs(UnitVector.length(n) - 1) <= UNIT
                         ? List.of()
-                        : List.of(Unlike.of(Unlike.Kind.NORMAL_LENGTH, n[0], n[1], n[2])));
+                        : List.of(ShownDifference.of(ShownDifference.Kind.NORMAL_LENGTH, n[0], n[1], n[2])));
     }
 
     /**
@@ -120,11 +120,11 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
 
     /** Made larger by a power of two, which changes no normal. */
     private static TopicMesh body(TriangleSurface bare, String method) {
-        var unlike = new ArrayList<Unlike>();
+        var unlike = new ArrayList<ShownDifference>();
         double[] xyz = moved(bare.vertices(), middle(bare.vertices()));
         int exponent = Math.getExponent(REACH / largest(xyz));
         if (!(largest(bare.vertices()) >= SphericalView.NEAREST))
-            unlike.add(Unlike.of(Unlike.Kind.SCALED, exponent));
+            unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
         double[] larger = Arrays.stream(xyz).map(x -> Math.scalb(x, exponent)).toArray();
         var faces = new ArrayList<int[]>();
         int[] corners = bare.triangles();
@@ -133,7 +133,7 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
             if (hasArea(larger, face)) faces.add(face);
         }
         if (faces.size() < corners.length / 3)
-            unlike.add(Unlike.of(Unlike.Kind.FACES_WITHOUT_AREA));
+            unlike.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
         var mesh = new Mesh(larger, faces.toArray(int[][]::new));
         if (!method.isEmpty()) mesh = withNormals(mesh, bare, method, unlike);
         return new TopicMesh(mesh, List.copyOf(unlike));
@@ -149,28 +149,28 @@ record TopicMesh(Mesh mesh, List<Unlike> unlike) {
 
     /** The normals that the method finds for the input's own numbers. */
     private static Mesh withNormals(
-            Mesh mesh, TriangleSurface bare, String method, List<Unlike> unlike) {
+            Mesh mesh, TriangleSurface bare, String method, List<ShownDifference> unlike) {
         var topic = new NormalsTopic();
         double[] found =
                 topic.record(topic.method(method).implementation(), bare, Integer.MAX_VALUE)
                         .coordinates();
         var normals = new double[3 * mesh.totalCorners()];
-        var kinds = EnumSet.noneOf(Unlike.Kind.class);
+        var kinds = EnumSet.noneOf(ShownDifference.Kind.class);
         for (int f = 0; f < mesh.faceCount(); f++)
             for (int c = 0; c < mesh.cornerCount(f); c++) {
                 int at = 3 * mesh.corner(f, c);
                 double[] one = Arrays.copyOfRange(found, at, at + 3);
                 double length = UnitVector.length(one);
-                if (!(Math.abs(length - 1) <= UNIT)) kinds.add(Unlike.Kind.NORMALS_LENGTHENED);
+                if (!(Math.abs(length - 1) <= UNIT)) kinds.add(ShownDifference.Kind.NORMALS_LENGTHENED);
                 if (!(length > 0 && length < Double.POSITIVE_INFINITY)) {
-                    kinds.add(Unlike.Kind.FACE_NORMAL);
+                    kinds.add(ShownDifference.Kind.FACE_NORMAL);
                     for (int axis = 0; axis < 3; axis++) one[axis] = mesh.cornerNormal(f, c, axis);
                 }
                 UnitVector.normalise(one);
                 System.arraycopy(one, 0, normals, 3 * (mesh.firstCorner(f) + c), 3);
             }
-        if (kinds.contains(Unlike.Kind.FACE_NORMAL)) kinds.remove(Unlike.Kind.NORMALS_LENGTHENED);
-        kinds.forEach(kind -> unlike.add(Unlike.of(kind)));
+        if (kinds.contains(ShownDifference.Kind.FACE_NORMAL)) kinds.remove(ShownDifference.Kind.NORMALS_LENGTHENED);
+        kinds.forEach(kind -> unlike.add(ShownDifference.of(kind)));
         return mesh.withNormals(normals);
     }
 

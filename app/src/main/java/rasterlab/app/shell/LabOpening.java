@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.OpenInLab;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
@@ -137,7 +137,7 @@ final class LabOpening implements OpenInLab {
         Verdict verdict = verdict(models.own().in(named(input.topic())), input.hazard(), method);
         var unlike = new ArrayList<>(notes.unlike().unlike(lab, input, method));
         if (verdict.kind() != Verdict.Kind.EXACT && !notes.drawsBy().test(method))
-            unlike.add(Unlike.of(Unlike.Kind.OTHER_METHOD));
+            unlike.add(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD));
         return unlike.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new HazardNote(input.hazard(), method, verdict, unlike));

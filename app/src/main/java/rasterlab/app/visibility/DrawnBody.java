@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.Triangles;
 import rasterlab.engine.polygon.triangulation.TriangulateTopic;
@@ -31,7 +31,7 @@ record DrawnBody(
         double[] eye,
         double radius,
         Optional<String> drawnBy,
-        List<Unlike> unlike) {
+        List<ShownDifference> unlike) {
     /** Draws faces in their order, as is done with those that a method calls visible. */
     private static final String AS_FOUND = "none";
 
@@ -69,7 +69,7 @@ record DrawnBody(
 
     private static DrawnBody found(
             Body body, String method, double[] xyz, double[] eye, int exponent) {
-        var unlike = new ArrayList<Unlike>();
+        var unlike = new ArrayList<ShownDifference>();
         Optional<SeenFaces> found = visible(body, method);
         int[] drawn =
                 IntStream.range(0, body.faces().length)
@@ -77,10 +77,10 @@ record DrawnBody(
                         .toArray();
         unlike.add(
                 found.isEmpty()
-                        ? Unlike.of(Unlike.Kind.FACES_ALL)
-                        : Unlike.of(
-                                Unlike.Kind.FACES_FOUND, method, drawn.length, found.get().size()));
-        if (exponent != 0) unlike.add(Unlike.of(Unlike.Kind.SCALED, exponent));
+                        ? ShownDifference.of(ShownDifference.Kind.FACES_ALL)
+                        : ShownDifference.of(
+                                ShownDifference.Kind.FACES_FOUND, method, drawn.length, found.get().size()));
+        if (exponent != 0) unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
         var faces = new ArrayList<int[]>();
         var numbers = new ArrayList<Integer>();
         boolean all = true;
@@ -90,7 +90,7 @@ record DrawnBody(
             faces.addAll(pieces);
             pieces.forEach(piece -> numbers.add(face));
         }
-        if (!all) unlike.add(Unlike.of(Unlike.Kind.FACES_WITHOUT_AREA));
+        if (!all) unlike.add(ShownDifference.of(ShownDifference.Kind.FACES_WITHOUT_AREA));
         return new DrawnBody(
                 new Mesh(xyz, faces.toArray(int[][]::new)),
                 numbers.stream().mapToInt(Integer::intValue).toArray(),

@@ -6,7 +6,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
@@ -18,7 +18,7 @@ import rasterlab.engine.visibility.hidden.SurfaceView;
  * @param mesh as it is, or made higher
  * @param scale in pixels per unit of a picture of 800×600
  */
-record FittedSurfaces(Mesh mesh, double scale, List<Unlike> unlike) {
+record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> unlike) {
     /** Shares of the height that what is long and low is made to take of its width. */
     private static final double HIGHER = 0.5;
 
@@ -29,8 +29,8 @@ record FittedSurfaces(Mesh mesh, double scale, List<Unlike> unlike) {
      */
     static FittedSurfaces of(SurfaceView input, double reach) {
         PictureFit fit = input.view().fit();
-        var unlike = new ArrayList<Unlike>();
-        unlike.add(Unlike.of(Unlike.Kind.PICTURE_SIZE, fit.width(), fit.height()));
+        var unlike = new ArrayList<ShownDifference>();
+        unlike.add(ShownDifference.of(ShownDifference.Kind.PICTURE_SIZE, fit.width(), fit.height()));
         Mesh mesh = input.mesh();
         boolean central = input.view().transform().projection() == Projection.PERSPECTIVE;
         Matrix4d toEye = input.camera().matrix();
@@ -46,7 +46,7 @@ record FittedSurfaces(Mesh mesh, double scale, List<Unlike> unlike) {
             double factor = Math.rint(HIGHER * wide / high);
             mesh = higher(mesh, factor);
             high *= factor;
-            unlike.add(Unlike.of(Unlike.Kind.STRETCHED, factor));
+            unlike.add(ShownDifference.of(ShownDifference.Kind.STRETCHED, factor));
         }
         return new FittedSurfaces(mesh, reach / Math.max(wide, high), unlike);
     }

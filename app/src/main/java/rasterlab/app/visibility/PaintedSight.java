@@ -3,7 +3,7 @@ package rasterlab.app.visibility;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
 import rasterlab.engine.visibility.order.Painting;
 import rasterlab.engine.visibility.order.Sight;
@@ -15,7 +15,7 @@ import rasterlab.engine.visibility.order.Sight;
  * @param pieces the farthest first, in the sight's own numbers
  * @param exponent of the power of two that brings them into reach
  */
-record PaintedSight(List<Painting.Piece> pieces, int exponent, List<Unlike> unlike) {
+record PaintedSight(List<Painting.Piece> pieces, int exponent, List<ShownDifference> unlike) {
     /** World units from the eye to the middle. */
     private static final double AWAY = 512;
 
@@ -24,9 +24,9 @@ record PaintedSight(List<Painting.Piece> pieces, int exponent, List<Unlike> unli
      */
     static PaintedSight of(Sight sight, String method, double rho) {
         var topic = new DepthOrderTopic();
-        var unlike = new ArrayList<Unlike>();
+        var unlike = new ArrayList<ShownDifference>();
         List<Painting.Piece> pieces = topic.exact(sight, topic.mostItems()).pieces();
-        if (method.isEmpty()) unlike.add(Unlike.of(Unlike.Kind.PAINTED_AS_GIVEN));
+        if (method.isEmpty()) unlike.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
         else {
             try {
                 pieces =
@@ -35,13 +35,13 @@ record PaintedSight(List<Painting.Piece> pieces, int exponent, List<Unlike> unli
                                         sight,
                                         topic.mostItems())
                                 .pieces();
-                unlike.add(Unlike.of(Unlike.Kind.PAINTED_IN_ORDER, method));
+                unlike.add(ShownDifference.of(ShownDifference.Kind.PAINTED_IN_ORDER, method));
             } catch (IllegalArgumentException refused) {
-                unlike.add(Unlike.of(Unlike.Kind.PAINTED_AS_GIVEN));
+                unlike.add(ShownDifference.of(ShownDifference.Kind.PAINTED_AS_GIVEN));
             }
         }
         int exponent = Math.getExponent(AWAY / rho);
-        unlike.add(Unlike.of(Unlike.Kind.SCALED, exponent));
+        unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
         return new PaintedSight(pieces, exponent, unlike);
     }
 

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -30,7 +30,7 @@ public record TopicView(
         double near,
         double far,
         String drawnBy,
-        List<Unlike> unlike) {
+        List<ShownDifference> unlike) {
     /** Pixels from the middle of a picture of 800×600 to the farthest corner. */
     private static final double REACH = 240;
 
@@ -48,7 +48,7 @@ public record TopicView(
     };
 
     /** A perspective view of a scene. */
-    private static TopicView perspective(Scene scene, String drawnBy, List<Unlike> unlike) {
+    private static TopicView perspective(Scene scene, String drawnBy, List<ShownDifference> unlike) {
         return new TopicView(
                 scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY, drawnBy, unlike);
     }
@@ -66,7 +66,7 @@ public record TopicView(
                         (double) fit.height() / PictureFit.NATURAL_HEIGHT);
         Mesh mesh = input.mesh();
         double scale = fit.pixelsPerUnit() / natural;
-        List<Unlike> unlike = List.of();
+        List<ShownDifference> unlike = List.of();
         if (smaller < FEWEST_PIXELS || larger > MOST_UNLIKE * smaller) {
             var fitted = FittedSurfaces.of(input, REACH);
             mesh = fitted.mesh();

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.HazardNote;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.contract.ColorModel;
 import rasterlab.contract.LitPoint;
 import rasterlab.engine.color.ColorTopic;
@@ -70,15 +70,15 @@ class TopicBodiesTest {
     void methodsOwnNormalsAreShownWhereTheyHaveADirection() {
         TriangleSurface roof = input(new NormalsTopic().hazards(), "roof-with-a-long-side");
         TopicMesh own = TopicMesh.of(roof, "plain-textbook");
-        assertEquals(Unlike.Kind.NORMALS_LENGTHENED, own.unlike().get(0).kind());
+        assertEquals(ShownDifference.Kind.NORMALS_LENGTHENED, own.unlike().get(0).kind());
         assertTrue(own.mesh().hasNormals());
         assertEquals(0, own.mesh().cornerNormal(0, 0, 0), 1e-12);
         assertEquals(1, own.mesh().cornerNormal(0, 0, 2), 1e-12);
         TriangleSurface tiny = input(new NormalsTopic().hazards(), "tiny-faces");
         TopicMesh faces = TopicMesh.of(tiny, "plain-textbook");
         assertEquals(
-                List.of(Unlike.Kind.SCALED, Unlike.Kind.FACE_NORMAL),
-                faces.unlike().stream().map(Unlike::kind).toList());
+                List.of(ShownDifference.Kind.SCALED, ShownDifference.Kind.FACE_NORMAL),
+                faces.unlike().stream().map(ShownDifference::kind).toList());
         assertEquals(faces.mesh().normalZ(0), faces.mesh().cornerNormal(0, 1, 2));
     }
 
@@ -101,7 +101,7 @@ class TopicBodiesTest {
         var verdict = new Verdict(Verdict.Kind.REFUSED, Deviation.NONE, "no");
         model.tell(
                 new HazardNote(
-                        "black", "formula", verdict, List.of(Unlike.of(Unlike.Kind.COLOUR_CUT))));
+                        "black", "formula", verdict, List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))));
         assertEquals("black", model.state().note().orElseThrow().hazard());
         model.drawNormals(true);
         assertFalse(model.state().note().isPresent());

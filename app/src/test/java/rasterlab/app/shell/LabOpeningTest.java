@@ -3,21 +3,21 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.canvas.Unlike.Kind.COLOUR_CUT;
-import static rasterlab.app.canvas.Unlike.Kind.CORNER_MOVED;
-import static rasterlab.app.canvas.Unlike.Kind.FACES_ALL;
-import static rasterlab.app.canvas.Unlike.Kind.FACES_FOUND;
-import static rasterlab.app.canvas.Unlike.Kind.FACES_WITHOUT_AREA;
-import static rasterlab.app.canvas.Unlike.Kind.FACE_NORMAL;
-import static rasterlab.app.canvas.Unlike.Kind.LAMP_BESIDE;
-import static rasterlab.app.canvas.Unlike.Kind.NORMALS_LENGTHENED;
-import static rasterlab.app.canvas.Unlike.Kind.NORMAL_LENGTH;
-import static rasterlab.app.canvas.Unlike.Kind.PAINTED_AS_GIVEN;
-import static rasterlab.app.canvas.Unlike.Kind.PAINTED_IN_ORDER;
-import static rasterlab.app.canvas.Unlike.Kind.PICTURE_SIZE;
-import static rasterlab.app.canvas.Unlike.Kind.POINT_ASIDE;
-import static rasterlab.app.canvas.Unlike.Kind.SCALED;
-import static rasterlab.app.canvas.Unlike.Kind.STRETCHED;
+import static rasterlab.app.canvas.ShownDifference.Kind.COLOUR_CUT;
+import static rasterlab.app.canvas.ShownDifference.Kind.CORNER_MOVED;
+import static rasterlab.app.canvas.ShownDifference.Kind.FACES_ALL;
+import static rasterlab.app.canvas.ShownDifference.Kind.FACES_FOUND;
+import static rasterlab.app.canvas.ShownDifference.Kind.FACES_WITHOUT_AREA;
+import static rasterlab.app.canvas.ShownDifference.Kind.FACE_NORMAL;
+import static rasterlab.app.canvas.ShownDifference.Kind.LAMP_BESIDE;
+import static rasterlab.app.canvas.ShownDifference.Kind.NORMALS_LENGTHENED;
+import static rasterlab.app.canvas.ShownDifference.Kind.NORMAL_LENGTH;
+import static rasterlab.app.canvas.ShownDifference.Kind.PAINTED_AS_GIVEN;
+import static rasterlab.app.canvas.ShownDifference.Kind.PAINTED_IN_ORDER;
+import static rasterlab.app.canvas.ShownDifference.Kind.PICTURE_SIZE;
+import static rasterlab.app.canvas.ShownDifference.Kind.POINT_ASIDE;
+import static rasterlab.app.canvas.ShownDifference.Kind.SCALED;
+import static rasterlab.app.canvas.ShownDifference.Kind.STRETCHED;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -39,7 +39,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
@@ -61,7 +61,7 @@ import rasterlab.engine.study.Verdict;
 @Tag("slow")
 class LabOpeningTest {
     /** What a tab shows otherwise than it is, by some method, and in what. */
-    private static final Map<String, Set<Unlike.Kind>> UNLIKE =
+    private static final Map<String, Set<ShownDifference.Kind>> UNLIKE =
             Map.ofEntries(
                     Map.entry("hidden-surfaces one-pixel", EnumSet.of(PICTURE_SIZE)),
                     Map.entry(
@@ -151,12 +151,12 @@ class LabOpeningTest {
         return Topics.all().stream();
     }
 
-    private List<Unlike> unlike(Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
+    private List<ShownDifference> unlike(Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
         var input = new TopicInput(topic.name(), hazard.name(), hazard.input());
         return unlike(LabRooms.card(topic.name()), input, method.name());
     }
 
-    private <M> List<Unlike> unlike(TopicCard<M> card, TopicInput input, String method) {
+    private <M> List<ShownDifference> unlike(TopicCard<M> card, TopicInput input, String method) {
         return card.way()
                 .notes()
                 .map(notes -> notes.unlike().unlike(models.of(card.lab()), input, method))
@@ -165,14 +165,14 @@ class LabOpeningTest {
 
     @Test
     void whatTabsShowOtherwiseThanItIsIsKnown() {
-        var found = new TreeMap<String, Set<Unlike.Kind>>();
+        var found = new TreeMap<String, Set<ShownDifference.Kind>>();
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Hazard<?> hazard : topic.hazards())
                 for (Method<?> method : topic.methods())
-                    for (Unlike each : unlike(topic, hazard, method))
+                    for (ShownDifference each : unlike(topic, hazard, method))
                         found.computeIfAbsent(
                                         topic.name() + " " + hazard.name(),
-                                        name -> EnumSet.noneOf(Unlike.Kind.class))
+                                        name -> EnumSet.noneOf(ShownDifference.Kind.class))
                                 .add(each.kind());
         assertEquals(new TreeMap<>(UNLIKE), found);
     }
@@ -182,7 +182,7 @@ class LabOpeningTest {
     void noteSaysWhatTheMethodDoesWithTheHazardItself(Topic<?, ?, ?> topic) {
         for (Hazard<?> hazard : topic.hazards())
             for (Method<?> method : topic.methods()) {
-                List<Unlike> unlike = unlike(topic, hazard, method);
+                List<ShownDifference> unlike = unlike(topic, hazard, method);
                 if (unlike.isEmpty()) continue;
                 Verdict verdict = LabOpening.verdict(topic, hazard.name(), method.name());
                 String name = hazard.name() + " " + method.name();
@@ -225,7 +225,7 @@ class LabOpeningTest {
         boolean said =
                 models.light().note().stream()
                         .flatMap(note -> note.unlike().stream())
-                        .anyMatch(each -> each.kind() == Unlike.Kind.OTHER_METHOD);
+                        .anyMatch(each -> each.kind() == ShownDifference.Kind.OTHER_METHOD);
         assertEquals(named, said);
     }
 

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -141,13 +141,13 @@ class TopicViewTest {
         Hazard<Body> hazard = named(new VisibleFacesTopic().hazards(), "inner-point-outside");
         TopicView refused = TopicView.of("it", hazard.input(), "convex-segment", "convex");
         assertEquals(6, refused.scene().mesh().faceCount());
-        assertEquals(List.of(Unlike.Kind.FACES_ALL), kinds(refused));
+        assertEquals(List.of(ShownDifference.Kind.FACES_ALL), kinds(refused));
         TopicView found = TopicView.of("it", hazard.input(), "back-face", "convex");
         assertEquals(3, found.scene().mesh().faceCount());
-        assertEquals(List.of(Unlike.Kind.FACES_FOUND), kinds(found));
+        assertEquals(List.of(ShownDifference.Kind.FACES_FOUND), kinds(found));
     }
 
-    private static List<Unlike.Kind> kinds(TopicView view) {
-        return view.unlike().stream().map(Unlike::kind).toList();
+    private static List<ShownDifference.Kind> kinds(TopicView view) {
+        return view.unlike().stream().map(ShownDifference::kind).toList();
     }
 }

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -95,11 +95,11 @@ final class TrialReadings {
         boolean onTheWay = model.shownTrial().isEmpty();
         return note(
                 tried.get(),
-                onTheWay ? List.of(Unlike.of(Unlike.Kind.OTHER_METHOD)) : tried.get().unlike());
+                onTheWay ? List.of(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD)) : tried.get().unlike());
     }
 
     /** The first difference is in the table's numbers, a refusal only here. */
-    private String note(TrialScene scene, List<Unlike> unlike) {
+    private String note(TrialScene scene, List<ShownDifference> unlike) {
         Verdict verdict = scene.verdict();
         if (unlike.isEmpty() && verdict.kind() == Verdict.Kind.EXACT) return "";
         String detail = scene.made().isPresent() ? "" : verdict.detail();

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.Images;
 
@@ -119,13 +119,13 @@ record TrialScene(
     }
 
     /** How the picture of the end differs from the numbers. */
-    List<Unlike> unlike() {
-        var unlike = new ArrayList<Unlike>();
-        if (any(i -> !exact.has(i) && !isMade(i))) unlike.add(Unlike.of(Unlike.Kind.NO_IMAGE));
+    List<ShownDifference> unlike() {
+        var unlike = new ArrayList<ShownDifference>();
+        if (any(i -> !exact.has(i) && !isMade(i))) unlike.add(ShownDifference.of(ShownDifference.Kind.NO_IMAGE));
         long hidden = IntStream.range(0, size()).filter(this::isHidden).count();
-        if (hidden > 0) unlike.add(Unlike.of(Unlike.Kind.POINTS_TOGETHER, hidden, off()));
+        if (hidden > 0) unlike.add(ShownDifference.of(ShownDifference.Kind.POINTS_TOGETHER, hidden, off()));
         if (any(i -> isMade(i) && !inReach(made.orElseThrow().points(), i)))
-            unlike.add(Unlike.of(Unlike.Kind.POINT_BEYOND));
+            unlike.add(ShownDifference.of(ShownDifference.Kind.POINT_BEYOND));
         return unlike;
     }
 

@@ -4,9 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.canvas.Unlike.Kind.NO_IMAGE;
-import static rasterlab.app.canvas.Unlike.Kind.POINTS_TOGETHER;
-import static rasterlab.app.canvas.Unlike.Kind.POINT_BEYOND;
+import static rasterlab.app.canvas.ShownDifference.Kind.NO_IMAGE;
+import static rasterlab.app.canvas.ShownDifference.Kind.POINTS_TOGETHER;
+import static rasterlab.app.canvas.ShownDifference.Kind.POINT_BEYOND;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
-import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.ShownDifference;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.coordinates.Answered;
 import rasterlab.app.coordinates.figure.Mark;
@@ -44,7 +44,7 @@ import rasterlab.engine.study.Verdict;
 @Timeout(300)
 class ListTrialTest {
     /** Hazards whose picture is not all of it, by some method, and in what. */
-    private static final Map<String, Set<Unlike.Kind>> UNLIKE =
+    private static final Map<String, Set<ShownDifference.Kind>> UNLIKE =
             Map.of(
                     "transform at-the-eye", EnumSet.of(NO_IMAGE),
                     "transform behind-the-eye", EnumSet.of(POINTS_TOGETHER),
@@ -135,12 +135,12 @@ class ListTrialTest {
     @Test
     @DisplayName("what the picture cannot show is not said")
     void whatThePictureCannotShowIsKnown() {
-        var found = new TreeMap<String, Set<Unlike.Kind>>();
+        var found = new TreeMap<String, Set<ShownDifference.Kind>>();
         for (Trial trial : trials())
-            for (Unlike each : tried(trial).unlike())
+            for (ShownDifference each : tried(trial).unlike())
                 found.computeIfAbsent(
                                 trial.topic() + " " + trial.hazard(),
-                                name -> EnumSet.noneOf(Unlike.Kind.class))
+                                name -> EnumSet.noneOf(ShownDifference.Kind.class))
                         .add(each.kind());
         assertEquals(new TreeMap<>(UNLIKE), found);
     }
@@ -340,7 +340,7 @@ class ListTrialTest {
         TrialScene scene =
                 tried(new Trial("rotate-axis", "axis-through-far-point", "seven-steps-textbook"));
         assertEquals(2, scene.off());
-        assertEquals(List.of(Unlike.of(POINTS_TOGETHER, 1L, 2)), scene.unlike());
+        assertEquals(List.of(ShownDifference.of(POINTS_TOGETHER, 1L, 2)), scene.unlike());
         String note = new TrialReadings(model, texts(Language.ENGLISH)).note();
         assertTrue(note.contains("1 of 2 wrong points"), note);
     }
@@ -358,7 +358,7 @@ class ListTrialTest {
                         Optional.of(far),
                         List.of(TrialScene.Fate.WRONG),
                         new Verdict(Verdict.Kind.WRONG, Deviation.NONE, ""));
-        assertEquals(List.of(Unlike.of(POINT_BEYOND)), scene.unlike());
+        assertEquals(List.of(ShownDifference.of(POINT_BEYOND)), scene.unlike());
         model.show(Example.AXIS);
         assertTrue(MarkBounds.around(marks(scene)).getHeight() < 100);
     }

@@ -12,7 +12,7 @@ import rasterlab.app.language.Texts;
  * @param parts of the sentence, such as sizes; the texts have them as they are written, and behind
  *     them once more as they are
  */
-public record Unlike(Kind kind, List<Object> parts) {
+public record ShownDifference(Kind kind, List<Object> parts) {
     /** What is other; each is a sentence. */
     public enum Kind {
         /** The picture has only those faces of a body that the method calls visible. */
@@ -59,12 +59,12 @@ public record Unlike(Kind kind, List<Object> parts) {
         }
     }
 
-    public Unlike {
+    public ShownDifference {
         parts = List.copyOf(parts);
     }
 
-    public static Unlike of(Kind kind, Object... parts) {
-        return new Unlike(kind, Arrays.asList(parts));
+    public static ShownDifference of(Kind kind, Object... parts) {
+        return new ShownDifference(kind, Arrays.asList(parts));
     }
 
     /** The sentence in the language of the texts, those of {@code canvas}. */
