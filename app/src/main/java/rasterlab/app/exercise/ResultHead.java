@@ -10,7 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.FlowRows;
-import rasterlab.app.canvas.PaleWords;
+import rasterlab.app.canvas.SecondaryText;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.GradingVerdict;
@@ -38,7 +38,7 @@ final class ResultHead extends JPanel {
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");
         where.setName("result.where");
-        where.setForeground(PaleWords.on(getBackground()));
+        where.setForeground(SecondaryText.on(getBackground()));
         progress.setName("progress");
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName(texts.text("progress"));

@@ -23,7 +23,7 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LatestOnly;
-import rasterlab.app.canvas.PaleWords;
+import rasterlab.app.canvas.SecondaryText;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
@@ -225,7 +225,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     private void paintHint(Graphics2D g) {
         g.setFont(UIManager.getFont("Label.font").deriveFont(UIScale.scale(16f)));
-        g.setColor(PaleWords.on(StageColours.now().ground()));
+        g.setColor(SecondaryText.on(StageColours.now().ground()));
         FontMetrics metrics = g.getFontMetrics();
         String key = model.state().work().running() ? "hint.measuring" : "hint.measure";
         List<String> lines =

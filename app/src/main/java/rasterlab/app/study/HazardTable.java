@@ -23,7 +23,7 @@ import javax.swing.table.TableCellRenderer;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.OwnWords;
-import rasterlab.app.canvas.PaleWords;
+import rasterlab.app.canvas.SecondaryText;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
@@ -244,7 +244,7 @@ final class HazardTable extends JTable {
                 setForeground(
                         fresh.isPresent()
                                 ? VerdictSign.of(kind).ink(getBackground())
-                                : PaleWords.on(getBackground()));
+                                : SecondaryText.on(getBackground()));
             float larger = 1 + SIGN * (getRowHeight() - leastRow) / leastRow;
             setFont(
                     getFont()
