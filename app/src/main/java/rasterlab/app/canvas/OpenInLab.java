@@ -11,7 +11,7 @@ public interface OpenInLab {
      *
      * @throws IllegalArgumentException if there is no such topic or hazard
      */
-    Optional<Unshown> obstacleTo(String topic, String hazard);
+    Optional<NotShown> obstacleTo(String topic, String hazard);
 
     /**
      * Brings the topic's tab to the front with that hazard.
@@ -22,7 +22,7 @@ public interface OpenInLab {
     void showHazard(String topic, String hazard, String method);
 
     /** Why no tab can show inputs of that topic that are given as JSON; empty where one can. */
-    Optional<Unshown> obstacleToInputs(String topic);
+    Optional<NotShown> obstacleToInputs(String topic);
 
     /**
      * Brings the topic's tab to the front with that input.
@@ -62,7 +62,7 @@ public interface OpenInLab {
     void answerSteps(String exercise, HandedAnswers begun);
 
     /** Why no tab can run the user's own program on that topic; empty where one can. */
-    Optional<Unshown> obstacleToOwn(String topic);
+    Optional<NotShown> obstacleToOwn(String topic);
 
     /**
      * Brings the topic's tab to the front with the user's own program as its method.

@@ -13,7 +13,7 @@ import rasterlab.app.canvas.GivenInput;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.ShownDifference;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.NotShown;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
@@ -88,9 +88,9 @@ final class LabOpening implements OpenInLab {
     }
 
     @Override
-    public Optional<Unshown> obstacleTo(String topic, String hazard) {
+    public Optional<NotShown> obstacleTo(String topic, String hazard) {
         input(topic, hazard);
-        return card(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
+        return card(topic).isPresent() ? Optional.empty() : Optional.of(NotShown.NO_TAB);
     }
 
     /** What takes long comes once it is found. */
@@ -150,13 +150,13 @@ final class LabOpening implements OpenInLab {
     }
 
     @Override
-    public Optional<Unshown> obstacleToInputs(String topic) {
+    public Optional<NotShown> obstacleToInputs(String topic) {
         return card(topic)
                         .map(TopicCard::way)
                         .filter(way -> way.cases().isPresent() || way.anyInput())
                         .isPresent()
                 ? Optional.empty()
-                : Optional.of(Unshown.NO_READER);
+                : Optional.of(NotShown.NO_READER);
     }
 
     @Override
@@ -205,10 +205,10 @@ final class LabOpening implements OpenInLab {
     }
 
     @Override
-    public Optional<Unshown> obstacleToOwn(String topic) {
+    public Optional<NotShown> obstacleToOwn(String topic) {
         return card(topic).map(TopicCard::way).filter(way -> way.own().isPresent()).isPresent()
                 ? Optional.empty()
-                : Optional.of(Unshown.NO_OWN);
+                : Optional.of(NotShown.NO_OWN);
     }
 
     @Override

@@ -13,7 +13,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.NotShown;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
@@ -236,7 +236,7 @@ final class StudyInspector {
                                 ? ""
                                 : "\n→ " + VerdictDetail.said(texts.language(), said)));
         say(input, texts.text("input.is", InputText.of(hazard.input(), texts)));
-        Optional<Unshown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
+        Optional<NotShown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
         open.setEnabled(obstacle.isEmpty());
         open.setToolTipText(
                 obstacle.map(why -> why.in(canvas, called.topic(state.topic().name())))

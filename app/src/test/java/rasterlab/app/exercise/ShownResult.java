@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.OpenInLab;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.NotShown;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
@@ -24,7 +24,7 @@ final class ShownResult {
     static final OpenInLab NOWHERE =
             new OpenInLab() {
                 @Override
-                public Optional<Unshown> obstacleTo(String topic, String hazard) {
+                public Optional<NotShown> obstacleTo(String topic, String hazard) {
                     return Optional.empty();
                 }
 
@@ -45,15 +45,15 @@ final class ShownResult {
                 public void showToHandIn(String exercise, String topic, String json) {}
 
                 @Override
-                public Optional<Unshown> obstacleToOwn(String topic) {
-                    return Optional.of(Unshown.NO_OWN);
+                public Optional<NotShown> obstacleToOwn(String topic) {
+                    return Optional.of(NotShown.NO_OWN);
                 }
 
                 @Override
                 public void showOwn(String topic, String json, String beside) {}
 
                 @Override
-                public Optional<Unshown> obstacleToInputs(String topic) {
+                public Optional<NotShown> obstacleToInputs(String topic) {
                     return Optional.empty();
                 }
 

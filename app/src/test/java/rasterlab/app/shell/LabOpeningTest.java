@@ -40,7 +40,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.ShownDifference;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.NotShown;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.clip.ClipMode;
@@ -290,8 +290,8 @@ class LabOpeningTest {
     }
 
     @ParameterizedTest
-    @EnumSource(Unshown.class)
-    void reasonIsSaidInBothLanguages(Unshown why) {
+    @EnumSource(NotShown.class)
+    void reasonIsSaidInBothLanguages(NotShown why) {
         for (Language language : Language.values())
             assertFalse(why.in(Texts.of("canvas", language), "line").isBlank());
     }

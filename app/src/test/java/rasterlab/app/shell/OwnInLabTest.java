@@ -18,7 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.OwnWords;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.NotShown;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.End;
 import rasterlab.app.line.LineChoice;
@@ -173,7 +173,7 @@ class OwnInLabTest {
 
     @Test
     void aLabWithoutMethodsOfTheContractRunsNone() {
-        assertEquals(Optional.of(Unshown.NO_OWN), opening.obstacleToOwn("hidden-surfaces"));
+        assertEquals(Optional.of(NotShown.NO_OWN), opening.obstacleToOwn("hidden-surfaces"));
         assertEquals(Optional.empty(), opening.obstacleToOwn("line"));
     }
 

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.OpenInLab;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.NotShown;
 import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -35,8 +35,8 @@ class StudyInspectorTest {
     private static final OpenInLab NOWHERE =
             new OpenInLab() {
                 @Override
-                public Optional<Unshown> obstacleTo(String topic, String hazard) {
-                    return Optional.of(Unshown.NO_TAB);
+                public Optional<NotShown> obstacleTo(String topic, String hazard) {
+                    return Optional.of(NotShown.NO_TAB);
                 }
 
                 @Override
@@ -59,16 +59,16 @@ class StudyInspectorTest {
                 public void showToHandIn(String exercise, String topic, String json) {}
 
                 @Override
-                public Optional<Unshown> obstacleToOwn(String topic) {
-                    return Optional.of(Unshown.NO_OWN);
+                public Optional<NotShown> obstacleToOwn(String topic) {
+                    return Optional.of(NotShown.NO_OWN);
                 }
 
                 @Override
                 public void showOwn(String topic, String json, String beside) {}
 
                 @Override
-                public Optional<Unshown> obstacleToInputs(String topic) {
-                    return Optional.of(Unshown.NO_TAB);
+                public Optional<NotShown> obstacleToInputs(String topic) {
+                    return Optional.of(NotShown.NO_TAB);
                 }
 
                 @Override

@@ -4,7 +4,7 @@ import java.util.Locale;
 import rasterlab.app.language.Texts;
 
 /** Why no tab shows inputs of a topic. */
-public enum Unshown {
+public enum NotShown {
     /** No tab is about the topic. */
     NO_TAB,
     /** Cases whose fields no tab reads. */
