@@ -13,7 +13,8 @@ import rasterlab.engine.study.Verdict;
  * @param verdict on the method, for the hazard's own numbers
  * @param unlike in what the picture is other
  */
-public record HazardNote(String hazard, String method, Verdict verdict, List<ShownDifference> unlike) {
+public record HazardNote(
+        String hazard, String method, Verdict verdict, List<ShownDifference> unlike) {
     public HazardNote {
         unlike = List.copyOf(unlike);
     }

@@ -59,11 +59,15 @@ final class TopicBodies {
 
     /** How the lab shows that input of a topic otherwise than it is. */
     static List<ShownDifference> unlike(Object input, String method) {
-        var unlike = new ArrayList<ShownDifference>(TopicMesh.of(input, ownNormals(input, method)).unlike());
+        var unlike =
+                new ArrayList<ShownDifference>(
+                        TopicMesh.of(input, ownNormals(input, method)).unlike());
         if (input instanceof LitPoints points) {
             LitPoint point = points.points().get(0);
-            if (point.distance() == 0) unlike.add(ShownDifference.of(ShownDifference.Kind.LAMP_BESIDE, BESIDE));
-            if (SpotPlace.of(point).isPresent()) unlike.add(ShownDifference.of(ShownDifference.Kind.POINT_ASIDE));
+            if (point.distance() == 0)
+                unlike.add(ShownDifference.of(ShownDifference.Kind.LAMP_BESIDE, BESIDE));
+            if (SpotPlace.of(point).isPresent())
+                unlike.add(ShownDifference.of(ShownDifference.Kind.POINT_ASIDE));
         }
         return unlike;
     }

@@ -81,7 +81,9 @@ record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
                 triangle(corners, normals),
                 Math.abs(UnitVector.length(n) - 1) <= UNIT
                         ? List.of()
-                        : List.of(ShownDifference.of(ShownDifference.Kind.NORMAL_LENGTH, n[0], n[1], n[2])));
+                        : List.of(
+                                ShownDifference.of(
+                                        ShownDifference.Kind.NORMAL_LENGTH, n[0], n[1], n[2])));
     }
 
     /**
@@ -161,7 +163,8 @@ record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
                 int at = 3 * mesh.corner(f, c);
                 double[] one = Arrays.copyOfRange(found, at, at + 3);
                 double length = UnitVector.length(one);
-                if (!(Math.abs(length - 1) <= UNIT)) kinds.add(ShownDifference.Kind.NORMALS_LENGTHENED);
+                if (!(Math.abs(length - 1) <= UNIT))
+                    kinds.add(ShownDifference.Kind.NORMALS_LENGTHENED);
                 if (!(length > 0 && length < Double.POSITIVE_INFINITY)) {
                     kinds.add(ShownDifference.Kind.FACE_NORMAL);
                     for (int axis = 0; axis < 3; axis++) one[axis] = mesh.cornerNormal(f, c, axis);
@@ -169,7 +172,8 @@ record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
                 UnitVector.normalise(one);
                 System.arraycopy(one, 0, normals, 3 * (mesh.firstCorner(f) + c), 3);
             }
-        if (kinds.contains(ShownDifference.Kind.FACE_NORMAL)) kinds.remove(ShownDifference.Kind.NORMALS_LENGTHENED);
+        if (kinds.contains(ShownDifference.Kind.FACE_NORMAL))
+            kinds.remove(ShownDifference.Kind.NORMALS_LENGTHENED);
         kinds.forEach(kind -> unlike.add(ShownDifference.of(kind)));
         return mesh.withNormals(normals);
     }

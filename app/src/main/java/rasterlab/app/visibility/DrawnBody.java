@@ -79,7 +79,10 @@ record DrawnBody(
                 found.isEmpty()
                         ? ShownDifference.of(ShownDifference.Kind.FACES_ALL)
                         : ShownDifference.of(
-                                ShownDifference.Kind.FACES_FOUND, method, drawn.length, found.get().size()));
+                                ShownDifference.Kind.FACES_FOUND,
+                                method,
+                                drawn.length,
+                                found.get().size()));
         if (exponent != 0) unlike.add(ShownDifference.of(ShownDifference.Kind.SCALED, exponent));
         var faces = new ArrayList<int[]>();
         var numbers = new ArrayList<Integer>();

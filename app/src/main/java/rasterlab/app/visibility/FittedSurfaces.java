@@ -30,7 +30,8 @@ record FittedSurfaces(Mesh mesh, double scale, List<ShownDifference> unlike) {
     static FittedSurfaces of(SurfaceView input, double reach) {
         PictureFit fit = input.view().fit();
         var unlike = new ArrayList<ShownDifference>();
-        unlike.add(ShownDifference.of(ShownDifference.Kind.PICTURE_SIZE, fit.width(), fit.height()));
+        unlike.add(
+                ShownDifference.of(ShownDifference.Kind.PICTURE_SIZE, fit.width(), fit.height()));
         Mesh mesh = input.mesh();
         boolean central = input.view().transform().projection() == Projection.PERSPECTIVE;
         Matrix4d toEye = input.camera().matrix();

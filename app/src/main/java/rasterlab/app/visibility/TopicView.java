@@ -48,7 +48,8 @@ public record TopicView(
     };
 
     /** A perspective view of a scene. */
-    private static TopicView perspective(Scene scene, String drawnBy, List<ShownDifference> unlike) {
+    private static TopicView perspective(
+            Scene scene, String drawnBy, List<ShownDifference> unlike) {
         return new TopicView(
                 scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY, drawnBy, unlike);
     }

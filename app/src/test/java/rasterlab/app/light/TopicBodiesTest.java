@@ -101,7 +101,10 @@ class TopicBodiesTest {
         var verdict = new Verdict(Verdict.Kind.REFUSED, Deviation.NONE, "no");
         model.tell(
                 new HazardNote(
-                        "black", "formula", verdict, List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))));
+                        "black",
+                        "formula",
+                        verdict,
+                        List.of(ShownDifference.of(ShownDifference.Kind.COLOUR_CUT))));
         assertEquals("black", model.state().note().orElseThrow().hazard());
         model.drawNormals(true);
         assertFalse(model.state().note().isPresent());

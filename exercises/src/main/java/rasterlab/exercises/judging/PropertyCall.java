@@ -179,8 +179,7 @@ final class PropertyCall<C, I, O> implements Call {
         Optional<O> wanted = broken.get().wanted();
         O output = broken.get().answered().output();
         Message broke = property.broken().and(counterexample(other));
-        Message unfit =
-                wanted.map(one -> unfit(other, one, output)).orElse(broken.get().said());
+        Message unfit = wanted.map(one -> unfit(other, one, output)).orElse(broken.get().said());
         Message which = whichIsWrong(mine, other);
         Message itself = which.isEmpty() ? without(unfit, wrong.said()) : wrong.said();
         Message said = BriefMessage.of(broke, unfit, property.rule(), which, itself);

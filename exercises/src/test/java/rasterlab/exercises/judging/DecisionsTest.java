@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
-import java.util.OptionalInt;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.raster.Pixel;
@@ -61,9 +61,7 @@ class DecisionsTest {
     void theValueAtAPixelIsTold(String topic, int x, int y, String told)
             throws JsonProcessingException {
         JsonNode none = json("{}");
-        Message said =
-                Decisions.of(
-                        topic, json(input(topic)), none, Differing.at(new Pixel(x, y)));
+        Message said = Decisions.of(topic, json(input(topic)), none, Differing.at(new Pixel(x, y)));
         assertEquals(told, said.in("en"));
         assertTrue(said.in("ru").matches("(?s).*[а-я].*"), said.in("ru"));
     }
@@ -102,7 +100,6 @@ class DecisionsTest {
                         + "\"size\":[3,3]}";
         String right = "{\"pixels\":[[0,0,2,0.25],[1,0,2,0.25],[2,0,1,0.5]]}";
         Differing at = Differing.at(new Pixel(x, y));
-        assertEquals(
-                told, Decisions.of("depth-triangle", json(input), json(right), at).in("en"));
+        assertEquals(told, Decisions.of("depth-triangle", json(input), json(right), at).in("en"));
     }
 }

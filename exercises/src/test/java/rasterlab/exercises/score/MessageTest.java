@@ -159,7 +159,8 @@ class MessageTest {
     @ValueSource(strings = {"speed.measured", "speed.worthless"})
     void writesMeasuredTimesInTheLanguageAskedFor(String key) {
         String said = Message.of(key, "3.1", "2.5", "1.24", "1.5", "8").in("ru");
-        String times = "3,1\u00a0нс на пиксель, у эталона 2,5\u00a0нс, отношение 1,24; все баллы\u00a0— до 1,5";
+        String times =
+                "3,1\u00a0нс на пиксель, у эталона 2,5\u00a0нс, отношение 1,24; все баллы\u00a0— до 1,5";
         assertTrue(said.startsWith(times), said);
     }
 

@@ -94,7 +94,6 @@ class CaseRulesTest {
 
     @Test
     void aLineThatIsNoCaseIsNotCompared() {
-        assertEquals(
-                Optional.empty(), CaseRules.of(CATALOGUE.named("circle"), "speed"));
+        assertEquals(Optional.empty(), CaseRules.of(CATALOGUE.named("circle"), "speed"));
     }
 }

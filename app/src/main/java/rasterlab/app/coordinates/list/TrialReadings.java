@@ -95,7 +95,9 @@ final class TrialReadings {
         boolean onTheWay = model.shownTrial().isEmpty();
         return note(
                 tried.get(),
-                onTheWay ? List.of(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD)) : tried.get().unlike());
+                onTheWay
+                        ? List.of(ShownDifference.of(ShownDifference.Kind.OTHER_METHOD))
+                        : tried.get().unlike());
     }
 
     /** The first difference is in the table's numbers, a refusal only here. */

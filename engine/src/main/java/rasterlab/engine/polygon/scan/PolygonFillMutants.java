@@ -63,7 +63,8 @@ final class PolygonFillMutants {
                             if (x.length == 2) line(x, y, w, h, out);
                             else RIGHT.fill(x, y, rule, w, h, out);
                         }),
-                new Mutant<>("last-edge-missing", "star-even-odd", PolygonFillMutants::openOutline));
+                new Mutant<>(
+                        "last-edge-missing", "star-even-odd", PolygonFillMutants::openOutline));
     }
 
     /** Rows and columns that are rounded otherwise than up. */

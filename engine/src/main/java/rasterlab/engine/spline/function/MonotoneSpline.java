@@ -81,7 +81,9 @@ public final class MonotoneSpline implements SteppedSpline {
             }
         }
 
-        /** The first and the last knot are one: of their two slopes the smaller suits both pieces. */
+        /**
+         * The first and the last knot are one: of their two slopes the smaller suits both pieces.
+         */
         private void join() {
             int last = knots.pieces;
             boolean first = Math.abs(slopes[0]) < Math.abs(slopes[last]);

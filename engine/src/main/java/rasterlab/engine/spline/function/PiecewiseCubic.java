@@ -69,8 +69,8 @@ public final class PiecewiseCubic {
     }
 
     /**
-     * The place folded exactly: a narrow piece would make a wrong value of a place that was rounded. The references
-     * share none of it, see {@link SplineProblem#folded}.
+     * The place folded exactly: a narrow piece would make a wrong value of a place that was
+     * rounded. The references share none of it, see {@link SplineProblem#folded}.
      */
     private BigDecimal folded(double place) {
         var first = new BigDecimal(x[0]);
