@@ -118,7 +118,7 @@ final class ColorMutants {
         return answer;
     }
 
-    /** Only on the colour cube's diagonal, where the hue comes from an arc tangent. */
+    /** Answers the hue of HVS, which comes from an arc tangent, in radians. */
     private static double[] radians(ColorModel from, double[] components, ColorModel to) {
         double[] answer = RIGHT.convert(from, components, to);
         if (to == ColorModel.HVS) answer[0] = Math.toRadians(answer[0]);

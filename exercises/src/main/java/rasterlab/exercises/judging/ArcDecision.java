@@ -13,7 +13,7 @@ final class ArcDecision {
 
     private ArcDecision() {}
 
-    /** In the octant 0 ≤ u ≤ v the value at column u − 1 decides on the row of column u. */
+    /** Tells the value at column u − 1, which decides on the row of column u where 0 ≤ u ≤ v. */
     static Message onCircle(JsonNode input, Pixel at) {
         if (input.path("radius").asLong() > LARGEST) return Message.NONE;
         List<JsonNode> steps = Walk.of("circle", "midpoint", input.toString()).steps();

@@ -46,7 +46,7 @@ final class BriefMessage {
         return one.key().startsWith("known-") || one.key().startsWith("mistake.");
     }
 
-    /** With the first fault of a faulty method in place of all. */
+    /** Keeps the first fault of a faulty method in place of all. */
     private static Message brief(Message mistakes) {
         return new Message(
                 mistakes.sentences().stream()

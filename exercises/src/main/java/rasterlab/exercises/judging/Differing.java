@@ -36,7 +36,7 @@ public record Differing(Optional<Pixel> pixel, OptionalInt index) {
                 : Optional.of(new Differing(Optional.empty(), OptionalInt.of(index)));
     }
 
-    /** Of two pixels that come row by row, the one that the other answer lacks. */
+    /** The first pixel, row by row, that one of the two answers lacks. */
     private static Optional<Pixel> firstInRows(JsonNode right, JsonNode actual) {
         if (!right.isArray())
             return actual.isArray() ? Optional.of(pixel(actual)) : Optional.empty();

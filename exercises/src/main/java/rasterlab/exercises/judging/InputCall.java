@@ -96,7 +96,7 @@ final class InputCall<C, I, O> implements Call {
                 GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
     }
 
-    /** By which value a right method decides on the item that is told to differ. */
+    /** Tells the value by which a right method decides on the item that is told to differ. */
     private Message decided(O right, O actual, Message differs) {
         return grading.differing(input, right, actual, differs)
                 .map(at -> Decisions.of(topic().name(), input(), grading.json(input, right), at))

@@ -87,7 +87,7 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
             return answers;
         }
 
-        /** Those that are objects; none where there are too many. */
+        /** The answers that are objects; none where there are too many. */
         private List<JsonFields> given(JsonFields fields, String... known) {
             JsonNode given = fields.has(ANSWERS) ? fields.tree(ANSWERS) : MissingNode.getInstance();
             if (given.size() > rules.steps()) {

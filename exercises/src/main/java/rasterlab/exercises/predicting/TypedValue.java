@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 
 /** The value of an answer's field in texts that are typed in, one for each of its numbers. */
 public final class TypedValue {
-    /** Whatever a double can hold is written with no more. */
+    /** A number with as many digits as a double may need, and no more. */
     private static final Pattern NUMBER =
             Pattern.compile("[+-]?(\\d{1,30}\\.?\\d{0,30}|\\.\\d{1,30})([eE][+-]?\\d{1,3})?");
 

@@ -27,7 +27,7 @@ public final class CaseRules {
      */
     public record CaseRule(Message tolerance, Message rule) {}
 
-    /** That of the case of that name; empty for a line of a report that is no case. */
+    /** The rule of the case of that name; empty for a line of a report that is no case. */
     public static Optional<CaseRule> of(Exercise exercise, String name) {
         return exercise.cases().stream()
                 .filter(one -> one.name().equals(name))

@@ -11,7 +11,10 @@ import rasterlab.exercises.document.OwnJson;
 final class OwnBound {
     private OwnBound() {}
 
-    /** In the topic's unit; empty where an answer is right or wrong, or of any error right. */
+    /**
+     * The bound in the topic's unit; empty where an answer is right or wrong, or of any error
+     * right.
+     */
     static OptionalDouble of(Topic<?, ?, ?> topic) {
         if (!isCorrect(topic, Double.MIN_VALUE) || isCorrect(topic, Double.MAX_VALUE))
             return OptionalDouble.empty();

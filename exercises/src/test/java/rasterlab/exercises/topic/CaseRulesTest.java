@@ -15,7 +15,7 @@ import rasterlab.exercises.Exercise.Form;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.topic.CaseRules.CaseRule;
 
-/** Beside each verdict stands how exactly an answer is compared, and which rule makes it right. */
+/** Tests that a verdict is told with how exactly an answer is compared and by which rule. */
 class CaseRulesTest {
     private static final Catalogue CATALOGUE = Catalogue.builtIn();
 

@@ -139,7 +139,7 @@ sealed class Rejection(
         count: Int,
     ) : Rejection("$count fields of the form cannot be read as answers", "bad-answers")
 
-    /** After the deadline, from somebody who was not told so or did not agree. */
+    /** Work came after the deadline, from somebody who was not told so or did not agree. */
     class Late(
         due: Instant,
     ) : Rejection(

@@ -18,7 +18,7 @@ import rasterlab.exercises.predicting.TypedValue
  * @property choices the words; none where numbers are asked for
  * @property names of the form's fields, in the order of the numbers
  */
-class AnswerPart(
+class SheetField(
     question: Question,
     asked: Asked,
 ) {
@@ -71,7 +71,7 @@ class AnswerPart(
     }
 
     companion object {
-        fun of(question: Question): List<AnswerPart> = question.rules().asked().map { AnswerPart(question, it) }
+        fun of(question: Question): List<SheetField> = question.rules().asked().map { SheetField(question, it) }
     }
 }
 
@@ -104,7 +104,7 @@ class TypedSheet(
 
     private fun answer(question: Question): ObjectNode {
         val answer = JsonNodeFactory.instance.objectNode()
-        for (part in AnswerPart.of(question)) {
+        for (part in SheetField.of(question)) {
             part.read(::text, found::put)?.let { answer.set<JsonNode>(part.field, it) }
         }
         return answer

@@ -83,7 +83,7 @@ object ErrorPage : ProblemPage {
         }
     }
 
-    /** With them no page can be made that asks the storage. */
+    /** The problems with which no page can be made that asks the storage. */
     private val OUR_FAULT = setOf("storage", "internal")
 }
 

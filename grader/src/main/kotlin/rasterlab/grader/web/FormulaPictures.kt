@@ -16,7 +16,7 @@ import kotlin.math.roundToInt
 
 private const val UNITS_PER_EM = 1000
 
-/** It has no width, and no line is broken beside it. */
+/** The sign without width beside which no line is broken. */
 private const val WORD_JOINER = "\u2060"
 private const val BINDING_SIGNS = ",.;:!?)»”"
 

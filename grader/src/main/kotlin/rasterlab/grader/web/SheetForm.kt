@@ -19,8 +19,8 @@ import rasterlab.exercises.Exercise
 import rasterlab.exercises.predicting.Question
 import rasterlab.exercises.predicting.Sheet
 import rasterlab.exercises.predicting.StepText
-import rasterlab.grader.submission.AnswerPart
 import rasterlab.grader.submission.HandedForm
+import rasterlab.grader.submission.SheetField
 import rasterlab.grader.submission.TypedSheet
 import java.util.Locale
 
@@ -80,7 +80,7 @@ private fun FlowContent.step(
     legend { +texts.say("sheet.step", question.number()) }
     if (!question.told().isEmpty) p { +texts.say("sheet.given", words.told(question.told())) }
     div("answers") {
-        AnswerPart.of(question).forEach { part ->
+        SheetField.of(question).forEach { part ->
             if (part.choices.isEmpty()) numbers(texts, words, part, typed) else choice(texts, words, part, typed)
         }
     }
@@ -89,7 +89,7 @@ private fun FlowContent.step(
 private fun FlowContent.choice(
     texts: PageTexts,
     words: StepText,
-    part: AnswerPart,
+    part: SheetField,
     typed: TypedSheet,
 ) = label("answer") {
     val field = part.names.single()
@@ -115,7 +115,7 @@ private fun FlowContent.choice(
 private fun FlowContent.numbers(
     texts: PageTexts,
     words: StepText,
-    part: AnswerPart,
+    part: SheetField,
     typed: TypedSheet,
 ) = div("answer") {
     val called = words.label(part.field)

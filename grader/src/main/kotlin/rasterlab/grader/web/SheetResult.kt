@@ -30,7 +30,7 @@ class SheetResult private constructor(
     fun words(language: String) = StepText(topic, Locale.forLanguageTag(language))
 
     companion object {
-        /** Null where no steps were asked for, or where the answers cannot be read. */
+        /** The result of a sheet; null where no steps were asked for, or where the answers cannot be read. */
         fun of(
             exercise: Exercise?,
             source: String,

@@ -32,7 +32,7 @@ import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.cookieOf
 import rasterlab.grader.json
-import rasterlab.grader.submission.AnswerPart
+import rasterlab.grader.submission.SheetField
 import rasterlab.grader.text
 import java.nio.file.Path
 import java.time.Duration
@@ -197,7 +197,7 @@ class HandInTest {
     private fun typed(sheet: Sheet): List<Pair<String, String>> = sheet.questions().flatMap { typed(it) }
 
     private fun typed(question: Question) =
-        AnswerPart.of(question).flatMap { part ->
+        SheetField.of(question).flatMap { part ->
             val right = question.right()[part.field]
             val texts = if (part.choices.isEmpty()) TypedValue.numbers(right) else listOf(right.asText())
             part.names.zip(texts)

@@ -23,7 +23,7 @@ record DocOpening(String place, String sentence) {
                     + " Though Although Also Otherwise Than Among Within Up Down Not Neither Either"
                     + " Inside Outside Out Off Over Through Across Along Against Into Onto Upon"
                     + " Since Unless Unlike Like Despite During Past Per Apart Away Further Else"
-                    + " Then Therefore Thus Hence However Yet Still Again Never Often Once Just"
+                    + " Then Therefore Thus Hence However Yet Still Again Often Once Just"
                     + " Even Too Rather Instead Together Backwards Forwards Upwards Downwards"
                     + " Midway Strictly Infinitely Evenly Exactly Towards Except Whereas It Its"
                     + " They Their Them Those Such He She Whatever Whoever";

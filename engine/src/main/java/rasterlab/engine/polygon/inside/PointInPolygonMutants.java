@@ -33,7 +33,7 @@ final class PointInPolygonMutants {
                                 odd(px, py, px.length - 1, x, y, (l, h, at) -> l <= at && at < h)));
     }
 
-    /** Of the boundary, on which rays say this or that. */
+    /** Mistakes about the boundary, on which rays say this or that. */
     private static List<Mutant<PointInPolygon>> ofBorders() {
         Crosses lowerEnds = (low, high, y) -> low <= y && y < high;
         Crosses upperEnds = (low, high, y) -> low < y && y <= high;

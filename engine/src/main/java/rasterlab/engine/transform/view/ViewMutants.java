@@ -9,7 +9,7 @@ import rasterlab.engine.study.Mutant;
 final class ViewMutants {
     private static final EyeView RIGHT = new TakenApartView();
 
-    /** From so far away the distance alone would be left of z. */
+    /** The distance from which nothing but itself would be left of z. */
     private static final double FAR = 1e6;
 
     private ViewMutants() {}
