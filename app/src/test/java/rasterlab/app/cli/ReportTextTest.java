@@ -35,7 +35,7 @@ class ReportTextTest {
     }
 
     @ParameterizedTest(name = "the time is not told as: {1}")
-    @CsvSource({"ENGLISH, 'Cost per pixel: 1234.50 ns'", "RUSSIAN, 'Время на пиксель: 1234,50 нс'"})
+    @CsvSource({"ENGLISH, 'Cost per pixel: 1234.50 ns'", "RUSSIAN, 'Время на пиксель: 1234,50 нс'"})
     void timeHasTheFormOfTheLanguage(Language language, String expected) {
         List<String> lines = printed(language, exercise(Map.of()));
         assertTrue(lines.contains(expected), lines.toString());

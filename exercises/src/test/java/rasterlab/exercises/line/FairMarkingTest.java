@@ -130,7 +130,7 @@ class FairMarkingTest {
         String english = EXERCISE.statement().get("en");
         String russian = EXERCISE.statement().get("ru");
         assertTrue(english.contains("one at ties " + lost + "."), english);
-        assertTrue(russian.contains("при равенстве — " + lost + "."), russian);
+        assertTrue(russian.contains("при равенстве\u00a0— " + lost + "."), russian);
     }
 
     @Test
