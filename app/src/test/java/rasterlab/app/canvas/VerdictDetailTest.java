@@ -17,7 +17,7 @@ class VerdictDetailTest {
                 "pixel (1, 2) is extra | пиксель (1; 2) лишний",
                 "pixel (1, 2) is missing, (3, 4) is drawn | пиксель (1; 2) пропущен, нарисован (3; 4)",
                 "still going after 1016 pixels where 8 are right | не останавливается: выдано уже 1016, хотя нужно 8",
-                "no result within 5 s | результата нет за 5 с",
+                "no result within 5 s | результата нет за 5\u00a0с",
                 "a sentence of the system | a sentence of the system",
             })
     void isSaidInTheLanguageOfTheWindow(String english, String russian) {

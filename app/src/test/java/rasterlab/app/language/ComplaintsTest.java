@@ -36,7 +36,7 @@ class ComplaintsTest {
                 "RUSSIAN | numbers of a clip plane must be from -1.0E30 to 1.0E30, got 1.0E300"
                         + " | числа плоскости отсечения должны быть от −10³⁰ до 10³⁰,"
                         + " получено 10³⁰⁰",
-                "RUSSIAN | no result within 5 s | результата нет за 5 с",
+                "RUSSIAN | no result within 5 s | результата нет за 5\u00a0с",
                 "RUSSIAN | the server did not say its address; its last words: no folder a"
                         + " | сервер не сообщил свой адрес; его последние слова: no folder a",
                 "RUSSIAN | face 3: corners 0, 1, 2 span no area"

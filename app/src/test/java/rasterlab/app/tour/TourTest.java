@@ -102,7 +102,7 @@ class TourTest {
         var tour = new Tour(folder, Language.RUSSIAN, System.err);
         assertFalse(tour.make(List.of(new Late())));
         String html = Files.readString(tour.index());
-        assertTrue(html.contains("результата нет за 5 с"), html);
+        assertTrue(html.contains("результата нет за 5\u00a0с"), html);
     }
 
     private static final class Late implements TourPart {

@@ -170,7 +170,7 @@ class TopicExercisesTest {
         String english = told.said().in("en");
         assertTrue(english.startsWith("triangle 0 (0, 1, 2) goes clockwise; "), english);
         String russian = told.said().in("ru");
-        assertTrue(russian.startsWith("обход треугольника 0 (0, 1, 2) — по"), russian);
+        assertTrue(russian.startsWith("обход треугольника 0 (0, 1, 2)\u00a0— по"), russian);
     }
 
     private static Finding judged(String topic, String input, Object method) {

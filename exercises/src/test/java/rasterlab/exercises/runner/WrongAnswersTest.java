@@ -70,14 +70,14 @@ class WrongAnswersTest {
                         "return new double[1];",
                         "wrong",
                         "the length of what it returns is 1, right is ",
-                        "длина возвращённого массива — 1, а нужна "),
+                        "длина возвращённого массива\u00a0— 1, а нужна "),
                 of(
                         "no numbers",
                         id,
                         "return new double[0];",
                         "wrong",
                         "the length of what it returns is 0, right is ",
-                        "длина возвращённого массива — 0, а нужна "),
+                        "длина возвращённого массива\u00a0— 0, а нужна "),
                 of(
                         "no numbers but NaN",
                         id,

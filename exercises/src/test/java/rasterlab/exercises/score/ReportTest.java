@@ -122,7 +122,7 @@ class ReportTest {
     @ParameterizedTest(name = "times, ratio or what full points need are not told: {1}")
     @CsvSource({
         "en, 2.26, '2.26 ns per pixel, the reference 2.00 ns, ratio 1.13; full points up to 1.5'",
-        "ru, 9.00, '9,00 нс на пиксель, у эталона 2,00 нс, отношение 4,50; все баллы — до 1,5'",
+        "ru, 9.00, '9,00\u00a0нс на пиксель, у эталона 2,00\u00a0нс, отношение 4,50; все баллы\u00a0— до 1,5'",
         "en, 20, '20.00 ns per pixel, the reference 2.00 ns, ratio 10.00; full points up to 1.5,"
                 + " none above 8'",
     })

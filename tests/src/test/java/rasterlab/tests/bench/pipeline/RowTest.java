@@ -18,7 +18,7 @@ class RowTest {
 
     @ParameterizedTest(name = "how the pictures differ is not told as: {1}")
     @CsvSource({
-        "RUSSIAN, 'пикселей, отличающихся больше чем на 2 уровня: 1 (50.0000 %); на 1 или 2: 50.00 %'",
+        "RUSSIAN, 'пикселей, отличающихся больше чем на 2 уровня: 1 (50.0000\u00a0%); на 1 или 2: 50.00\u00a0%'",
         "ENGLISH, '1 pixels (50.0000 %) off by more than 2 levels, 50.00 % by 1 or 2'"
     })
     void tellsInTheLanguageHowThePicturesDiffer(Language language, String told) {
