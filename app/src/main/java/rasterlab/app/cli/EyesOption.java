@@ -26,7 +26,7 @@ final class EyesOption implements ITypeConverter<EyesOption.Distance> {
             throw new TypeConversionException(
                     "'"
                             + text
-                            + "' is no distance; expected world units such as 30 or an angle such"
+                            + "' is not a distance; expected world units such as 30 or an angle such"
                             + " as 3deg");
         }
     }

@@ -157,7 +157,7 @@ final class SubmitCommand implements Callable<Integer> {
             throw Complaint.badInput(
                     "--server: '"
                             + server
-                            + "' is no address; it looks like http://localhost:8080");
+                            + "' is not an address; it looks like http://localhost:8080");
         }
     }
 

@@ -47,7 +47,7 @@ final class TokenOption {
         String token = text.strip();
         if (!Account.isToken(token))
             throw Complaint.badInput(
-                    place + ": is no token; one has visible ASCII characters and no spaces");
+                    place + ": is not a token; one has visible ASCII characters and no spaces");
         return token;
     }
 }

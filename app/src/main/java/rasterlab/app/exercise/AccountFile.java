@@ -46,7 +46,7 @@ final class AccountFile {
                             kept.getProperty("student", "")));
         } catch (IllegalArgumentException e) {
             throw new IOException(
-                    file + ": 'server' is no http address: '" + e.getMessage() + "'", e);
+                    file + ": 'server' is not an http address: '" + e.getMessage() + "'", e);
         }
     }
 

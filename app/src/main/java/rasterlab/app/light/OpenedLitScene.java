@@ -185,7 +185,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
         Optional<LightChoice> lit = LampsOfFile.lit(choice, scene.light());
         Optional<MaterialChoice> material = MaterialOfFile.of(scene.finishes());
         if (lit.isEmpty())
-            notes.add("lamps of this lab cannot shine as the file's light does; its own stay");
+            notes.add("lights of this lab cannot shine as the file's light does; its own stay");
         if (material.isEmpty())
             notes.add("no substance of this lab is what the file's faces are of; its own stays");
         LightChoice next = lit.orElse(choice);

@@ -60,7 +60,7 @@ public final class WholeFile {
         if (standing == null) standing = Path.of("").toAbsolutePath();
         if (Files.isRegularFile(standing))
             throw Complaint.badInput(standing + ": is a file, a folder is wanted");
-        if (!Files.isDirectory(standing)) throw Complaint.badInput(standing + ": is no folder");
+        if (!Files.isDirectory(standing)) throw Complaint.badInput(standing + ": is not a folder");
         tryBeside(standing.resolve("trial"), folder);
     }
 

@@ -183,7 +183,7 @@ class RenderCommandTest {
                 mistake("outlines of wires", "--outline needs faces", WIRE, "--outline"),
                 mistake("up of a scene", "--up is for a model", "--up=y"),
                 mistake("texture is missing", "no such file", "--texture-image=no.png"),
-                mistake("texture is text", "is no picture", "--texture-image=pom.xml"),
+                mistake("texture is text", "is not a picture", "--texture-image=pom.xml"),
                 mistake("other picture is missing", "no such file to read", "--diff=no.png"),
                 mistake("other picture is a folder", "is a folder", "--diff=."),
                 mistake("other picture is text", "is not a PNG picture", "--diff=pom.xml"));

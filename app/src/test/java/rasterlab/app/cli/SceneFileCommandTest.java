@@ -201,7 +201,7 @@ class SceneFileCommandTest {
                 "'look': {'textureImage': '../x.png'} | $.look.textureImage: '../x.png' leads out",
                 "'look': {'textureImage': '.'} | $.look.textureImage: FOLDER: is a folder, not a picture",
                 "'look': {'textureImage': 'one.scene.json'} | $.look.textureImage: FOLDER/one.scene"
-                        + ".json: is no picture",
+                        + ".json: is not a picture",
             })
     void namesThePlace(String said, String complaint) throws Exception {
         String file =

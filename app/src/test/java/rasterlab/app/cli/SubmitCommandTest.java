@@ -223,7 +223,7 @@ class SubmitCommandTest {
                         2,
                         "./lab submit: --server: '"
                                 + address
-                                + "' is no address; it looks like http://localhost:8080");
+                                + "' is not an address; it looks like http://localhost:8080");
     }
 
     @Test
@@ -235,7 +235,7 @@ class SubmitCommandTest {
                 2,
                 "./lab submit: "
                         + file
-                        + ": is no token; one has visible ASCII characters and no spaces");
+                        + ": is not a token; one has visible ASCII characters and no spaces");
     }
 
     @Test

@@ -273,7 +273,7 @@ class OpenedLitSceneTest {
         LightChoice opened = model.state().choice();
         boolean lamps = !what.equals("substance");
         boolean material = !what.equals("lamps");
-        assertEquals(lamps, problem.contains("lamps of this lab"), problem);
+        assertEquals(lamps, problem.contains("lights of this lab"), problem);
         assertEquals(material, problem.contains("no substance of this lab"), problem);
         assertEquals(lamps, before.lamps().equals(opened.lamps()));
         assertEquals(material, before.material().equals(opened.material()));

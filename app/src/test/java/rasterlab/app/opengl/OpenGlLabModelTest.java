@@ -264,7 +264,7 @@ class OpenGlLabModelTest {
     void fileThatIsNoImageIsNamed(@TempDir Path folder) throws IOException, InterruptedException {
         Path file = Files.writeString(folder.resolve("notes.txt"), "no picture at all");
         String problem = problemWith(file);
-        assertTrue(problem.startsWith(file + ": is no picture that can be read"), problem);
+        assertTrue(problem.startsWith(file + ": is not a picture that can be read"), problem);
     }
 
     @Test

@@ -168,7 +168,7 @@ class SoftwareHalfTest {
     @ParameterizedTest(name = "the complaint does not tell what is wrong: {0}")
     @CsvSource({
         "folder, 'is a folder, not a picture'",
-        "text, is no picture that can be read",
+        "text, is not a picture that can be read",
         "cut, the picture is cut off",
         "wide, has 9000×1 pixels"
     })

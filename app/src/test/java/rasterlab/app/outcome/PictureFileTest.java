@@ -183,7 +183,7 @@ class PictureFileTest {
     @DisplayName("a file that begins as some rare kind of picture is read as one")
     void refusesOtherKinds() throws Exception {
         Path wbmp = Files.write(folder.resolve("two"), new byte[] {0, 0, 2, 2, 0, 0});
-        assertMessage(wbmp, wbmp + ": is no picture that can be read" + ALLOWED);
+        assertMessage(wbmp, wbmp + ": is not a picture that can be read" + ALLOWED);
     }
 
     private static void assertMessage(Path file, String message) {

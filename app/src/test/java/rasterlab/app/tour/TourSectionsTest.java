@@ -45,7 +45,7 @@ class TourSectionsTest {
     @DisplayName("a method without a time has numbers")
     void methodThatDidNotEndHasNoNumbers() {
         assertEquals(
-                List.of("dda", "16", "–", "–", "–", "–", "не кончается"),
+                List.of("dda", "16", "–", "–", "–", "–", "не останавливается"),
                 row(Language.RUSSIAN, Cost.NONE, Deviation.NONE, Verdict.Kind.ENDLESS));
     }
 

@@ -45,7 +45,7 @@ class UnusableFilesTest {
                         "scene named .png",
                         "scene.png",
                         "{ \"scene\": ",
-                        "is no picture that can be read"),
+                        "is not a picture that can be read"),
                 argumentSet("cut picture", "a.png", PNG, "the picture is cut off"),
                 argumentSet("binary scene", "b.scene.json", "\u00ff\u00fe\u0000\u0001", "UTF-8"),
                 argumentSet("binary model", "b.obj", "\u0001\u0002\u00ff\n\u0003", "b.obj"),

@@ -122,7 +122,7 @@ class WrongRowsTest {
         model.choose(choice -> choice.withDifference(true));
         thread.settle(model::settle);
         inspector.refresh();
-        assertEquals("my program: refused", value("wrongPixels").getText());
+        assertEquals("my program: no answer", value("wrongPixels").getText());
         String why = value("wrongPixels").getToolTipText();
         assertTrue(why.startsWith("There is no program of yours yet"), why);
         assertEquals("–", value("missing").getText());
@@ -133,7 +133,7 @@ class WrongRowsTest {
         inspector.refresh();
         assertTrue(value("wrongPixels").getText().matches("painter: [1-9][0-9,]*"));
         assertNull(value("wrongPixels").getToolTipText());
-        assertEquals("my program: refused", value("other").getText());
+        assertEquals("my program: no answer", value("other").getText());
         model.compare("cyclic-overlap", OwnMethods.NAME, "");
         thread.settle(model::settle);
         inspector.refresh();

@@ -34,11 +34,11 @@ final class PixelsAmiss {
         return first.map(one -> Message.of("pixel.order", one.pixel())).orElse(Message.NONE);
     }
 
-    /** The pixel that is told first; empty where the answers are the same. */
+    /** The first pixel that is missing, or extra where none is; empty where the pixels are right. */
     Optional<Pixel> first() {
         if (!difference.missing().isEmpty()) return Optional.of(first(difference.missing()));
         if (!difference.extra().isEmpty()) return Optional.of(first(difference.extra()));
-        return FirstDifference.of(right, actual, difference).map(FirstDifference::pixel);
+        return Optional.empty();
     }
 
     /** What does not fit the other answers of a method, where {@code right} would. */

@@ -242,7 +242,7 @@ class CatalogueTest {
     }
 
     @ParameterizedTest(name = "statement promises another longest source than is accepted: {0}")
-    @CsvSource({"en, 'at most %d KiB.'", "ru, 'не больше %d КиБ.'"})
+    @CsvSource({"en, 'at most %d KiB.'", "ru, 'не больше %d\u00a0КиБ.'"})
     void theStatementNamesTheLongestSource(String language, String promise) {
         String statement = Catalogue.builtIn().named("line-bresenham").statement(language);
         String promised = String.format(promise, Grading.MOST_SOURCE_BYTES / 1024);

@@ -37,7 +37,7 @@ final class FolderMistakes {
                         "segment.svg",
                         "<svg",
                         "<html",
-                        "'segment.svg' is no SVG picture"),
+                        "'segment.svg' cannot be read as SVG"),
                 argumentSet("file is no JSON", json, "{", "[", "exercise.json is not JSON: line"),
                 argumentSet("array for object", cases, "[", "{} [", "cases.json is not JSON"),
                 argumentSet(
@@ -221,13 +221,13 @@ final class FolderMistakes {
                         "hidden-cases.json",
                         "\"across\": \"0..along\"",
                         "\"across\": \"0..length\"",
-                        "'length' is no name that stands before it"),
+                        "'length' is not a name that stands before it"),
                 argumentSet(
                         "sum that is none",
                         json,
                         "\"=x+along\"",
                         "\"=x+\"",
-                        "'x+' is no sum of whole numbers and names"),
+                        "'x+' is not a sum of whole numbers and names"),
                 argumentSet(
                         "range from the larger to the smaller",
                         json,
@@ -239,7 +239,7 @@ final class FolderMistakes {
                         json,
                         "\"x\": \"0..999\"",
                         "\"x1\": \"0..999\"",
-                        "'x1' is no name of a number"),
+                        "'x1' is not the name of a number"),
                 argumentSet(
                         "turns without a template",
                         json,

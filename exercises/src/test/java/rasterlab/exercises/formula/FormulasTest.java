@@ -137,7 +137,7 @@ class FormulasTest {
     }
 
     private static String unknown(String command) {
-        return command + " is no command that is known here";
+        return command + " is not a command that is known here";
     }
 
     private static String lacks(String command) {

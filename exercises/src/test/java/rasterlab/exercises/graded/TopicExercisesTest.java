@@ -198,9 +198,14 @@ class TopicExercisesTest {
             CircleRasterizer method, String english, String russian) {
         String circle = "{\"given\": {\"center\": [0, 0], \"radius\": 5}}";
         Finding told = judged("circle", circle, method);
-        assertEquals(english, told.said().in("en"));
-        assertEquals(russian, told.said().in("ru"));
+        assertToldFirst(english, told.said().in("en"));
+        assertToldFirst(russian, told.said().in("ru"));
         return told.pictures();
+    }
+
+    /** What decides on a pixel may be told behind what is wrong. */
+    private static void assertToldFirst(String fault, String said) {
+        assertTrue(said.equals(fault) || said.startsWith(fault + "; "), said);
     }
 
     /** What came of all cases. */

@@ -80,7 +80,7 @@ class PicturesTest {
             assertTrue("alt=\"one pixel: yours\na part\n##..\"" in english, english)
             assertTrue("alt=\"one pixel: input\npixel (-1, 2) is extra\"" in english, english)
             val russian = page(cookie, "/submissions/$id?lang=ru")
-            assertEquals(listOf("как надо", "у вас", "разница", "input"), captions(russian))
+            assertEquals(listOf("ожидалось", "у вас", "разница", "input"), captions(russian))
             assertTrue("alt=\"один пиксель: input\nлишний пиксель (−1; 2)\"" in russian, russian)
             assertTrue("""<pre class="picture-text">#+-.</pre>""" in russian, russian)
         }

@@ -47,13 +47,7 @@ final class PolygonClipMutants {
                         PolygonClipMutants::withTouched),
                 new Mutant<>("leaving-points-left-out", "convex", sides(1, 0, 0)),
                 new Mutant<>("entering-points-left-out", "convex", sides(0, 1, 0)),
-                new Mutant<>("last-side-forgotten", "convex-window", sides(0, 0, 1)),
-                new Mutant<>(
-                        "goes-clockwise",
-                        "convex",
-                        (window, subject, out) ->
-                                RIGHT.clip(
-                                        window, subject, piece -> out.polygon(backwards(piece)))));
+                new Mutant<>("last-side-forgotten", "convex-window", sides(0, 0, 1)));
     }
 
     private static void asTheSubject(double[] window, double[] subject, PolygonSink out) {

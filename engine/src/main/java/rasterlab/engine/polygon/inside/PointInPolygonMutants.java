@@ -84,15 +84,10 @@ final class PointInPolygonMutants {
                                         ? within(px, x) && within(py, y)
                                         : RIGHT.contains(px, py, x, y)),
                 new Mutant<>(
-                        "boundary-is-outside",
-                        "on-the-boundary",
-                        (px, py, x, y) ->
-                                !onLine(px, py, x, y, true) && RIGHT.contains(px, py, x, y)),
-                new Mutant<>(
                         "edge-is-whole-line",
                         "ray-along-an-edge",
                         (px, py, x, y) ->
-                                onLine(px, py, x, y, false) || RIGHT.contains(px, py, x, y)),
+                                onLine(px, py, x, y) || RIGHT.contains(px, py, x, y)),
                 new Mutant<>(
                         "taken-for-convex",
                         "no-corner-at-the-ray",
@@ -176,18 +171,10 @@ final class PointInPolygonMutants {
                 && coordinate <= Arrays.stream(corners).max().orElseThrow();
     }
 
-    /**
-     * @param between whether the point has to lie between the ends of the edge, too
-     */
-    private static boolean onLine(double[] px, double[] py, double x, double y, boolean between) {
+    private static boolean onLine(double[] px, double[] py, double x, double y) {
         for (int i = 0; i < px.length; i++) {
             int j = (i + 1) % px.length;
-            if (side(px, py, i, j, x, y) != 0) continue;
-            if (!between) return true;
-            if (x >= Math.min(px[i], px[j])
-                    && x <= Math.max(px[i], px[j])
-                    && y >= Math.min(py[i], py[j])
-                    && y <= Math.max(py[i], py[j])) return true;
+            if (side(px, py, i, j, x, y) == 0) return true;
         }
         return false;
     }

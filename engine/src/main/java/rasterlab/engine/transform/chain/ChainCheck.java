@@ -39,7 +39,7 @@ final class ChainCheck {
         for (double cell : product)
             if (!Double.isFinite(cell))
                 throw new IllegalArgumentException(
-                        "the product of the matrices is too large, a cell became " + cell);
+                        "the product of the matrices is too large, an entry became " + cell);
     }
 
     /**

@@ -112,8 +112,7 @@ final class VisibleFacesMutants {
                 mutant(
                         "turned-away",
                         "cube",
-                        asked -> asked.side(asked.eye) * (asked.leavesTheRange() ? 1 : -1) > 0),
-                mutant("eye-as-direction", "eye-inside", VisibleFacesMutants::byEyeAlone));
+                        asked -> asked.side(asked.eye) * (asked.leavesTheRange() ? 1 : -1) > 0));
     }
 
     /** Whether a face with area is visible, edge-on ones too. */
@@ -126,13 +125,6 @@ final class VisibleFacesMutants {
         var point = new double[3];
         for (int i = 0; i < 3; i++)
             point[i] = asked.xyz[3 * asked.face[0] + i] + asked.eye[i] - mean[i];
-        return asked.side(point) > 0;
-    }
-
-    /** The place of the eye is taken for the direction to it. */
-    private static boolean byEyeAlone(Asked asked) {
-        var point = new double[3];
-        for (int i = 0; i < 3; i++) point[i] = asked.xyz[3 * asked.face[0] + i] + asked.eye[i];
         return asked.side(point) > 0;
     }
 
