@@ -54,7 +54,7 @@ class OwnExercisesTest {
         val broken = told("en").drop(1)
         assertEquals(2, broken.size, "$broken")
         val file = folder.resolve("$ID/statement.ru.md")
-        assertEquals("$file: formula \$\\nope\$: \\nope is no command that is known here", broken[0])
+        assertEquals("$file: formula \$\\nope\$: \\nope is not a command that is known here", broken[0])
         assertTrue(broken[1].endsWith("the closing \$\$ is missing"), broken[1])
     }
 
@@ -63,7 +63,7 @@ class OwnExercisesTest {
         exercise("sound")
         val file = folder.resolve("$ID/hints.en.md")
         file.writeText(file.readText().replace("## 2\n", "## 2\n\n\$\\nope\$"))
-        assertEquals(listOf("$file: formula \$\\nope\$: \\nope is no command that is known here"), told("en").drop(1))
+        assertEquals(listOf("$file: formula \$\\nope\$: \\nope is not a command that is known here"), told("en").drop(1))
     }
 
     private companion object {

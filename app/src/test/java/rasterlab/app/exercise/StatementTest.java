@@ -110,7 +110,7 @@ class StatementTest {
         formulas.set(new TexFormula("\\foo<b", false));
         String html = of("Let $\\foo<b$ be.\n\n$$\na\n\nrest").html();
         assertTrue(html.contains("<code>$\\foo&lt;b$</code>"), html);
-        assertTrue(html.contains("(\\foo is no command that is known here)"), html);
+        assertTrue(html.contains("(\\foo is not a command that is known here)"), html);
         assertTrue(html.contains("(the closing $$ is missing)"), html);
         assertTrue(html.contains("<p>rest</p>"), html);
     }

@@ -86,7 +86,7 @@ class BackupsTest {
         val empty = folder.resolve("empty.db").apply { writeText("") }
         for ((file, words) in mapOf(half to "whole database", notes to "database, or", empty to "database of a")) {
             val said = run("restore", "$file", "--data", "$data", exit = 2)
-            assertTrue("$file: is no $words" in said, said)
+            assertTrue("$file: is not a $words" in said, said)
             assertEquals(1, said.trim().lines().size, said)
             assertFalse("Exception" in said, said)
         }

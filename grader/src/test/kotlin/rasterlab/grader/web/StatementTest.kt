@@ -119,7 +119,7 @@ class StatementTest {
         val broken = "Let $\\foo<b$ be \$x\$.\n\n$$\na\n\nrest"
         val english = html(broken)
         assertTrue("<code>$\\foo&lt;b$</code>" in english, english)
-        assertTrue("(\\foo is no command that is known here)" in english, english)
+        assertTrue("(\\foo is not a command that is known here)" in english, english)
         assertTrue("(the closing $$ is missing)" in english && "<p>rest</p>" in english, english)
         assertTrue("""aria-label="x"""" in english, english)
         assertTrue("команда \\foo здесь неизвестна" in markdownAsHtml(broken, Formulas(), "ru") { it })
