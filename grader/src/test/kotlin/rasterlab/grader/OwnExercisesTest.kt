@@ -63,7 +63,10 @@ class OwnExercisesTest {
         exercise("sound")
         val file = folder.resolve("$ID/hints.en.md")
         file.writeText(file.readText().replace("## 2\n", "## 2\n\n\$\\nope\$"))
-        assertEquals(listOf("$file: formula \$\\nope\$: \\nope is not a command that is known here"), told("en").drop(1))
+        assertEquals(
+            listOf("$file: formula \$\\nope\$: \\nope is not a command that is known here"),
+            told("en").drop(1),
+        )
     }
 
     private companion object {

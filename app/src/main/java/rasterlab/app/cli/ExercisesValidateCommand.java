@@ -60,7 +60,9 @@ final class ExercisesValidateCommand implements Callable<Integer> {
     private List<Path> folders() {
         if (!Files.isDirectory(folder))
             throw Complaint.badInput(
-                    Files.exists(folder) ? folder + ": is not a folder" : folder + ": no such folder");
+                    Files.exists(folder)
+                            ? folder + ": is not a folder"
+                            : folder + ": no such folder");
         if (Files.exists(folder.resolve(FILE))) return List.of(folder);
         List<Path> inside = new ArrayList<>();
         try (Stream<Path> entries = Files.list(folder)) {

@@ -61,7 +61,8 @@ public final class PictureFile {
         if (file.toFile().length() == 0) throw refused(file, PictureFault.EMPTY);
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
             ImageReader reader =
-                    reader(in).orElseThrow(() -> refused(file, "is not a picture that can be read"));
+                    reader(in)
+                            .orElseThrow(() -> refused(file, "is not a picture that can be read"));
             return read(file, reader, in, most);
         } catch (IOException | RuntimeException e) {
             // Readers throw exceptions of all kinds at broken files.

@@ -95,7 +95,9 @@ class StudyCommandTest {
                 List.of(
                         new StudyTable(study, ReportLanguage.RU).narrow(),
                         new StudyTable(study, ReportLanguage.RU).wide()))
-            assertTrue(lines.stream().anyMatch(line -> line.endsWith("не останавливается")), "" + lines);
+            assertTrue(
+                    lines.stream().anyMatch(line -> line.endsWith("не останавливается")),
+                    "" + lines);
     }
 
     @ParameterizedTest(name = "fractions of the table in {0} have the other language''s mark")

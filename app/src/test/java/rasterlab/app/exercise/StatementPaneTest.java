@@ -213,7 +213,8 @@ class StatementPaneTest {
     void aBrokenFormulaLeavesTheRest() throws Exception {
         StatementPane pane = settled("Let $\\foo$ be $x$.", LabTheme.LIGHT, 100);
         String text = text(pane);
-        assertTrue(text.contains("$\\foo$ (\\foo is not a command that is known here) be $x$."), text);
+        assertTrue(
+                text.contains("$\\foo$ (\\foo is not a command that is known here) be $x$."), text);
         assertEquals(1, typeset(pane).size());
     }
 

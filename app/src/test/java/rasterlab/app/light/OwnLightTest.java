@@ -141,7 +141,8 @@ class OwnLightTest {
         assertEquals(
                 "Your program did not answer within 2 s and was stopped", said(Language.ENGLISH));
         assertEquals(
-                "Ваша программа не ответила за 2\u00a0с и была остановлена", said(Language.RUSSIAN));
+                "Ваша программа не ответила за 2\u00a0с и была остановлена",
+                said(Language.RUSSIAN));
         assertFalse(Arrays.equals(pixels(0), pixels(1)));
     }
 

@@ -34,7 +34,9 @@ final class PixelsAmiss {
         return first.map(one -> Message.of("pixel.order", one.pixel())).orElse(Message.NONE);
     }
 
-    /** The first pixel that is missing, or extra where none is; empty where the pixels are right. */
+    /**
+     * The first pixel that is missing, or extra where none is; empty where the pixels are right.
+     */
     Optional<Pixel> first() {
         if (!difference.missing().isEmpty()) return Optional.of(first(difference.missing()));
         if (!difference.extra().isEmpty()) return Optional.of(first(difference.extra()));

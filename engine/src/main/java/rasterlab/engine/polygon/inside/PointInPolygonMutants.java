@@ -86,8 +86,7 @@ final class PointInPolygonMutants {
                 new Mutant<>(
                         "edge-is-whole-line",
                         "ray-along-an-edge",
-                        (px, py, x, y) ->
-                                onLine(px, py, x, y) || RIGHT.contains(px, py, x, y)),
+                        (px, py, x, y) -> onLine(px, py, x, y) || RIGHT.contains(px, py, x, y)),
                 new Mutant<>(
                         "taken-for-convex",
                         "no-corner-at-the-ray",
