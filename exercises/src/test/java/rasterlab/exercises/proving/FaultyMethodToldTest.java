@@ -29,7 +29,7 @@ class FaultyMethodToldTest {
             textBlock =
                     """
             en | One mistake explains all that is wrong – pixels on axes and diagonals are sent twice, that of radius 0 eight times; | (bresenham-textbook answers the same)
-            ru | Всё неверное объясняет одна ошибка\u00a0— пиксели на осях и диагоналях выводятся дважды, пиксель радиуса 0\u00a0— восемь раз | (так же отвечает bresenham-textbook)
+            ru | Всё неверное объясняет одна ошибка — пиксели на осях и диагоналях выводятся дважды, пиксель радиуса 0\u00a0— восемь раз | (так же отвечает bresenham-textbook)
             """)
     void aMethodsFaultsAreToldWithItsName(String language, String faults, String name) {
         String said = marking("circle", "bresenham-textbook").shared().in(language);

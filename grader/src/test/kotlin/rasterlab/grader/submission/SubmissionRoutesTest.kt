@@ -213,6 +213,8 @@ class SubmissionRoutesTest {
                 "of",
                 "message",
                 "place",
+                "tolerance",
+                "rule",
                 "pictures",
                 "scene",
             )
