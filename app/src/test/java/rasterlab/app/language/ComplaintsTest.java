@@ -42,7 +42,7 @@ class ComplaintsTest {
                 "RUSSIAN | face 3: corners 0, 1, 2 span no area"
                         + " | грань 3: вершины 0, 1, 2 не охватывают площади",
                 "RUSSIAN | world to eye must have an inverse, got determinant 150.28236737529534"
-                        + " | у перехода от мира к глазу должна быть обратная матрица,"
+                        + " | у перехода от мира к наблюдателю должна быть обратная матрица,"
                         + " а её определитель 150,282",
                 "RUSSIAN | point 2 (9.0, 9.0) is outside but judged inside, 1.592e+15 ulps from the"
                         + " boundary | точка 2 (9; 9) снаружи, а признана внутренней;"

@@ -137,7 +137,7 @@ class WrongRowsTest {
         model.compare("cyclic-overlap", OwnMethods.NAME, "");
         thread.settle(model::settle);
         inspector.refresh();
-        assertEquals("refused", value("wrongPixels").getText());
+        assertEquals("no answer", value("wrongPixels").getText());
     }
 
     @Test
