@@ -24,7 +24,7 @@ class UnreadableSheetTest {
     @Test
     void whatIsWrongIsToldInTheWindowsLanguage() {
         var exercise = Catalogue.builtIn().named("predict-line");
-        String sheet = SheetText.open(exercise, 5).replace("\"x\": null", "\"x\": \"left\"");
+        String sheet = SheetText.open(exercise, 5).replaceFirst("\"x\": null", "\"x\": \"left\"");
         IOException refused =
                 assertThrows(UnreadableSheet.class, () -> UnreadableSheet.check(exercise, sheet));
         Notice notice = ServerNotices.of(SERVER, refused);
