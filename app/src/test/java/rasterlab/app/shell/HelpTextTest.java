@@ -55,7 +55,8 @@ class HelpTextTest {
         for (Language language : Language.values()) {
             HelpText.Section ways = HelpText.of("light", stage, language).sections().get(0);
             assertTrue(ways.ways().size() >= 4, ways.toString());
-            assertFalse(ways.toString().matches("(?s).*(light source|источник).*"), ways.toString());
+            assertFalse(
+                    ways.toString().matches("(?s).*(light source|источник).*"), ways.toString());
             String lit = HelpText.of("light", "light", language).toString();
             assertTrue(lit.matches("(?s).*(light source|источник).*"), lit);
         }
