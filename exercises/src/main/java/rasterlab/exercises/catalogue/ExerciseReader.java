@@ -319,13 +319,20 @@ final class ExerciseReader {
         return texts.size() == LANGUAGES.size() ? Optional.of(texts) : Optional.empty();
     }
 
-    /** The statements; one that is missing is kept as a fault. */
+    /** The statements; one that is missing or has no words is kept as a fault. */
     static Map<String, String> statements(ExerciseFolder folder, Faults faults) {
         Map<String, String> statements = new LinkedHashMap<>();
         for (String language : LANGUAGES)
-            faults.tried(() -> folder.text(StatementPictures.file(language)))
+            faults.tried(() -> statement(folder, StatementPictures.file(language)))
                     .ifPresent(text -> statements.put(language, text));
         return statements;
+    }
+
+    private static String statement(ExerciseFolder folder, String file) {
+        String text = folder.text(file);
+        if (text.lines().allMatch(line -> line.isBlank() || line.startsWith("# ")))
+            throw new CatalogueException(Phrase.of("statement.empty", folder.place(file)));
+        return text;
     }
 
     private Optional<PointPlan> points(JsonFields fields) {

@@ -37,7 +37,7 @@ abstract class SinkSheet {
 
     /** Whether one of the arguments of a call is a sheet that is full. */
     static boolean isAnyFull(Object[] arguments) {
-        return Stream.of(arguments).anyMatch(one -> one instanceof SinkSheet sheet && sheet.full);
+        return Stream.of(arguments).anyMatch(one -> one instanceof SinkSheet sheet && sheet.full());
     }
 
     /** Writes the number of items, then each as its contract's method has it. */

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.exercises.score.Phrase;
 
 /** All that is wrong in an exercise's folder is told at once, with file, place and reason. */
@@ -117,6 +118,15 @@ class FolderCheckTest {
         assertTrue(said.contains("cases.json") && said.contains(place), said);
         assertTrue(said.endsWith(why), said);
         assertTrue(faults.get(0).in("ru").contains(russian), faults.get(0).in("ru"));
+    }
+
+    @ParameterizedTest(name = "a statement that says nothing is taken: [{0}]")
+    @ValueSource(strings = {"", " \n\n", "# НАЗВАНИЕ\n"})
+    void aStatementWithoutWordsIsAFault(String text) throws IOException {
+        Files.writeString(folder.resolve("statement.ru.md"), text);
+        assertEquals(
+                List.of(folder.resolve("statement.ru.md") + ": has no words; it must say what is asked"),
+                faults());
     }
 
     @Test

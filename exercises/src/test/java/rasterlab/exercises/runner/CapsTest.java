@@ -111,6 +111,22 @@ class CapsTest {
     }
 
     @Test
+    @DisplayName("a filling that never ends is told as the student's own exception")
+    void writingsAreLimited() throws Exception {
+        String source =
+                """
+                import rasterlab.contract.*;
+                public class Endless implements SeedFiller {
+                    public void fill(PixelGrid picture, int x, int y, int with, int connectivity) {
+                        while (true) picture.write(x, y, with);
+                    }
+                }
+                """;
+        CaseReport endless = first("seed-fill", Caps.NONE, source);
+        assertEquals(GradingVerdict.OUTPUT_LIMIT, endless.verdict(), endless.message());
+    }
+
+    @Test
     @DisplayName("a call has the usual time, or names that")
     void timeIsLimited() throws Exception {
         Caps tenth = seconds(Duration.ofMillis(100));

@@ -65,7 +65,7 @@ fun DIV.result(
         view.cases.forEach { case(texts, it, files, "/api/v1/submissions/${view.id}", sheet) }
     }
     view.speed?.let { speedChart(texts, it) }
-    view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
+    view.isolation?.takeIf { it.isNotEmpty() && files.asksForPrograms }?.let { isolation ->
         p("isolation") {
             +texts.say("result.isolation", Report.isolationIn(texts.language, isolation))
             if (isolation == Report.PROCESS_LIMITS) +" ${texts.say("result.weak")}"
