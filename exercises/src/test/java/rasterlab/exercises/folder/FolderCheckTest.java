@@ -125,7 +125,9 @@ class FolderCheckTest {
     void aStatementWithoutWordsIsAFault(String text) throws IOException {
         Files.writeString(folder.resolve("statement.ru.md"), text);
         assertEquals(
-                List.of(folder.resolve("statement.ru.md") + ": has no words; it must say what is asked"),
+                List.of(
+                        folder.resolve("statement.ru.md")
+                                + ": has no words; it must say what is asked"),
                 faults());
     }
 
