@@ -249,7 +249,7 @@ class RussianComplaintsTest {
     void aFileIsNoFolder() throws Exception {
         Path file = Files.writeString(folder.resolve("a"), "");
         Ran ran = Ran.lab("chart", "perspective", "--out", file + "/b.svg", "--lang", "ru");
-        assertTrue(ran.err().contains(file + " — это файл, а нужна папка"), ran.err());
+        assertTrue(ran.err().contains(file + "\u00a0— это файл, а нужна папка"), ran.err());
     }
 
     @Test
