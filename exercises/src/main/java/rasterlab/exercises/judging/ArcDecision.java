@@ -2,6 +2,7 @@ package rasterlab.exercises.judging;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.exercises.score.Message;
@@ -10,6 +11,11 @@ import rasterlab.exercises.score.Message;
 final class ArcDecision {
     /** The walk of a larger one takes longer than the rest of a report. */
     private static final int LARGEST = 100_000;
+
+    static final Map<String, Decision> BY_TOPIC =
+            Map.of(
+                    "circle", Decision.onPixel((input, right, one) -> onCircle(input, one)),
+                    "ellipse", Decision.onPixel((input, right, one) -> onEllipse(input, one)));
 
     private ArcDecision() {}
 

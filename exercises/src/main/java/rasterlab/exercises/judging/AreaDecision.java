@@ -4,12 +4,18 @@ import static java.util.stream.Collectors.joining;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.exercises.score.Message;
 
 /** The run of a row in which a filling method puts a pixel, or why it puts it in none. */
 final class AreaDecision {
+    static final Map<String, Decision> BY_TOPIC =
+            Map.of(
+                    "fill", Decision.onPixel((input, right, one) -> onFill(input, one)),
+                    "polygon-fill", Decision.onPixel((input, right, one) -> onPolygon(input, one)));
+
     private AreaDecision() {}
 
     static Message onFill(JsonNode input, Pixel at) {

@@ -1,9 +1,12 @@
 package rasterlab.exercises.judging;
 
+import static java.util.stream.Collectors.toUnmodifiableMap;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import rasterlab.engine.raster.Pixel;
+import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -14,6 +17,16 @@ import rasterlab.exercises.score.Message;
 final class Decisions {
     private static final MathContext TOLD = new MathContext(7);
 
+    private static final Map<String, Decision> BY_TOPIC =
+            Stream.of(
+                            LineDecision.BY_TOPIC,
+                            ArcDecision.BY_TOPIC,
+                            AreaDecision.BY_TOPIC,
+                            DepthDecision.BY_TOPIC,
+                            TruthDecision.BY_TOPIC)
+                    .flatMap(one -> one.entrySet().stream())
+                    .collect(toUnmodifiableMap(Map.Entry::getKey, Map.Entry::getValue));
+
     private Decisions() {}
 
     /**
@@ -23,31 +36,13 @@ final class Decisions {
      * @param right the right answer to it
      */
     static Message of(String topic, JsonNode input, JsonNode right, Differing at) {
+        Decision decision = BY_TOPIC.get(topic);
+        if (decision == null) return Message.NONE;
         try {
-            return switch (topic) {
-                case "line" -> pixel(at, one -> LineDecision.on(input, one));
-                case "circle" -> pixel(at, one -> ArcDecision.onCircle(input, one));
-                case "ellipse" -> pixel(at, one -> ArcDecision.onEllipse(input, one));
-                case "fill" -> pixel(at, one -> AreaDecision.onFill(input, one));
-                case "polygon-fill" -> pixel(at, one -> AreaDecision.onPolygon(input, one));
-                case "depth-triangle" -> pixel(at, one -> DepthDecision.on(input, right, one));
-                case "point-in-triangle", "point-in-polygon", "visible-faces" ->
-                        at.index().isPresent()
-                                ? TruthDecision.on(topic, input, right, at.index().getAsInt())
-                                : Message.NONE;
-                default -> Message.NONE;
-            };
+            return decision.on(input, right, at);
         } catch (IllegalArgumentException refused) {
             return Message.NONE;
         }
-    }
-
-    private interface OnPixel {
-        Message said(Pixel pixel);
-    }
-
-    private static Message pixel(Differing at, OnPixel decision) {
-        return at.pixel().map(decision::said).orElse(Message.NONE);
     }
 
     /** The sentence of that key in the topic's words. */

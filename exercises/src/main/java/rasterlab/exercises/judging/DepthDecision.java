@@ -2,6 +2,7 @@ package rasterlab.exercises.judging;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.StreamSupport;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.exercises.score.Message;
@@ -9,6 +10,9 @@ import rasterlab.exercises.score.Message;
 /** The comparison of depths that leaves a pixel to the triangle which is seen there. */
 final class DepthDecision {
     private static final String TOPIC = "depth-triangle";
+
+    static final Map<String, Decision> BY_TOPIC =
+            Map.of("depth-triangle", Decision.onPixel(DepthDecision::on));
 
     private DepthDecision() {}
 

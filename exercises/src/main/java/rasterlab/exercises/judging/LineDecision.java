@@ -3,6 +3,7 @@ package rasterlab.exercises.judging;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.exercises.score.Message;
@@ -10,6 +11,9 @@ import rasterlab.exercises.score.Message;
 /** The value of Bresenham's method at the pixel before one of a line. */
 final class LineDecision {
     private static final String TOPIC = "line";
+
+    static final Map<String, Decision> BY_TOPIC =
+            Map.of("line", Decision.onPixel((input, right, one) -> on(input, one)));
 
     private LineDecision() {}
 

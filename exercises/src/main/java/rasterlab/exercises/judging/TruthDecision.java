@@ -4,11 +4,25 @@ import static java.util.stream.Collectors.joining;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
+import java.util.Map;
 import rasterlab.exercises.score.Message;
 
 /** The values by which a method says yes or no to one of several points or faces. */
 final class TruthDecision {
+    static final Map<String, Decision> BY_TOPIC =
+            Map.of(
+                    "point-in-triangle", listed("point-in-triangle"),
+                    "point-in-polygon", listed("point-in-polygon"),
+                    "visible-faces", listed("visible-faces"));
+
     private TruthDecision() {}
+
+    private static Decision listed(String topic) {
+        return (input, right, at) ->
+                at.index().isPresent()
+                        ? on(topic, input, right, at.index().getAsInt())
+                        : Message.NONE;
+    }
 
     /**
      * The sentence on one of them.
