@@ -263,7 +263,7 @@ class WindowExercisesTest extends ExercisesHarness {
         press(KeyEvent.VK_ESCAPE);
         await("it is given up", () -> window.button("check").isEnabled());
         assertEquals(endless, source());
-        assertTrue(window.textBox("notice").text().contains("Given up"));
+        assertTrue(window.textBox("notice").text().contains("Cancelled"));
     }
 
     @Test
