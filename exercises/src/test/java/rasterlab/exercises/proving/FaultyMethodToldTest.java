@@ -85,7 +85,7 @@ class FaultyMethodToldTest {
     @Test
     void aSentenceOnTheCounterexampleIsNotToldTwice() {
         List<Message> told =
-                marking("circle", "bresenham-textbook").reports().stream()
+                marking("line-bresenham", "bresenham-textbook").reports().stream()
                         .map(one -> one.said())
                         .filter(said -> said.in("en").startsWith("broken property"))
                         .toList();
