@@ -32,7 +32,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
-import rasterlab.app.canvas.LastChosen;
+import rasterlab.app.canvas.file.LastChosen;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.LabLook;

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.spline.SplineMode;
 
 /** Lists that lead to a tab's other labs, by keys, under a real display. */

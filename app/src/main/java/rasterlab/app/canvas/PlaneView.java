@@ -23,6 +23,8 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import rasterlab.app.canvas.work.LatestOnly;
+import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Texts;
 
 /**

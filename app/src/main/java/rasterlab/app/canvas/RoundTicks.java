@@ -10,7 +10,7 @@ import java.util.Locale;
  * @param digit 1, 2 or 5
  * @param exponent of ten
  */
-record RoundTicks(int digit, int exponent) {
+public record RoundTicks(int digit, int exponent) {
     /** The number of digits from which on numbers are written with a power of ten. */
     private static final int LONG = 7;
 
@@ -25,7 +25,7 @@ record RoundTicks(int digit, int exponent) {
     }
 
     /** A number with no decimals below the power of ten that is at most {@code least}. */
-    static double rounded(double value, double least) {
+    public static double rounded(double value, double least) {
         int exponent = (int) Math.floor(Math.log10(least));
         double power = Math.pow(10, Math.abs(exponent));
         double round =

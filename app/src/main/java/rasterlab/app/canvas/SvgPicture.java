@@ -27,7 +27,7 @@ public final class SvgPicture {
     private record Part(Rectangle place, Consumer<Graphics2D> drawing) {}
 
     /** Loads what the first drawing would take long for. On any thread. */
-    static void prepare() {
+    public static void prepare() {
         of(
                         8,
                         8,

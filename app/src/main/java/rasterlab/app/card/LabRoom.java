@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.file.Kept;
+import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 

@@ -1,6 +1,6 @@
 package rasterlab.app.card;
 
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 
 /**
  * All that the app has to know of a topic: which lab shows it, in which colours, and how its inputs

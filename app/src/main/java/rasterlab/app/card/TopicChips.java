@@ -2,8 +2,8 @@ package rasterlab.app.card;
 
 import java.util.List;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardCase;
+import rasterlab.app.canvas.lab.Chips;
+import rasterlab.app.canvas.lab.HazardCase;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 

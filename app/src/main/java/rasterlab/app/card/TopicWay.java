@@ -6,10 +6,10 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.HazardNote;
-import rasterlab.app.canvas.History;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.HazardNote;
+import rasterlab.app.canvas.method.ShownDifference;
+import rasterlab.app.canvas.work.History;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.Plotted;
 

@@ -8,9 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.function.Consumer;
 import org.knowm.xchart.style.XYStyler;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.canvas.method.MethodColours;
 
 /**
  * The colours of a chart of {@link #WIDTH} × {@link #HEIGHT} pixels.

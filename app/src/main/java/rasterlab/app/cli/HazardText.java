@@ -3,7 +3,7 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.StudyWords;

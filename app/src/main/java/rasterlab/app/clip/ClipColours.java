@@ -1,17 +1,17 @@
 package rasterlab.app.clip;
 
-import static rasterlab.app.canvas.MethodColours.BLUE;
-import static rasterlab.app.canvas.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.MethodColours.GREEN;
-import static rasterlab.app.canvas.MethodColours.OLIVE;
-import static rasterlab.app.canvas.MethodColours.ORANGE;
-import static rasterlab.app.canvas.MethodColours.PURPLE;
-import static rasterlab.app.canvas.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.MethodColours.WINE;
-import static rasterlab.app.canvas.MethodColours.YELLOW;
+import static rasterlab.app.canvas.method.MethodColours.BLUE;
+import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColours.GREEN;
+import static rasterlab.app.canvas.method.MethodColours.OLIVE;
+import static rasterlab.app.canvas.method.MethodColours.ORANGE;
+import static rasterlab.app.canvas.method.MethodColours.PURPLE;
+import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColours.WINE;
+import static rasterlab.app.canvas.method.MethodColours.YELLOW;
 
 import java.util.Map;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 
 /** The colours of the methods for clipping. */
 final class ClipColours {

@@ -2,8 +2,8 @@ package rasterlab.app.clip;
 
 import java.io.IOException;
 import java.util.List;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.format.ValueSink;
 
 /**

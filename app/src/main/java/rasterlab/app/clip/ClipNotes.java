@@ -1,7 +1,7 @@
 package rasterlab.app.clip;
 
 import java.util.List;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 

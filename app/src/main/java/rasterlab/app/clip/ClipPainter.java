@@ -17,10 +17,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.engine.raster.PixelMark;
 
 /** Draws what {@link ClipMark} stands for. */

@@ -2,7 +2,7 @@ package rasterlab.app.clip;
 
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
 
 /** The selected point's coordinates as number fields: x and y, and z in space. */

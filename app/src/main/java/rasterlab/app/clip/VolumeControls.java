@@ -7,9 +7,9 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.NameChooser;
+import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
 
 /** What only the view volume has: its space, its viewpoint, its nearest plane and its screen. */

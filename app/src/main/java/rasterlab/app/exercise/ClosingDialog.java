@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
-import rasterlab.app.canvas.LastFolderChooser;
+import rasterlab.app.canvas.file.LastFolderChooser;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -3,7 +3,7 @@ package rasterlab.app.exercise;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JPanel;
-import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.course.CourseMapPane;
 import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;

@@ -11,7 +11,7 @@ import java.util.OptionalInt;
 import java.util.UUID;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Background;
+import rasterlab.app.canvas.work.Background;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.exercises.Exercise;

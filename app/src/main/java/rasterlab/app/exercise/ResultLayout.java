@@ -8,7 +8,7 @@ import java.awt.Insets;
 import java.awt.LayoutManager;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.LargeType;
+import rasterlab.app.canvas.lab.LargeType;
 
 /**
  * The cases with the chosen one's reason and pictures beside them, or below them where the cases'

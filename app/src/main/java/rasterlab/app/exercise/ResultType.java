@@ -3,7 +3,7 @@ package rasterlab.app.exercise;
 import java.awt.Dimension;
 import java.awt.Font;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.LargeType;
+import rasterlab.app.canvas.lab.LargeType;
 
 /**
  * The type of verdicts, cases and reasons beside the pictures: that of labels, in large type no

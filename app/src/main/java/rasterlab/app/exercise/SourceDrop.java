@@ -2,7 +2,7 @@ package rasterlab.app.exercise;
 
 import java.util.Optional;
 import org.fife.ui.rtextarea.RTATextTransferHandler;
-import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.file.FileDrop;
 
 /** Takes text; a file that is dropped goes to what takes files around the editor. */
 final class SourceDrop extends RTATextTransferHandler {

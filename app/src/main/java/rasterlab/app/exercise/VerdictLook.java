@@ -2,7 +2,7 @@ package rasterlab.app.exercise;
 
 import java.awt.Color;
 import java.util.Set;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** How a verdict looks: by a sign and by a colour. */

@@ -1,7 +1,7 @@
 package rasterlab.app.light;
 
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.color.Colors;
 

@@ -11,13 +11,13 @@ import java.awt.event.MouseEvent;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
-import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.canvas.method.HazardNote;
 import rasterlab.app.language.Texts;
 
 /** The colour cube, turned by mouse and arrow keys. */

@@ -1,6 +1,6 @@
 package rasterlab.app.light;
 
-import rasterlab.app.canvas.TurnSteps;
+import rasterlab.app.canvas.player.TurnSteps;
 
 /** Turns the colour cube about the vertical. */
 final class CubeTurning extends TurnSteps {

@@ -9,10 +9,10 @@ import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.NameChooser;
+import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
 
 /** The selected lamp: which one, what it is, where it stands, how its light weakens. */

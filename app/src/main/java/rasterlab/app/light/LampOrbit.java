@@ -1,6 +1,6 @@
 package rasterlab.app.light;
 
-import rasterlab.app.canvas.TurnSteps;
+import rasterlab.app.canvas.player.TurnSteps;
 
 /** Leads the selected lamp round the scene's vertical axis. */
 final class LampOrbit extends TurnSteps {

@@ -1,10 +1,10 @@
 package rasterlab.app.light;
 
-import static rasterlab.app.canvas.MethodColours.BLUE;
-import static rasterlab.app.canvas.MethodColours.PURPLE;
+import static rasterlab.app.canvas.method.MethodColours.BLUE;
+import static rasterlab.app.canvas.method.MethodColours.PURPLE;
 
 import java.util.Map;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 
 /** The colours of the methods for light and colour. */
 final class LightColours {

@@ -3,7 +3,7 @@ package rasterlab.app.light;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;

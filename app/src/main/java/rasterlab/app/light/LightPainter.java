@@ -14,9 +14,9 @@ import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.DevicePixels;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Texts;
 
 /** Draws the three pictures with what lies over them. */

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.Formula;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.widget.Formula;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.Reflection;
 

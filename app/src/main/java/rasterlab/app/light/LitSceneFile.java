@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.canvas.file.ShellPath;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.light.LightTerm;

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import rasterlab.app.canvas.KeptFile;
+import rasterlab.app.canvas.file.KeptFile;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.scene.obj.UpAxis;
 

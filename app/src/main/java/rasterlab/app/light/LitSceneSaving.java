@@ -3,8 +3,8 @@ package rasterlab.app.light;
 import java.awt.Component;
 import java.util.Optional;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.SceneChooser;
-import rasterlab.app.canvas.SceneWriting;
+import rasterlab.app.canvas.file.SceneChooser;
+import rasterlab.app.canvas.file.SceneWriting;
 import rasterlab.app.language.Texts;
 
 /** Asks for a file, saves the lit scene there, and knows the commands that draw it from there. */

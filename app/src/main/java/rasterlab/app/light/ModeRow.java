@@ -2,8 +2,8 @@ package rasterlab.app.light;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 

@@ -3,8 +3,8 @@ package rasterlab.app.light;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 

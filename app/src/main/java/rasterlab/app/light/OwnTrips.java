@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;

@@ -12,9 +12,9 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Texts;
 
 /** Brightness along the line by the three shadings, and what the eye makes of it. */

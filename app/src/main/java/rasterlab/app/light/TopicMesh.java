@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.contract.LitFace;
 import rasterlab.contract.LitPoint;
 import rasterlab.engine.light.UnitVector;

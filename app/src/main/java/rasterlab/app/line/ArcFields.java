@@ -3,7 +3,7 @@ package rasterlab.app.line;
 import java.util.function.IntConsumer;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
 
 /** Centre and half-axes as number fields. */

@@ -8,10 +8,10 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelSet;
 

@@ -4,7 +4,7 @@ import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberEntry;
+import rasterlab.app.canvas.widget.NumberEntry;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 

@@ -1,8 +1,8 @@
 package rasterlab.app.line;
 
 import java.util.Optional;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.Ellipse;

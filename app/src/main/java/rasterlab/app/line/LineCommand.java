@@ -1,7 +1,7 @@
 package rasterlab.app.line;
 
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.line.LineTopic;
 
 /** The shell command that draws what the lab shows. */

@@ -2,12 +2,12 @@ package rasterlab.app.line;
 
 import java.util.List;
 import javax.swing.JLabel;
-import rasterlab.app.canvas.AboutText;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.MethodChooser;
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PixelMarkIcon;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.method.AboutText;
+import rasterlab.app.canvas.method.MethodChooser;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.LineRasterizer;

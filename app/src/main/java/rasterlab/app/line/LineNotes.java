@@ -1,7 +1,7 @@
 package rasterlab.app.line;
 
 import java.util.Optional;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
 
 /** One sentence over the stage where the picture alone would mislead. */

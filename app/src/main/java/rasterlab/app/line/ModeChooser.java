@@ -1,7 +1,7 @@
 package rasterlab.app.line;
 
 import java.util.stream.Stream;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
 
 /** The list of what the lab draws. */

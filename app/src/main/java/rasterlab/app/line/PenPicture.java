@@ -7,10 +7,10 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.function.BooleanSupplier;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.engine.raster.Raster;
 
 /** The pixels that a pen lights along a line. */

@@ -1,6 +1,6 @@
 package rasterlab.app.opengl;
 
-import rasterlab.app.canvas.TurnSteps;
+import rasterlab.app.canvas.player.TurnSteps;
 
 /** Turns the scene about its upright axis as the step player plays it. */
 final class GlTurntable extends TurnSteps {

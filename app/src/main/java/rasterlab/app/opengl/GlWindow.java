@@ -5,7 +5,7 @@ import java.awt.EventQueue;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Supplier;
-import rasterlab.app.canvas.Background;
+import rasterlab.app.canvas.work.Background;
 
 /**
  * Brings OpenGL's window to its place once all that takes long is done on another thread: the

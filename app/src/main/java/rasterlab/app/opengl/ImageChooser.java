@@ -4,7 +4,7 @@ import java.awt.Component;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import rasterlab.app.canvas.LastFolderChooser;
+import rasterlab.app.canvas.file.LastFolderChooser;
 import rasterlab.app.language.Texts;
 
 /** Asks the user for an image file. */

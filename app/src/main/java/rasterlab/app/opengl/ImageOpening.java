@@ -3,7 +3,7 @@ package rasterlab.app.opengl;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
-import rasterlab.app.canvas.KeptFile;
+import rasterlab.app.canvas.file.KeptFile;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.Setting;
 

@@ -18,11 +18,11 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
-import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.canvas.file.FileDrop;
+import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.canvas.file.ShellPath;
 import rasterlab.app.opengl.software.SoftwarePainter;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlChoice.ImageTexture;

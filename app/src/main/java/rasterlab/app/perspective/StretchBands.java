@@ -5,7 +5,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import org.knowm.xchart.internal.chartpart.Annotation;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Texts;
 
 /** Where γ runs away and where it begins to, as bands with their names; and γ = 1, its limit. */

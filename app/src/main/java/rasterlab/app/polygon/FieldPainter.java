@@ -3,9 +3,9 @@ package rasterlab.app.polygon;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.engine.raster.PixelMark;
 
 /** Draws a field: where a method says inside, and where another judge says otherwise. */

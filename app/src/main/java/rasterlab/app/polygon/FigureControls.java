@@ -3,8 +3,8 @@ package rasterlab.app.polygon;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.FillRule;
 

@@ -3,7 +3,7 @@ package rasterlab.app.polygon;
 import java.util.function.DoubleConsumer;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
 
 /** The selected point's coordinates as number fields. */

@@ -1,16 +1,16 @@
 package rasterlab.app.polygon;
 
-import static rasterlab.app.canvas.MethodColours.BLUE;
-import static rasterlab.app.canvas.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.MethodColours.GREEN;
-import static rasterlab.app.canvas.MethodColours.GREY;
-import static rasterlab.app.canvas.MethodColours.OLIVE;
-import static rasterlab.app.canvas.MethodColours.ORANGE;
-import static rasterlab.app.canvas.MethodColours.PURPLE;
-import static rasterlab.app.canvas.MethodColours.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColours.BLUE;
+import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColours.GREEN;
+import static rasterlab.app.canvas.method.MethodColours.GREY;
+import static rasterlab.app.canvas.method.MethodColours.OLIVE;
+import static rasterlab.app.canvas.method.MethodColours.ORANGE;
+import static rasterlab.app.canvas.method.MethodColours.PURPLE;
+import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
 
 import java.util.Map;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 
 /** The colours of the methods for polygons. */
 final class PolygonColours {

@@ -1,8 +1,8 @@
 package rasterlab.app.polygon;
 
 import java.util.Optional;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
 import rasterlab.engine.polygon.scan.PolygonFillTopic;

@@ -5,12 +5,12 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import rasterlab.app.canvas.Arranged;
-import rasterlab.app.canvas.History;
-import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.LatestOnly;
-import rasterlab.app.canvas.Listeners;
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.file.Kept;
+import rasterlab.app.canvas.player.Steps;
+import rasterlab.app.canvas.work.Arranged;
+import rasterlab.app.canvas.work.History;
+import rasterlab.app.canvas.work.LatestOnly;
+import rasterlab.app.canvas.work.Listeners;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 

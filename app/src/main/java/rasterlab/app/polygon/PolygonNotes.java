@@ -1,7 +1,7 @@
 package rasterlab.app.polygon;
 
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
 
 /** One sentence over a stage where the picture alone would mislead. */

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PicturePair;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
@@ -16,6 +15,7 @@ import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.SvgDrawing;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
 
 /** The picture of the chosen method, and beside it that of a second one. */

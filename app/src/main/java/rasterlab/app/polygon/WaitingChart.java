@@ -12,9 +12,9 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.accessibility.AccessibleRole;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Texts;
 
 /** How many places wait on a method's stack, step after step, and the present step. */

@@ -9,8 +9,8 @@ import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
-import rasterlab.app.canvas.Actions;
-import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.lab.Actions;
+import rasterlab.app.canvas.widget.FlowRows;
 
 /** Buttons, one for each value that a field may have. */
 final class ChoicePart implements AnswerPart {

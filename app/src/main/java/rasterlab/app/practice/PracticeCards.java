@@ -3,8 +3,8 @@ package rasterlab.app.practice;
 import java.awt.CardLayout;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.StepQuestions;
+import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.lab.StepQuestions;
 import rasterlab.app.language.Language;
 
 /** A lab, or in its place the mode "which is next?", which is made when it is first entered. */

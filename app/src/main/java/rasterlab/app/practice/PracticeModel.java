@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
-import rasterlab.app.canvas.LatestOnly;
-import rasterlab.app.canvas.Listeners;
+import rasterlab.app.canvas.work.LatestOnly;
+import rasterlab.app.canvas.work.Listeners;
 import rasterlab.exercises.predicting.Question;
 import rasterlab.exercises.predicting.SheetText;
 

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.lab.CommandInput;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.texture.filter.FilterTopic;

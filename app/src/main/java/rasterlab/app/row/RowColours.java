@@ -1,13 +1,13 @@
 package rasterlab.app.row;
 
-import static rasterlab.app.canvas.MethodColours.BLUE;
-import static rasterlab.app.canvas.MethodColours.BROWN;
-import static rasterlab.app.canvas.MethodColours.MAGENTA;
-import static rasterlab.app.canvas.MethodColours.ROSE;
-import static rasterlab.app.canvas.MethodColours.TEAL;
+import static rasterlab.app.canvas.method.MethodColours.BLUE;
+import static rasterlab.app.canvas.method.MethodColours.BROWN;
+import static rasterlab.app.canvas.method.MethodColours.MAGENTA;
+import static rasterlab.app.canvas.method.MethodColours.ROSE;
+import static rasterlab.app.canvas.method.MethodColours.TEAL;
 
 import java.util.Map;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 
 /** The colours of the methods for rows of pixels. */
 public final class RowColours {

@@ -3,8 +3,8 @@ package rasterlab.app.row;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.GivenInput;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 

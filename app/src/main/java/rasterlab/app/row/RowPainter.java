@@ -8,12 +8,12 @@ import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
-import rasterlab.app.canvas.MethodColours;
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelMark;
 

@@ -10,10 +10,10 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Texts;
 
 /** The bands of the row; a click, a drag or an arrow key chooses a pixel. */

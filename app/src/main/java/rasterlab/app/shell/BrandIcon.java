@@ -5,7 +5,7 @@ import com.formdev.flatlaf.icons.FlatAbstractIcon;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics2D;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 
 /** The product's sign: a segment of four pixels on a 4×4 grid. */
 final class BrandIcon extends FlatAbstractIcon {

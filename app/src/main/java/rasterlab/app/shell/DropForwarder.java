@@ -12,7 +12,7 @@ import javax.swing.CellRendererPane;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
 import javax.swing.text.JTextComponent;
-import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.file.FileDrop;
 
 /**
  * Lets what is dropped on a text to be read, a list or a table go to what is around it: Swing gives

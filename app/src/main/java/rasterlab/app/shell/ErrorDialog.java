@@ -11,8 +11,8 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.canvas.file.Copying;
+import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 

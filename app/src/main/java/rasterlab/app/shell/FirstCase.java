@@ -3,7 +3,7 @@ package rasterlab.app.shell;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import rasterlab.app.canvas.GivenInput;
+import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;

@@ -6,7 +6,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 

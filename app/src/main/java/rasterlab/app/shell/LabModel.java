@@ -9,7 +9,7 @@ import java.util.concurrent.Executor;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.file.Kept;
 
 /**
  * The model of one lab, made when it is first asked for, on the thread that asks; others that ask

@@ -11,7 +11,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadLocalRandom;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipRoom;

@@ -2,7 +2,7 @@ package rasterlab.app.shell;
 
 import java.awt.Rectangle;
 import java.util.Optional;
-import rasterlab.app.canvas.LastChosen;
+import rasterlab.app.canvas.file.LastChosen;
 import rasterlab.app.language.Language;
 
 /**

@@ -8,10 +8,10 @@ import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JEditorPane;
-import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.HazardTold;
-import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.canvas.lab.Chips;
+import rasterlab.app.canvas.lab.HazardTold;
+import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.player.StepPlayer;
 
 /** One tab of the window, whose panel is made when it is first asked for. On the event thread. */
 public final class LabTab implements AutoCloseable {

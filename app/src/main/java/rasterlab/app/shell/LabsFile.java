@@ -18,7 +18,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
-import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;

@@ -4,7 +4,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.lab.LabLayout;
 
 /**
  * The layout of what has a lab in it, in parts that can be done in events of their own: first the

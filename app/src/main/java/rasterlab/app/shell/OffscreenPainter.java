@@ -10,7 +10,7 @@ import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
-import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.work.Settling;
 
 /** Paints components without a window, with or without a display. */
 public final class OffscreenPainter {

@@ -15,7 +15,7 @@ import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
-import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.canvas.player.StepPlayer;
 
 /**
  * The keys of the player that is seen, wherever the keyboard is: a chip or a list that was clicked

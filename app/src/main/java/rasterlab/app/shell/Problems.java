@@ -11,7 +11,7 @@ import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

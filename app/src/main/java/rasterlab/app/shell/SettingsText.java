@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.stream.Stream;
-import rasterlab.app.canvas.LastChosen;
-import rasterlab.app.canvas.PictureForm;
+import rasterlab.app.canvas.file.LastChosen;
+import rasterlab.app.canvas.file.PictureForm;
 import rasterlab.app.language.Language;
 
 /** The window's settings as lines {@code key=value}. */

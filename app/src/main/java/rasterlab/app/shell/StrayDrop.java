@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.Objects;
 import javax.swing.JOptionPane;
 import javax.swing.TransferHandler;
-import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.file.FileDrop;
 import rasterlab.app.language.Texts;
 
 /** Tells where files belong when one was dropped where no lab takes it. */

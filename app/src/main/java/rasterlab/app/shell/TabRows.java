@@ -13,8 +13,8 @@ import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 
 /**
  * Titles of tabs in as many rows as they need, each in its place whichever is chosen: the first row

@@ -16,8 +16,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
-import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.StepQuestions;
+import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.lab.StepQuestions;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.naming.Named;
 

@@ -1,8 +1,8 @@
 package rasterlab.app.spline;
 
 import java.util.stream.Collectors;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.spline.curve.CurveTopic;
 
 /** The shell commands that compute the points which the lab shows: one for each curve. */

@@ -5,10 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.DoubleStream;
-import rasterlab.app.canvas.Formula;
-import rasterlab.app.canvas.Formula.Matrix;
-import rasterlab.app.canvas.Formula.Words;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.widget.Formula;
+import rasterlab.app.canvas.widget.Formula.Matrix;
+import rasterlab.app.canvas.widget.Formula.Words;
 import rasterlab.engine.spline.curve.CurvePlace;
 import rasterlab.engine.spline.curve.SpanForm;
 

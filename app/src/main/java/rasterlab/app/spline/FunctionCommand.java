@@ -1,8 +1,8 @@
 package rasterlab.app.spline;
 
 import java.util.Locale;
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.function.SplineFunctionTopic;
 import rasterlab.engine.spline.function.SplineProblem;

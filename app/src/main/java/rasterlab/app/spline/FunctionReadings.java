@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.stream.DoubleStream;
-import rasterlab.app.canvas.Formula;
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.canvas.method.VerdictDetail;
+import rasterlab.app.canvas.widget.Formula;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 

@@ -5,9 +5,9 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.NameChooser;
+import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
 
 /** The controls that both labs' inspectors have. */

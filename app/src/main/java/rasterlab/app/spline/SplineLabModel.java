@@ -2,8 +2,8 @@ package rasterlab.app.spline;
 
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.Listeners;
+import rasterlab.app.canvas.file.Kept;
+import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.mine.OwnMethods;
 
 /** Both labs of splines, and which of them is shown. */

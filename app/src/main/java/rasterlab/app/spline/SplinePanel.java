@@ -3,9 +3,9 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.LabCards;
-import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.lab.LabCards;
+import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Language;
 
 /** The lab of splines as the window shows it, in one language: curves or functions. */

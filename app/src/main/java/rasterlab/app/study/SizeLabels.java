@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.knowm.xchart.internal.chartpart.Annotation;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 
 /**
  * Sizes beside their points, none on another or on a point: each as close to its point as there is

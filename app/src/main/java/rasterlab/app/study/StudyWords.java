@@ -3,7 +3,7 @@ package rasterlab.app.study;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Measurement;

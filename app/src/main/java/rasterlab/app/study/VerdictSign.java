@@ -1,7 +1,7 @@
 package rasterlab.app.study;
 
 import java.awt.Color;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.engine.study.Verdict;
 
 /** A verdict as one sign and a colour, which say the same. */

@@ -1,6 +1,6 @@
 package rasterlab.app.visibility;
 
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.player.Steps;
 
 /** The steps of the chosen method, or the turning scene, as the timeline plays them. */
 final class DrawingSteps implements Steps {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.Triangles;
 import rasterlab.engine.polygon.triangulation.TriangulateTopic;

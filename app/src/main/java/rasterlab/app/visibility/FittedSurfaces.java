@@ -6,7 +6,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;

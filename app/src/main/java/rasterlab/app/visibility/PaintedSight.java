@@ -3,7 +3,7 @@ package rasterlab.app.visibility;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
 import rasterlab.engine.visibility.order.Painting;
 import rasterlab.engine.visibility.order.Sight;

@@ -3,7 +3,7 @@ package rasterlab.app.visibility;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
-import rasterlab.app.canvas.KeptFile;
+import rasterlab.app.canvas.file.KeptFile;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes, models and pictures in the lab. */

@@ -4,9 +4,9 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.Actions;
-import rasterlab.app.canvas.FileDrop;
-import rasterlab.app.canvas.SceneChooser;
+import rasterlab.app.canvas.file.FileDrop;
+import rasterlab.app.canvas.file.SceneChooser;
+import rasterlab.app.canvas.lab.Actions;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import rasterlab.app.canvas.SceneWriting;
+import rasterlab.app.canvas.file.SceneWriting;
 import rasterlab.app.language.Texts;
 
 /** Saves the scene as it is shown when that is asked for, for its own sake or for a command. */

@@ -5,8 +5,8 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.engine.pipeline.RenderRequest;
 
 /** Finds pictures and what is told of them, each on a thread of its own. */

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;

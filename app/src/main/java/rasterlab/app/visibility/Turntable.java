@@ -1,6 +1,6 @@
 package rasterlab.app.visibility;
 
-import rasterlab.app.canvas.TurnSteps;
+import rasterlab.app.canvas.player.TurnSteps;
 import rasterlab.engine.transform.SphericalView;
 
 /** Turns the scene about its axis, θ by θ, as the step player plays it. */

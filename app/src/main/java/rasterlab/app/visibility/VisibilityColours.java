@@ -1,26 +1,26 @@
 package rasterlab.app.visibility;
 
-import static rasterlab.app.canvas.MethodColours.BLUE;
-import static rasterlab.app.canvas.MethodColours.BROWN;
-import static rasterlab.app.canvas.MethodColours.DARK_GREEN;
-import static rasterlab.app.canvas.MethodColours.GREEN;
-import static rasterlab.app.canvas.MethodColours.GREY;
-import static rasterlab.app.canvas.MethodColours.INDIGO;
-import static rasterlab.app.canvas.MethodColours.MAGENTA;
-import static rasterlab.app.canvas.MethodColours.OLIVE;
-import static rasterlab.app.canvas.MethodColours.ORANGE;
-import static rasterlab.app.canvas.MethodColours.PURPLE;
-import static rasterlab.app.canvas.MethodColours.ROSE;
-import static rasterlab.app.canvas.MethodColours.SAND;
-import static rasterlab.app.canvas.MethodColours.SKY_BLUE;
-import static rasterlab.app.canvas.MethodColours.SLATE;
-import static rasterlab.app.canvas.MethodColours.TEAL;
-import static rasterlab.app.canvas.MethodColours.VIOLET;
-import static rasterlab.app.canvas.MethodColours.WINE;
-import static rasterlab.app.canvas.MethodColours.YELLOW;
+import static rasterlab.app.canvas.method.MethodColours.BLUE;
+import static rasterlab.app.canvas.method.MethodColours.BROWN;
+import static rasterlab.app.canvas.method.MethodColours.DARK_GREEN;
+import static rasterlab.app.canvas.method.MethodColours.GREEN;
+import static rasterlab.app.canvas.method.MethodColours.GREY;
+import static rasterlab.app.canvas.method.MethodColours.INDIGO;
+import static rasterlab.app.canvas.method.MethodColours.MAGENTA;
+import static rasterlab.app.canvas.method.MethodColours.OLIVE;
+import static rasterlab.app.canvas.method.MethodColours.ORANGE;
+import static rasterlab.app.canvas.method.MethodColours.PURPLE;
+import static rasterlab.app.canvas.method.MethodColours.ROSE;
+import static rasterlab.app.canvas.method.MethodColours.SAND;
+import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
+import static rasterlab.app.canvas.method.MethodColours.SLATE;
+import static rasterlab.app.canvas.method.MethodColours.TEAL;
+import static rasterlab.app.canvas.method.MethodColours.VIOLET;
+import static rasterlab.app.canvas.method.MethodColours.WINE;
+import static rasterlab.app.canvas.method.MethodColours.YELLOW;
 
 import java.util.Map;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 import rasterlab.app.mine.OwnMethods;
 
 /** The colours of the methods for hidden surfaces. */

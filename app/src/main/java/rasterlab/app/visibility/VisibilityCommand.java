@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.canvas.file.ShellPath;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.model.SceneText;
 import rasterlab.engine.light.LightTerm;

@@ -1,7 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.util.Optional;
-import rasterlab.app.canvas.HazardNote;
+import rasterlab.app.canvas.method.HazardNote;
 
 /**
  * What the lab shows at one moment.

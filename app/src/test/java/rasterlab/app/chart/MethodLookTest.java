@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 
 class MethodLookTest {
     @Test

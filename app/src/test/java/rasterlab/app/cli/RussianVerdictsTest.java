@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.VerdictDetail;
+import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.canvas.file.ShellPath;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.exercises.Exercise;

@@ -13,7 +13,7 @@ import org.fife.ui.rsyntaxtextarea.Style;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;

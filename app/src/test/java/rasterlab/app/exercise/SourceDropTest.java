@@ -17,8 +17,8 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.DroppedFiles;
-import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.file.DroppedFiles;
+import rasterlab.app.canvas.file.FileDrop;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -14,7 +14,7 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.lab.CommandInput;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 

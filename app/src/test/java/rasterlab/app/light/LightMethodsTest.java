@@ -9,7 +9,7 @@ import javax.swing.text.BadLocationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.Reflection;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.canvas.work.ModelThread;
 
 /** Line and point that were marked in a picture whose size changes. */
 @Timeout(300)

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.study.Verdict;

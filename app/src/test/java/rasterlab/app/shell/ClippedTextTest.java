@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.lab.LabLayout;
 import rasterlab.app.language.Language;
 
 /**

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.GivenInput;
+import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;

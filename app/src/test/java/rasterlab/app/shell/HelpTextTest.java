@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.practice.PracticeCards;
 

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
-import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.language.Language;
 
 @Tag("slow")

@@ -19,8 +19,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.LastChosen;
-import rasterlab.app.canvas.PictureForm;
+import rasterlab.app.canvas.file.LastChosen;
+import rasterlab.app.canvas.file.PictureForm;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Pipe;
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.TopicColours;
+import rasterlab.app.canvas.method.TopicColours;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.golden.GoldenFile;
 import rasterlab.app.language.Language;

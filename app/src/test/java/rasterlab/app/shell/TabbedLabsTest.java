@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -14,7 +14,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.language.Language;
 
 /** Tells what is said over and on a stage, in another language too. */

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.spline.curve.Joint;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.engine.spline.curve.CurveJoint;

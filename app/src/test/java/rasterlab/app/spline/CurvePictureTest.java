@@ -12,9 +12,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.engine.spline.exact.Polyline;
 
 @Timeout(300)

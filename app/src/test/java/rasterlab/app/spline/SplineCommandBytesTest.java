@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.GoldenCommands;
-import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.curve.CurveTopic;

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;

@@ -18,7 +18,7 @@ class BlameTest {
                 argumentSet(
                         "a lock of ours is waited for unseen",
                         State.BLOCKED,
-                        new String[] {"rasterlab.app.canvas.LatestOnly", OURS},
+                        new String[] {"rasterlab.app.canvas.work.LatestOnly", OURS},
                         Optional.of(Blame.WAITS)),
                 argumentSet(
                         "an answer is waited for unseen",

@@ -1,7 +1,7 @@
 package rasterlab.app.coordinates.figure;
 
 import java.util.List;
-import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.lab.CommandInput;
 import rasterlab.engine.format.Written;
 import rasterlab.engine.transform.matrix.MatrixCall;
 import rasterlab.engine.transform.matrix.MatrixParameter;

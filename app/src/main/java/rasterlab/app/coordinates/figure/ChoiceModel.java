@@ -1,10 +1,10 @@
 package rasterlab.app.coordinates.figure;
 
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Arranged;
-import rasterlab.app.canvas.History;
-import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.Listeners;
+import rasterlab.app.canvas.file.Kept;
+import rasterlab.app.canvas.work.Arranged;
+import rasterlab.app.canvas.work.History;
+import rasterlab.app.canvas.work.Listeners;
 
 /**
  * A choice that can be changed, undone and taken back to how it was first; listeners are told each

@@ -5,10 +5,10 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
-import rasterlab.app.canvas.AboutText;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.MethodChooser;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.method.AboutText;
+import rasterlab.app.canvas.method.MethodChooser;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
 

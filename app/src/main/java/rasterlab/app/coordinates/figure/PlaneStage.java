@@ -6,7 +6,7 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
-import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Texts;
 
 /** The picture of one plane, y upwards, in which points can be dragged. */

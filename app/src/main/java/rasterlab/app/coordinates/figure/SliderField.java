@@ -6,7 +6,7 @@ import java.util.function.DoubleConsumer;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.widget.NumberField;
 
 /** A number on a slider, with a field behind it in which it can be typed. */
 public final class SliderField extends JPanel {

@@ -4,7 +4,7 @@ import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.language.Texts;
 

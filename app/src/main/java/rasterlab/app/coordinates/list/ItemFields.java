@@ -5,7 +5,7 @@ import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.transform.matrix.MatrixParameter;
 import rasterlab.engine.transform.matrix.NamedMatrices;

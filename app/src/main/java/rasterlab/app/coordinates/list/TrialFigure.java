@@ -2,7 +2,7 @@ package rasterlab.app.coordinates.list;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.MarkInk;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.ShownDifference;
+import rasterlab.app.canvas.method.ShownDifference;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.Images;
 

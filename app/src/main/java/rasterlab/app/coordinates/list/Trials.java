@@ -2,7 +2,7 @@ package rasterlab.app.coordinates.list;
 
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;

@@ -2,7 +2,7 @@ package rasterlab.app.coordinates.meeting;
 
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.CommandInput;
+import rasterlab.app.canvas.lab.CommandInput;
 import rasterlab.engine.geometry.Plane;
 import rasterlab.engine.geometry.Vector;
 import rasterlab.engine.geometry.meeting.LinePlaneTopic;

@@ -2,9 +2,9 @@ package rasterlab.app.coordinates.meeting;
 
 import java.util.function.Consumer;
 import javax.swing.JLabel;
-import rasterlab.app.canvas.AboutText;
-import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.method.AboutText;
+import rasterlab.app.canvas.method.MethodChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.coordinates.figure.NamedControls;
 import rasterlab.app.coordinates.figure.NumberTable;

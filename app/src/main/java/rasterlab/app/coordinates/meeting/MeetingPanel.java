@@ -1,8 +1,8 @@
 package rasterlab.app.coordinates.meeting;
 
 import java.util.function.Consumer;
-import rasterlab.app.canvas.LabInput;
-import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.canvas.lab.LabInput;
+import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;

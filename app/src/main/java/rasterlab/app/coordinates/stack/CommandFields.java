@@ -6,7 +6,7 @@ import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.NumberField;
+import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
 
 /** Fields for the numbers of the newest command, made anew for another command. */

@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.stack;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.player.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 
 /**

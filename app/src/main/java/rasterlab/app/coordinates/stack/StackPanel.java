@@ -1,7 +1,7 @@
 package rasterlab.app.coordinates.stack;
 
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.lab.Chips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;

@@ -16,11 +16,11 @@ import java.util.List;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.MethodColours;
-import rasterlab.app.canvas.OwnWords;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.coordinates.figure.FigureColours;
 import rasterlab.app.language.Texts;
 

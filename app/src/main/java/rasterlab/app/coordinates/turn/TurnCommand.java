@@ -1,7 +1,7 @@
 package rasterlab.app.coordinates.turn;
 
-import rasterlab.app.canvas.CommandInput;
-import rasterlab.app.canvas.OwnWords;
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.rotate.Turns;
 

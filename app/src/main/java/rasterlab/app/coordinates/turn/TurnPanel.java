@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.LabInput;
+import rasterlab.app.canvas.lab.LabInput;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.FigureColours;

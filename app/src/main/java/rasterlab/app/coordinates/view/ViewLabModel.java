@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.player.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Deviation;

@@ -13,9 +13,9 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.engine.spline.curve.SpanForm;
 
 /** The blending functions of a span over u in [0, 1], with a dot on each at the present u. */

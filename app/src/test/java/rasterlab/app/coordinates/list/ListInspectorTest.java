@@ -10,7 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.rotate.Turns;

@@ -21,7 +21,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
-import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.LabLook;

@@ -1,0 +1,62 @@
+package rasterlab.app.canvas.lab;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import javax.accessibility.AccessibleRole;
+import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
+
+/**
+ * A veil over a stage whose picture is of an earlier input, with a sentence that says what is
+ * waited for. The mouse works through it.
+ */
+final class OldPicture extends SelfDrawn {
+    private static final long serialVersionUID = 1L;
+
+    /** How much is seen of the picture, of 255. */
+    private static final int VEIL = 150;
+
+    private static final int MARGIN = 12;
+
+    private final String sentence;
+
+    OldPicture(Texts texts) {
+        super(AccessibleRole.LABEL);
+        sentence = texts.text("awaited");
+        setName("awaited");
+        setVisible(false);
+        getAccessibleContext().setAccessibleName(sentence);
+    }
+
+    /** The veil contains no point: whoever points at it points at the stage. */
+    @Override
+    public boolean contains(int x, int y) {
+        return false;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        Color ground = StageColours.now().ground();
+        g.setColor(new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), VEIL));
+        g.fillRect(0, 0, getWidth(), getHeight());
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setFont(getFont().deriveFont(Font.BOLD));
+        int y = getHeight() / 2;
+        int x = Math.max(MARGIN, (getWidth() - g.getFontMetrics().stringWidth(sentence)) / 2);
+        Plates.plate(
+                g,
+                sentence,
+                x,
+                y,
+                Plates.nearlyOpaque(StageColours.now().ground()),
+                StageColours.now().ink());
+        g.dispose();
+    }
+}

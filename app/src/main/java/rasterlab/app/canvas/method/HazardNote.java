@@ -1,0 +1,36 @@
+package rasterlab.app.canvas.method;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * What is said beside a hazard that a tab cannot show as it is, or that a method fails on.
+ *
+ * @param verdict on the method, for the hazard's own numbers
+ * @param unlike in what the picture is other
+ */
+public record HazardNote(
+        String hazard, String method, Verdict verdict, List<ShownDifference> unlike) {
+    public HazardNote {
+        unlike = List.copyOf(unlike);
+    }
+
+    public String in(Language language) {
+        Texts texts = Texts.of("canvas", language);
+        String said =
+                texts.text(
+                        "note",
+                        hazard,
+                        OwnWords.called(method, language),
+                        Texts.of("study", language).text("verdict." + verdict.kind().code()));
+        String detail = verdict.detail();
+        boolean failed = verdict.kind() != Verdict.Kind.EXACT;
+        if (failed && !detail.isEmpty()) said += " (" + VerdictDetail.said(language, detail) + ")";
+        return Stream.concat(Stream.of(said), unlike.stream().map(each -> each.in(texts)))
+                .collect(Collectors.joining(". ", "", "."));
+    }
+}

@@ -1,0 +1,36 @@
+package rasterlab.app.canvas.widget;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.widget.Formula.Matrix;
+import rasterlab.app.canvas.widget.Formula.Words;
+
+class FormulaTest {
+    @Test
+    void assistiveTechnologyReadsRowByRow() {
+        var matrix = new Matrix(List.of(List.of("1", "2"), List.of("3", "4")));
+        assertEquals("M = [1 2; 3 4]", Formula.of(new Words("M ="), matrix).said());
+        assertEquals("[0,5 1]", Matrix.row(Stream.of("0,5", "1")).said());
+    }
+
+    @Test
+    void raggedMatrixIsRefused() {
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Matrix(List.of(List.of("1", "2"), List.of("3"))));
+        assertThrows(IllegalArgumentException.class, () -> new Matrix(List.of()));
+    }
+
+    @Test
+    void headsStandForEachColumn() {
+        var headed = new Formula.Matrix(List.of("a", "b"), List.of(List.of("1", "2")));
+        assertEquals("a b: [1 2]", headed.said());
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Formula.Matrix(List.of("a"), List.of(List.of("1", "2"))));
+    }
+}
