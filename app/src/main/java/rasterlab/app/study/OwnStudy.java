@@ -74,7 +74,7 @@ final class OwnStudy<C, I, O> {
                             workload,
                             reference.map(one -> of(all, workload, REFERENCE).cost())));
         }
-        return new Study(all.topic(), all.item(), all.errorUnit(), measurements);
+        return all.with(measurements);
     }
 
     /** The program's verdict on each hazard, as {@link HazardTrial#table}. */
@@ -120,10 +120,7 @@ final class OwnStudy<C, I, O> {
     }
 
     private static Cost times(Cost reference, double factor, Cost mine) {
-        return new Cost(
-                factor * reference.medianNanos(),
-                factor * reference.lowNanos(),
-                factor * reference.highNanos(),
-                mine.counts());
+        return Cost.of(
+                reference.rounds().stream().map(nanos -> factor * nanos).toList(), mine.counts());
     }
 }

@@ -38,12 +38,20 @@ public final class StudyChart {
 
     /** The chart as a picture. */
     public static BufferedImage image(Study study, Language language) {
-        return ChartLook.PAPER.image(graphics -> paint(study, new StudyWords(language), graphics));
+        return image(study, new StudyWords(language));
+    }
+
+    static BufferedImage image(Study study, StudyWords words) {
+        return ChartLook.PAPER.image(graphics -> paint(study, words, graphics));
     }
 
     /** The chart as an SVG document. */
     static byte[] svg(Study study, Language language) {
-        return ChartLook.PAPER.svg(graphics -> paint(study, new StudyWords(language), graphics));
+        return svg(study, new StudyWords(language));
+    }
+
+    static byte[] svg(Study study, StudyWords words) {
+        return ChartLook.PAPER.svg(graphics -> paint(study, words, graphics));
     }
 
     private static void paint(Study study, StudyWords words, Graphics2D graphics) {

@@ -5,10 +5,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.measuring.MedianInterval;
 
 /**
- * A study as comma-separated values, what was counted per item in the last columns. Source of the
- * quoting: RFC 4180.
+ * A study as comma-separated values, what was counted per item behind the times and errors. Source
+ * of the quoting: RFC 4180.
  */
 final class StudyCsv {
     private static final List<String> HEADS =
@@ -28,6 +29,10 @@ final class StudyCsv {
                     "verdict",
                     "detail");
 
+    /** The heads behind what was counted: how far the median can be believed. */
+    private static final List<String> INTERVAL =
+            List.of("interval_low_ns", "interval_high_ns", "rounds");
+
     private StudyCsv() {}
 
     static String of(Study study) {
@@ -41,13 +46,25 @@ final class StudyCsv {
 
     private static List<String> heads(StudyCounts counts) {
         Stream<String> counted = counts.names().stream().map(name -> name + "_per_item");
-        return Stream.concat(HEADS.stream(), counted).toList();
+        return Stream.of(HEADS.stream(), counted, INTERVAL.stream()).flatMap(one -> one).toList();
     }
 
     private static List<String> row(Study study, Measurement measured, StudyCounts counts) {
-        return Stream.concat(
-                        measuredCells(study, measured).stream(), counts.cells(measured).stream())
+        return Stream.of(
+                        measuredCells(study, measured),
+                        counts.cells(measured),
+                        interval(study, measured))
+                .flatMap(List::stream)
                 .toList();
+    }
+
+    private static List<String> interval(Study study, Measurement measured) {
+        if (!measured.cost().timed()) return List.of("", "", "0");
+        MedianInterval interval = measured.cost().interval(study.noise(measured.workload()));
+        return List.of(
+                String.valueOf(interval.low()),
+                String.valueOf(interval.high()),
+                String.valueOf(measured.cost().rounds().size()));
     }
 
     private static List<String> measuredCells(Study study, Measurement measured) {

@@ -15,33 +15,34 @@ import rasterlab.engine.study.Study;
 public enum StudyFile {
     SVG {
         @Override
-        byte[] content(Study study, Language language) {
-            return StudyChart.svg(study, language);
+        byte[] content(Study study, boolean counted, Language language) {
+            return StudyChart.svg(shown(study, counted), words(counted, language));
         }
     },
     PNG {
         @Override
-        byte[] content(Study study, Language language) {
-            return PngFile.bytes(StudyChart.image(study, language));
+        byte[] content(Study study, boolean counted, Language language) {
+            return PngFile.bytes(StudyChart.image(shown(study, counted), words(counted, language)));
         }
     },
     CSV {
         @Override
-        byte[] content(Study study, Language language) {
+        byte[] content(Study study, boolean counted, Language language) {
             return StudyCsv.of(study).getBytes(StandardCharsets.UTF_8);
         }
     },
     JSON {
         @Override
-        byte[] content(Study study, Language language) {
+        byte[] content(Study study, boolean counted, Language language) {
             return StudyJson.of(study, Machine.here());
         }
     };
 
     /**
+     * @param counted whether a chart shows what was counted instead of times
      * @param language of a chart; numbers have none
      */
-    abstract byte[] content(Study study, Language language);
+    abstract byte[] content(Study study, boolean counted, Language language);
 
     /**
      * The form that the file's extension names, in capitals or not.
@@ -76,6 +77,25 @@ public enum StudyFile {
      * @throws Complaint if the extension is unknown or the file cannot be written
      */
     public static void write(Study study, Path file, Language language) {
-        WholeFile.write(file, named(file).content(study, language));
+        write(study, false, file, language);
+    }
+
+    /**
+     * Writes the study, whole or not at all.
+     *
+     * @param counted whether a chart shows what was counted instead of times
+     * @param language of a chart
+     * @throws Complaint if the extension is unknown or the file cannot be written
+     */
+    public static void write(Study study, boolean counted, Path file, Language language) {
+        WholeFile.write(file, named(file).content(study, counted, language));
+    }
+
+    private static Study shown(Study study, boolean counted) {
+        return counted ? CountedStudy.of(study) : study;
+    }
+
+    private static StudyWords words(boolean counted, Language language) {
+        return counted ? StudyWords.ofCounts(language) : new StudyWords(language);
     }
 }

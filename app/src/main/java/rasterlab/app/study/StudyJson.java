@@ -5,13 +5,22 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
+import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.measuring.MedianInterval;
+import rasterlab.engine.study.measuring.PaceComparison;
 
-/** A study as JSON, with the machine it was measured on. */
+/** A study as JSON, with the machine that it was measured on, how, and every round. */
 final class StudyJson {
     private final JsonGenerator json;
 
@@ -36,10 +45,71 @@ final class StudyJson {
         json.writeStringField("item", study.item());
         json.writeStringField("errorUnit", study.errorUnit());
         write(machine);
+        if (study.circumstances().isPresent()) write(study, study.circumstances().get());
         json.writeArrayFieldStart("measurements");
-        for (Measurement measured : study.measurements()) write(measured);
+        for (Measurement measured : study.measurements())
+            write(measured, study.noise(measured.workload()));
+        json.writeEndArray();
+        json.writeArrayFieldStart("comparisons");
+        for (Ranking ranking : Ranking.all(study)) write(ranking);
         json.writeEndArray();
         json.writeEndObject();
+    }
+
+    private void write(Study study, Circumstances how) throws IOException {
+        StudySettings settings = how.settings();
+        json.writeStringField("date", how.begun().toString());
+        json.writeBooleanField("whole", how.whole());
+        json.writeNumberField("seed", settings.seed());
+        json.writeObjectFieldStart("settings");
+        json.writeNumberField("warmUpMillis", millis(settings.warmUp()));
+        json.writeNumberField("roundMillis", millis(settings.round()));
+        json.writeNumberField("rounds", settings.rounds());
+        json.writeNumberField("wallLimitMillis", millis(settings.wallLimit()));
+        json.writeNumberField("budgetMillis", millis(settings.budget()));
+        json.writeEndObject();
+        json.writeObjectFieldStart("load");
+        json.writeNumberField("before", how.loadBefore());
+        json.writeNumberField("after", how.loadAfter());
+        json.writeEndObject();
+        json.writeArrayFieldStart("noise");
+        for (Map.Entry<String, List<Double>> fixed : new TreeMap<>(how.fixed()).entrySet()) {
+            json.writeStartObject();
+            json.writeStringField("workload", fixed.getKey());
+            json.writeNumberField("factor", study.noise(fixed.getKey()));
+            write("rounds", fixed.getValue());
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+
+    private static double millis(Duration time) {
+        return time.toNanos() / 1e6;
+    }
+
+    private void write(String name, List<Double> numbers) throws IOException {
+        json.writeArrayFieldStart(name);
+        for (double number : numbers) json.writeNumber(number);
+        json.writeEndArray();
+    }
+
+    /** Each pair once, the quicker median first. */
+    private void write(Ranking ranking) throws IOException {
+        for (int slow = 1; slow < ranking.places().size(); slow++)
+            for (int fast = 0; fast < slow; fast++) {
+                PaceComparison pair = ranking.compared(fast, slow);
+                json.writeStartObject();
+                json.writeStringField("workload", ranking.workload());
+                json.writeStringField("method", ranking.places().get(fast).method());
+                json.writeStringField("other", ranking.places().get(slow).method());
+                json.writeStringField("order", pair.order().name().toLowerCase(Locale.ROOT));
+                json.writeNumberField("ratio", pair.ratio());
+                json.writeNumberField("low", pair.low());
+                json.writeNumberField("high", pair.high());
+                if (pair.more().isPresent())
+                    json.writeNumberField("moreRounds", pair.more().getAsInt());
+                json.writeEndObject();
+            }
     }
 
     private void write(Machine machine) throws IOException {
@@ -52,24 +122,29 @@ final class StudyJson {
         json.writeEndObject();
     }
 
-    private void write(Measurement measured) throws IOException {
+    private void write(Measurement measured, double noise) throws IOException {
         json.writeStartObject();
         json.writeStringField("method", measured.method());
         json.writeStringField("workload", measured.workload());
         json.writeNumberField("size", measured.size());
-        write(measured.cost());
+        write(measured.cost(), noise);
         write(measured.error());
         json.writeStringField("verdict", measured.kind().code());
         json.writeStringField("detail", measured.detail());
         json.writeEndObject();
     }
 
-    private void write(Cost cost) throws IOException {
+    private void write(Cost cost, double noise) throws IOException {
         json.writeObjectFieldStart("nanosPerItem");
         json.writeNumberField("median", cost.medianNanos());
         json.writeNumberField("low", cost.lowNanos());
         json.writeNumberField("high", cost.highNanos());
+        if (cost.timed()) {
+            MedianInterval interval = cost.interval(noise);
+            write("interval", List.of(interval.low(), interval.high()));
+        }
         json.writeEndObject();
+        write("rounds", cost.rounds());
         json.writeObjectFieldStart("counts");
         for (Map.Entry<String, Long> count : cost.counts().entrySet())
             json.writeNumberField(count.getKey(), count.getValue());

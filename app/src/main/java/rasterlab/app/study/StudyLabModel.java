@@ -141,10 +141,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     }
 
     private static Study without(Study study) {
-        return new Study(
-                study.topic(),
-                study.item(),
-                study.errorUnit(),
+        return study.with(
                 study.measurements().stream()
                         .filter(one -> !one.method().equals(OwnMethods.NAME))
                         .toList());

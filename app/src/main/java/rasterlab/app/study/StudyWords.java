@@ -16,10 +16,22 @@ public final class StudyWords {
     private final TopicNames called;
     private final WorkloadWords workloads;
 
+    private final String costKey;
+
     public StudyWords(Language language) {
+        this(language, "chart.cost");
+    }
+
+    private StudyWords(Language language, String costKey) {
+        this.costKey = costKey;
         texts = Texts.of("study", language);
         called = TopicNames.in(language);
         workloads = new WorkloadWords(texts);
+    }
+
+    /** The words of a chart whose costs were counted, not timed. */
+    public static StudyWords ofCounts(Language language) {
+        return new StudyWords(language, "chart.counted");
     }
 
     /** The locale of numbers with fractions. */
@@ -28,7 +40,7 @@ public final class StudyWords {
     }
 
     /** A method by its name, the user's own program in words. */
-    String called(String method) {
+    public String called(String method) {
         return OwnWords.called(method, texts.language());
     }
 
@@ -81,12 +93,12 @@ public final class StudyWords {
     }
 
     String costAxis(Study study) {
-        return texts.text("chart.cost", item(study));
+        return texts.text(costKey, item(study));
     }
 
     /** The axis's words without the one on the sizes beside the points. */
     String briefCostAxis(Study study) {
-        return texts.text("chart.cost.brief", item(study));
+        return texts.text(costKey + ".brief", item(study));
     }
 
     /** The axis's words for times that are multiples of the reference's. */

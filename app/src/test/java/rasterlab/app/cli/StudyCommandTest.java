@@ -63,8 +63,15 @@ class StudyCommandTest {
         int measurements = json.path("measurements").size();
         assertTrue(measurements > 0);
         assertEquals(measurements + 1, Files.readAllLines(folder.resolve("matrix.csv")).size());
-        assertEquals(measurements, ran.out().lines().filter(row -> row.contains("rows-")).count());
+        assertEquals(
+                measurements,
+                ran.out().lines().filter(row -> row.matches(".* rows-\\d+ .*")).count());
         assertTrue(json.path("machine").hasNonNull("java"));
+        assertTrue(json.hasNonNull("seed") && json.hasNonNull("date"), "how it was measured");
+        assertTrue(json.path("load").hasNonNull("before"));
+        JsonNode first = json.path("measurements").get(0);
+        assertTrue(first.path("rounds").size() >= 8, "every round");
+        assertEquals(2, first.path("nanosPerItem").path("interval").size());
         assertTrue(Files.readString(folder.resolve("matrix.svg")).contains("<svg"));
     }
 
@@ -190,6 +197,16 @@ class StudyCommandTest {
                                 + nowhere
                                 + ": cannot be written: no folder "
                                 + nowhere.getParent());
+    }
+
+    @Test
+    void settingsThatCannotBeMeasuredWithAreRefused() {
+        Ran.lab("study", "line", "--rounds", "0")
+                .assertComplains(2, "./lab study: --rounds must be at least 1, got 0");
+        Ran.lab("study", "line", "--seconds", "-1")
+                .assertComplains(2, "./lab study: --seconds must be from 0 to 86400, got -1");
+        Ran.lab("study", "line", "--cost", "money")
+                .assertComplains(2, "./lab study: --cost must be time or operations, got 'money'");
     }
 
     @Test

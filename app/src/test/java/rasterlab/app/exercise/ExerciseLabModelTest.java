@@ -272,7 +272,9 @@ class ExerciseLabModelTest {
             TriedCase smallest = outcome.smallestCounterexample().orElseThrow();
             assertTrue(smallest.scene().contains("\"topic\":\"line\""), smallest.scene());
             assertTrue(smallest.scene().contains("\"drawn\":[["), smallest.scene());
-            assertTrue(smallest.said().english().contains("by the property it is"), smallest.said().english());
+            assertTrue(
+                    smallest.said().english().contains("by the property it is"),
+                    smallest.said().english());
             assertNotEquals(smallest.said().in(Language.RUSSIAN), smallest.said().english());
             for (TriedCase other : outcome.cases())
                 if (!other.pictures().isEmpty())

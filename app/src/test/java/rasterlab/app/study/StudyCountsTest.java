@@ -54,7 +54,7 @@ class StudyCountsTest {
         assertEquals(
                 "topic,method,workload,size,median_ns,low_ns,high_ns,worst_error,error_unit,"
                         + "missing,extra,of,verdict,detail,additions_per_item,"
-                        + "multiplications_per_item",
+                        + "multiplications_per_item,interval_low_ns,interval_high_ns,rounds",
                 lines.get(0));
         assertEquals(List.of("2,3", ",1.25", ","), lines.stream().skip(1).map(this::end).toList());
     }
@@ -67,6 +67,6 @@ class StudyCountsTest {
 
     private String end(String line) {
         String[] cells = line.split(",", -1);
-        return cells[cells.length - 2] + "," + cells[cells.length - 1];
+        return cells[cells.length - 5] + "," + cells[cells.length - 4];
     }
 }

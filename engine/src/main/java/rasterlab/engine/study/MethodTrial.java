@@ -1,10 +1,12 @@
 package rasterlab.engine.study;
 
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.TreeMap;
+import rasterlab.engine.study.measuring.Samples;
+import rasterlab.engine.study.measuring.Stability;
 
 /** One method on one workload while a study runs: judged once, then timed in rounds. */
 final class MethodTrial<C, I, O> {
@@ -13,10 +15,12 @@ final class MethodTrial<C, I, O> {
     private final Workload<I> workload;
     private final StudySettings settings;
     private final List<ExactAnswer<O>> answers;
-    private final double[] nanosPerItem;
+    private final Samples nanosPerItem = new Samples();
+    private final Stability stability = new Stability();
+    private Duration warmed = Duration.ZERO;
+    private boolean judged;
     private final Map<String, Long> operations = new TreeMap<>();
     private Duration judging = Duration.ZERO;
-    private int rounds;
     private long itemsPerPass;
     private Deviation error = Deviation.NONE;
     private Verdict worst = new Verdict(Verdict.Kind.EXACT, Deviation.NONE, "");
@@ -35,10 +39,16 @@ final class MethodTrial<C, I, O> {
         this.workload = workload;
         this.answers = answers;
         this.settings = settings;
-        nanosPerItem = new double[settings.rounds()];
     }
 
-    private record Sample(long nanos, long items, long passes) {}
+    /** So many parts make the least warm-up. */
+    private static final int WARM_UPS = 3;
+
+    private record Sample(long nanos, long items, long passes) {
+        double nanosPerItem() {
+            return Math.max(1, nanos) / (double) items;
+        }
+    }
 
     String method() {
         return method.name();
@@ -61,6 +71,12 @@ final class MethodTrial<C, I, O> {
                             settings.wallLimit()));
         judging = Duration.ofNanos(System.nanoTime() - start);
         if (answered()) count();
+        judged = true;
+    }
+
+    /** Whether it was judged to the end. */
+    boolean isJudged() {
+        return judged;
     }
 
     /** Counts what the method does, under guard as everything it does. */
@@ -81,13 +97,28 @@ final class MethodTrial<C, I, O> {
         else take(Verdicts.ofFailure(outcome));
     }
 
-    void warmUp() {
-        run(settings.warmUp());
+    /** Whether it has run long enough, and become no faster of late, or cannot be run. */
+    boolean isWarm() {
+        if (!answered()) return true;
+        if (settings.warmUp().isZero()) return !warmed.isZero();
+        if (warmed.compareTo(settings.warmUp()) < 0) return false;
+        Duration longest = settings.warmUp().multipliedBy(StudySettings.LONGEST_WARM_UP);
+        return stability.isReached() || warmed.compareTo(longest) >= 0;
     }
 
-    void round() {
+    /** Runs for a part of the time of its warm-up. */
+    void warmUp() {
+        Sample sample = run(settings.warmUp().dividedBy(WARM_UPS));
+        warmed = warmed.plusNanos(Math.max(1, sample.nanos()));
+        if (sample.items() > 0) stability.add(sample.nanosPerItem());
+    }
+
+    /** Its time per item in one more round; none where it has none any longer. */
+    OptionalDouble round() {
         Sample sample = run(settings.round());
-        if (sample.items() > 0) nanosPerItem[rounds++] = (double) sample.nanos() / sample.items();
+        if (sample.items() == 0) return OptionalDouble.empty();
+        nanosPerItem.add(sample.nanosPerItem());
+        return OptionalDouble.of(sample.nanosPerItem());
     }
 
     Measurement measurement() {
@@ -156,18 +187,6 @@ final class MethodTrial<C, I, O> {
         var counts = new TreeMap<>(operations);
         counts.put("inputs", (long) workload.inputs().size());
         counts.put("items", itemsPerPass);
-        if (rounds == 0) return new Cost(0, 0, 0, counts);
-        double[] sorted = Arrays.copyOf(nanosPerItem, rounds);
-        Arrays.sort(sorted);
-        return new Cost(
-                quantile(sorted, 0.5), quantile(sorted, 0.25), quantile(sorted, 0.75), counts);
-    }
-
-    /** The value at {@code share} of the way through the sorted values, between them linearly. */
-    static double quantile(double[] sorted, double share) {
-        double place = share * (sorted.length - 1);
-        int below = (int) place;
-        int above = Math.min(below + 1, sorted.length - 1);
-        return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+        return Cost.of(nanosPerItem.all(), counts);
     }
 }

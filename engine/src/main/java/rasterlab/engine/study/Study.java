@@ -1,6 +1,9 @@
 package rasterlab.engine.study;
 
 import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.study.measuring.Rounds;
+import rasterlab.engine.study.measuring.Samples;
 
 /**
  * Methods of one topic on the same workloads, each with its cost and its error.
@@ -9,9 +12,38 @@ import java.util.List;
  * @param item what the cost is per, in the singular
  * @param errorUnit unit of each measurement's {@link Deviation#worst}
  * @param measurements by workload, smallest first, and within one by method in the topic's order
+ * @param circumstances how it was measured; none for figures that were measured elsewhere
  */
-public record Study(String topic, String item, String errorUnit, List<Measurement> measurements) {
+public record Study(
+        String topic,
+        String item,
+        String errorUnit,
+        List<Measurement> measurements,
+        Optional<Circumstances> circumstances) {
     public Study {
         measurements = List.copyOf(measurements);
+    }
+
+    /** A study of figures that were measured elsewhere. */
+    public Study(String topic, String item, String errorUnit, List<Measurement> measurements) {
+        this(topic, item, errorUnit, measurements, Optional.empty());
+    }
+
+    /** The same with other measurements. */
+    public Study with(List<Measurement> others) {
+        return new Study(topic, item, errorUnit, others, circumstances);
+    }
+
+    /** How many times the median of a fixed load was off beside that workload, at least 1. */
+    public double noise(String workload) {
+        return circumstances
+                .map(how -> how.fixed().getOrDefault(workload, List.of()))
+                .map(fixed -> Rounds.noise(Samples.of(fixed)))
+                .orElse(1.0);
+    }
+
+    /** Whether it came to its end. */
+    public boolean isWhole() {
+        return circumstances.map(Circumstances::whole).orElse(true);
     }
 }

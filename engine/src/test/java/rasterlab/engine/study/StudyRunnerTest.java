@@ -9,7 +9,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.LineRasterizer;
@@ -87,13 +86,30 @@ class StudyRunnerTest {
     }
 
     @Test
-    void stopsWhenCancelled() {
+    void whatWasMeasuredBeforeItIsCancelledIsKept() {
         var heard = new ArrayList<Progress>();
         var topic = new LinesOf(List.of(LinesOf.method("right", HazardTrialTest.right())));
-        assertThrows(
-                CancellationException.class,
-                () -> StudyRunner.measure(topic, SHORT, heard::add, () -> heard.size() == 4));
-        assertEquals(4, heard.size());
+        Study judged = StudyRunner.measure(topic, SHORT, heard::add, () -> heard.size() == 1);
+        assertEquals(1, heard.size());
+        assertEquals(
+                List.of("short"),
+                judged.measurements().stream().map(Measurement::workload).toList());
+        assertFalse(judged.measurements().get(0).cost().timed());
+        heard.clear();
+        Study timed = StudyRunner.measure(topic, SHORT, heard::add, () -> heard.size() == 5);
+        assertEquals(1, timed.measurements().get(0).cost().rounds().size());
+        assertFalse(timed.isWhole());
+    }
+
+    @Test
+    void tellsHowItWasMeasured() {
+        Study study = measure(List.of(LinesOf.method("right", HazardTrialTest.right())));
+        Circumstances how = study.circumstances().orElseThrow();
+        assertTrue(how.whole());
+        assertEquals(SHORT, how.settings());
+        assertEquals(3, how.fixed().get("short").size(), "the fixed load has each round too");
+        assertEquals(3, study.measurements().get(0).cost().rounds().size());
+        assertTrue(study.noise("short") >= 1);
     }
 
     @Test

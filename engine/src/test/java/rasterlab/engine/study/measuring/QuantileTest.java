@@ -1,4 +1,4 @@
-package rasterlab.engine.study;
+package rasterlab.engine.study.measuring;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -12,7 +12,7 @@ class QuantileTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
     void liesLinearlyBetweenTheTwoValuesNextToIt(double expected, double share, double[] sorted) {
-        assertEquals(expected, MethodTrial.quantile(sorted, share));
+        assertEquals(expected, MedianInterval.quantile(sorted, share));
     }
 
     static Stream<Arguments> mistakes() {
