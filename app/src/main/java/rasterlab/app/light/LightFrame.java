@@ -4,7 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import rasterlab.app.canvas.PictureMaker;
+import rasterlab.app.light.step.LightSteps;
+import rasterlab.app.light.step.NormalSteps;
+import rasterlab.app.light.step.OwnSteps;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.light.face.SeenBrightness;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -43,7 +47,11 @@ record LightFrame(LightChoice choice, int width, int height) {
      * @param brightness along the line; no numbers where there is no light in it
      * @param reported what the eye makes of it
      */
-    record Picture(String name, Raster raster, double[] brightness, double[] reported) {}
+    record Picture(String name, Raster raster, double[] brightness, double[] reported) {
+        private Picture with(Raster other) {
+            return new Picture(name, other, brightness, reported);
+        }
+    }
 
     /**
      * All that is shown of a choice.
@@ -66,7 +74,42 @@ record LightFrame(LightChoice choice, int width, int height) {
             double[] cornerArrows,
             double[] rightArrows,
             Optional<PointReading> point,
-            Optional<OwnTold> own) {}
+            Optional<OwnTold> own) {
+        /** The answers of the user's own program; empty where there are none. */
+        Optional<OwnSteps> steps() {
+            return own.flatMap(OwnTold::steps);
+        }
+
+        /** The same with the program's answers up to a step alone. */
+        Drawn upTo(int step) {
+            if (steps().isEmpty() || step >= steps().get().count()) return this;
+            if (steps().get() instanceof LightSteps light) {
+                List<Raster> shown = OwnLight.upTo(step, light);
+                return with(
+                        List.of(
+                                pictures.get(0).with(shown.get(0)),
+                                pictures.get(1),
+                                pictures.get(2).with(shown.get(1))),
+                        cornerArrows,
+                        rightArrows);
+            }
+            int reached = step == 0 ? -1 : ((NormalSteps) steps().get()).vertex(step);
+            return with(pictures, upTo(reached, cornerArrows), upTo(reached, rightArrows));
+        }
+
+        private double[] upTo(int vertex, double[] arrows) {
+            int[] of = places.cornerVertices();
+            return IntStream.range(0, arrows.length)
+                    .filter(i -> of[i / 4] <= vertex)
+                    .mapToDouble(i -> arrows[i])
+                    .toArray();
+        }
+
+        private Drawn with(List<Picture> others, double[] corners, double[] rights) {
+            return new Drawn(
+                    choice, width, height, others, places, faceArrows, corners, rights, point, own);
+        }
+    }
 
     /**
      * @param body the choice's scene

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.LatestReading;
 import rasterlab.app.canvas.work.Listeners;
+import rasterlab.app.light.step.OwnWalk;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.Colors;
@@ -46,6 +47,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final RowLabModel rows;
     private final OwnMethods own;
     private final OwnTrips ownTrips;
+    final OwnWalk walk = new OwnWalk(this::tellAll);
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
     private int height;
@@ -108,10 +110,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         publish(state.choice(), state.drawn(), problem);
     }
 
-    /**
-     * Forgets what could not be shown, also where what is chosen was shown already: the user has
-     * gone on.
-     */
+    /** Forgets what could not be shown, also where the same is chosen: the user has gone on. */
     private void forgetProblem() {
         if (!state.problem().isEmpty()) tellProblem("");
     }
@@ -144,6 +143,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         showColours(false);
         input.ifPresent(one -> show(topic, "", one, beside));
         choose(choice -> choice.byOwn(topic));
+        walk.reset();
         if (width > 0) pictures.ask(new LightFrame(state.choice(), width, height));
     }
 

@@ -56,6 +56,25 @@ final class LightPainter {
         under.dispose();
     }
 
+    /** Draws a ring about a point of the world, in each picture. */
+    void ring(double[] world, StagePlan plan) {
+        double[] at = drawn.places().toPicture(world[0], world[1], world[2]);
+        for (int i = 0; i < drawn.pictures().size(); i++) {
+            Rectangle box = plan.picture(i);
+            var over = (Graphics2D) g.create(box.x, box.y, box.width, box.height);
+            over.setRenderingHint(
+                    RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            var ring = new Ellipse2D.Double(at[0] / scale - 9, at[1] / scale - 9, 18, 18);
+            over.setStroke(WIDE);
+            over.setColor(Color.BLACK);
+            over.draw(ring);
+            over.setStroke(new BasicStroke(2f));
+            over.setColor(StageColours.DARK.focus());
+            over.draw(ring);
+            over.dispose();
+        }
+    }
+
     private void paintPicture(int index, Rectangle box) {
         LightFrame.Picture picture = drawn.pictures().get(index);
         var over = (Graphics2D) g.create(box.x, box.y, box.width, box.height);

@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JPanel;
@@ -22,6 +23,8 @@ import rasterlab.app.canvas.lab.StageGuide;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.step.OwnSteps;
+import rasterlab.app.light.step.OwnTimeline;
 import rasterlab.app.row.RowCard;
 import rasterlab.app.row.RowPanel;
 import rasterlab.contract.ColorModel;
@@ -65,7 +68,8 @@ public final class LightPanel extends LabPanel {
         stage = new LightStage(model, texts);
         cube = new CubeStage(model, texts);
         Texts canvas = Texts.of("canvas", language);
-        orbit = new StepPlayer(canvas, new LampOrbit(model), this::orbitReading);
+        var timeline = new OwnTimeline(this::ownSteps, model.walk, new LampOrbit(model));
+        orbit = new StepPlayer(canvas, timeline, this::orbitReading);
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
         orbit.reserve(texts.text("orbit", "−180"));
         turning.reserve("−359°");
@@ -172,7 +176,16 @@ public final class LightPanel extends LabPanel {
         return actions;
     }
 
+    /** The answers of the user's own program; empty where it lights nothing. */
+    private Optional<OwnSteps> ownSteps() {
+        return model.state().drawn().flatMap(LightFrame.Drawn::steps);
+    }
+
     private String orbitReading() {
+        if (ownSteps().isPresent()) {
+            int count = ownSteps().get().count();
+            return texts.text("own.step.count", model.walk.step(count), count);
+        }
         Lamp lamp = model.state().choice().lamp();
         double degrees = Math.toDegrees(Math.atan2(lamp.y(), lamp.x()));
         return texts.text("orbit", Shown.number(Math.rint(degrees), 0, texts.locale()));

@@ -24,6 +24,7 @@ import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.step.OwnSteps;
 import rasterlab.app.model.EmptyPicture;
 
 /** Three shadings side by side above the profile; lamps, line and point are dragged. */
@@ -125,16 +126,24 @@ final class LightStage extends SelfDrawn implements Settling {
         g.setFont(PictureType.in(getSize()));
         LightLabState state = model.state();
         double scale = DevicePixels.scale(this);
+        Optional<OwnSteps> steps = state.drawn().flatMap(LightFrame.Drawn::steps);
+        int step = steps.map(all -> model.walk.step(all.count())).orElse(0);
+        boolean within = steps.filter(all -> step > 0 && step < all.count()).isPresent();
         state.drawn()
                 .ifPresent(
-                        drawn ->
-                                new LightPainter(g, texts, drawn, state.choice(), scale)
-                                        .paint(plan()));
+                        drawn -> {
+                            var painter =
+                                    new LightPainter(
+                                            g, texts, drawn.upTo(step), state.choice(), scale);
+                            painter.paint(plan());
+                            if (within) painter.ring(steps.get().point(step), plan());
+                        });
         String said =
                 state.problem().isEmpty()
                         ? state.note().map(note -> note.in(texts.language())).orElse("")
                         : texts.text("problem", Complaints.said(texts.language(), state.problem()));
-        if (said.isEmpty())
+        if (said.isEmpty() && within) said = steps.get().words(step, texts);
+        else if (said.isEmpty() && (steps.isEmpty() || step > 0))
             said =
                     state.drawn()
                             .flatMap(LightFrame.Drawn::own)

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import rasterlab.app.light.step.LightSteps;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.color.Levels;
 import rasterlab.engine.raster.Raster;
@@ -29,6 +30,9 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
     private static final int SAME = 0x8C8C8C;
     private static final int OTHER = 0xD55E00;
 
+    /** What is not answered yet, in a picture up to a step. */
+    private static final int OPEN = 0xFF3C4148;
+
     /**
      * @param places of the choice's body
      * @param at the pixel whose formula is shown
@@ -50,11 +54,17 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
             Optional<double[]> here =
                     SeenPoint.at(places.view(), at[0], at[1])
                             .map(point -> light.by(own, List.of(point), cancelled));
+            LightSteps steps =
+                    LightSteps.of(
+                            samples.points(),
+                            mine,
+                            right,
+                            colour -> samples.picture(background, colour));
             return new OwnLight(
                     samples.picture(background, k -> colour(mine, k)),
                     shown,
                     samples.picture(background, k -> mark(difference(mine, right, k))),
-                    told(mine, right, here));
+                    told(here, steps));
         } catch (WrongLength length) {
             return refused(samples, background, shown, OwnMethods.misshapen(length));
         } catch (IllegalArgumentException refusal) {
@@ -95,14 +105,21 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
         return Levels.rgb(mixed[0], mixed[1], mixed[2]);
     }
 
-    private static OwnTold told(double[] mine, double[] right, Optional<double[]> here) {
+    /** The pictures of a program's light and of its difference up to a step. */
+    static List<Raster> upTo(int step, LightSteps steps) {
+        return List.of(
+                steps.picture(step, k -> colour(steps.mine(), k), OPEN),
+                steps.picture(step, k -> mark(difference(steps.mine(), steps.right(), k)), OPEN));
+    }
+
+    private static OwnTold told(Optional<double[]> here, LightSteps steps) {
         long wrong = 0;
         double worst = 0;
-        for (int k = 0; k < mine.length / 3; k++) {
-            double levels = difference(mine, right, k);
+        for (int k = 0; k < steps.count(); k++) {
+            double levels = difference(steps.mine(), steps.right(), k);
             worst = Math.max(worst, levels);
             if (levels >= MARKED) wrong++;
         }
-        return OwnTold.ofLight(wrong, mine.length / 3, worst, here);
+        return OwnTold.ofLight(wrong, steps.count(), worst, here, steps);
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.app.light;
 
 import java.util.Arrays;
 import java.util.Optional;
+import rasterlab.app.light.step.NormalSteps;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.contract.VertexNormals;
@@ -86,7 +87,15 @@ record OwnNormals(Scene scene, Scene right, OwnTold told) {
                 if (apart(mine, right) <= RIGHT) continue;
                 if (wrong++ == 0) first = Optional.of(new OwnTold.WrongNormal(v, mine, right));
             }
-            return OwnTold.ofNormals(wrong, exact.size(), first);
+            return OwnTold.ofNormals(wrong, exact.size(), first, steps(exact));
+        }
+
+        private NormalSteps steps(Images exact) {
+            return NormalSteps.of(
+                    surface.vertices(),
+                    surface.triangles(),
+                    found.coordinates(),
+                    exact.coordinates());
         }
 
         private static double apart(double[] mine, double[] right) {

@@ -6,6 +6,7 @@ import java.util.stream.DoubleStream;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.step.OwnSteps;
 import rasterlab.app.mine.OwnMethods;
 
 /**
@@ -18,6 +19,7 @@ import rasterlab.app.mine.OwnMethods;
  * @param worst levels of 255 by which one is off
  * @param first the first wrong normal; empty where there is none
  * @param light that it finds at the chosen point: red, green and blue; empty where it finds none
+ * @param steps its answers one by one; empty where there are none
  */
 record OwnTold(
         String refusal,
@@ -26,22 +28,25 @@ record OwnTold(
         long of,
         double worst,
         Optional<WrongNormal> first,
-        Optional<double[]> light) {
+        Optional<double[]> light,
+        Optional<OwnSteps> steps) {
     /** A normal that is not the right one. */
     record WrongNormal(int vertex, double[] mine, double[] right) {}
 
     static OwnTold refused(String refusal) {
-        return new OwnTold(refusal, "", 0, 0, 0, Optional.empty(), Optional.empty());
+        return new OwnTold(
+                refusal, "", 0, 0, 0, Optional.empty(), Optional.empty(), Optional.empty());
     }
 
-    static OwnTold ofNormals(long wrong, long of, Optional<WrongNormal> first) {
+    static OwnTold ofNormals(long wrong, long of, Optional<WrongNormal> first, OwnSteps steps) {
         String key = wrong == 0 ? "own.normals.right" : "own.normals.off";
-        return new OwnTold("", key, wrong, of, 0, first, Optional.empty());
+        return new OwnTold("", key, wrong, of, 0, first, Optional.empty(), Optional.of(steps));
     }
 
-    static OwnTold ofLight(long wrong, long of, double worst, Optional<double[]> light) {
+    static OwnTold ofLight(
+            long wrong, long of, double worst, Optional<double[]> light, OwnSteps steps) {
         String key = wrong == 0 ? "own.light.right" : "own.light.off";
-        return new OwnTold("", key, wrong, of, worst, Optional.empty(), light);
+        return new OwnTold("", key, wrong, of, worst, Optional.empty(), light, Optional.of(steps));
     }
 
     /** The sentence in the language of the lab's texts. */

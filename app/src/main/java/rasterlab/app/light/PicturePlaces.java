@@ -1,6 +1,7 @@
 package rasterlab.app.light;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.PictureFit;
@@ -92,6 +93,15 @@ record PicturePlaces(ViewedMesh view) {
             }
         }
         return Arrays.copyOf(ends, at);
+    }
+
+    /** The vertices that those arrows begin at, in the same order. */
+    int[] cornerVertices() {
+        Mesh mesh = view.mesh();
+        return IntStream.range(0, mesh.faceCount())
+                .filter(f -> !view.seenFromInside(f))
+                .flatMap(f -> IntStream.range(0, mesh.cornerCount(f)).map(k -> mesh.corner(f, k)))
+                .toArray();
     }
 
     private void put(double[] point, double[] normal, double[] ends, int at) {

@@ -2,6 +2,7 @@ package rasterlab.app.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -17,7 +18,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.step.NormalSteps;
+import rasterlab.app.light.step.OwnSteps;
+import rasterlab.app.light.step.OwnTimeline;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.engine.raster.Raster;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 
@@ -124,6 +129,53 @@ class OwnLightTest {
         assertEquals("own.light.off", told().key());
         assertTrue(told().wrong() > 100 && told().worst() > 10, said(Language.ENGLISH));
         assertFalse(Arrays.equals(pixels(0), pixels(1)));
+    }
+
+    @Test
+    void lightIsGoneThroughPointByPointBesideTheRightOne() {
+        show("shade", HALF);
+        LightFrame.Drawn all = drawn();
+        OwnSteps steps = all.steps().orElseThrow();
+        assertEquals(told().of(), steps.count());
+        String first = steps.words(1, Texts.of("light", Language.ENGLISH));
+        String said = " of " + steps.count() + ", face ";
+        assertTrue(first.startsWith("Point 1" + said), first);
+        assertTrue(first.contains("my program has (1, 1, 1), right is ("), first);
+        LightFrame.Drawn one = all.upTo(1);
+        assertEquals(pixel(all, 0, steps.point(1)), pixel(one, 0, steps.point(1)));
+        int open = pixel(all.upTo(0), 0, steps.point(1));
+        assertNotEquals(open, pixel(one, 0, steps.point(1)));
+        assertEquals(open, pixel(one, 0, steps.point(steps.count())));
+        assertEquals(open, pixel(one, 2, steps.point(steps.count())));
+        assertEquals(
+                pixel(all, 1, steps.point(steps.count())),
+                pixel(one, 1, steps.point(steps.count())));
+    }
+
+    private static int pixel(LightFrame.Drawn drawn, int picture, double[] world) {
+        double[] at = drawn.places().toPicture(world[0], world[1], world[2]);
+        Raster raster = drawn.pictures().get(picture).raster();
+        return raster.argb()[(int) Math.rint(at[1]) * raster.width() + (int) Math.rint(at[0])];
+    }
+
+    @Test
+    void normalsAreGoneThroughVertexByVertexOnTheLabsTimeline() {
+        show("vertex-normals", "");
+        var timeline = new OwnTimeline(() -> drawn().steps(), model.walk, new LampOrbit(model));
+        NormalSteps steps = (NormalSteps) drawn().steps().orElseThrow();
+        assertEquals(steps.count(), timeline.last());
+        assertEquals(steps.count(), timeline.step(), "all are shown at first");
+        timeline.goTo(2);
+        assertEquals(2, model.walk.step(steps.count()));
+        String second = steps.words(2, Texts.of("light", Language.ENGLISH));
+        assertTrue(second.startsWith("Normal 2 of " + steps.count() + ", vertex "), second);
+        int few = drawn().upTo(steps.count() / 2).cornerArrows().length;
+        assertTrue(0 < few && few < drawn().cornerArrows().length, few + " numbers of arrows");
+        assertEquals(0, drawn().upTo(0).cornerArrows().length);
+        timeline.goTo(timeline.last());
+        model.choose(choice -> choice.with(choice.body().withNormals(LitBody.OWN)));
+        settle();
+        assertEquals(new LampOrbit(model).last(), timeline.last());
     }
 
     @Test
