@@ -14,17 +14,19 @@ import rasterlab.exercises.json.JsonFields;
  * The parts of a folder that can be looked at by themselves, also where the exercise cannot be read
  * as a whole; each holds what could be read.
  *
+ * @param titles of the exercise, by language
  * @param texts statements and hints, by their files' names
  * @param sources the starter and the model solution, by their files' names
  * @param contract that the sources have to implement; empty where the folder does not tell it
  */
 public record FolderParts(
+        Map<String, String> titles,
         Map<String, String> texts,
         List<StatementPicture> pictures,
         Map<String, String> sources,
         Optional<Class<?>> contract) {
     static final FolderParts NONE =
-            new FolderParts(Map.of(), List.of(), Map.of(), Optional.empty());
+            new FolderParts(Map.of(), Map.of(), List.of(), Map.of(), Optional.empty());
 
     /**
      * Reads the parts once more, after the exercise.
@@ -45,7 +47,11 @@ public record FolderParts(
                 fields.flatMap(all -> told.tried(() -> ExerciseReader.grading(all).contract()));
         var pictures = new StatementPictures(folder, topic).read(statements, faults);
         return new FolderParts(
-                texts, List.copyOf(pictures.values()), sources(folder, fields, faults), contract);
+                fields.flatMap(all -> ExerciseReader.titles(all, told)).orElse(Map.of()),
+                texts,
+                List.copyOf(pictures.values()),
+                sources(folder, fields, faults),
+                contract);
     }
 
     private static Map<String, String> sources(

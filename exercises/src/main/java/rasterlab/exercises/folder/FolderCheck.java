@@ -3,6 +3,8 @@ package rasterlab.exercises.folder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
@@ -19,6 +21,9 @@ import rasterlab.exercises.score.Phrase;
 /** Finds all that is wrong in one exercise's folder at once. */
 public final class FolderCheck {
     private static final Pattern HINTS = Pattern.compile("(?m)^(?=##[ \\t])");
+
+    /** Words that stand for a title in templates and are none. */
+    private static final Set<String> PLACEHOLDERS = Set.of("TITLE", "НАЗВАНИЕ");
 
     private final Path folder;
     private final List<Phrase> faults = new ArrayList<>();
@@ -37,6 +42,8 @@ public final class FolderCheck {
         Catalogue.Reading read = Catalogue.read(folder);
         read.faults().stream().map(CatalogueException::said).forEach(check.faults::add);
         FolderParts parts = read.parts();
+        check.checkTitles(parts.titles());
+        parts.texts().forEach(check::checkHeading);
         parts.texts().forEach(check::checkFormulas);
         check.checkPictures(parts.pictures());
         check.checkSources(parts);
@@ -44,6 +51,25 @@ public final class FolderCheck {
                 .filter(one -> one.form() == Exercise.Form.WRITE)
                 .ifPresent(check::checkTiming);
         return List.copyOf(check.faults);
+    }
+
+    private void checkTitles(Map<String, String> titles) {
+        titles.forEach(
+                (language, title) -> {
+                    if (isPlaceholder(title))
+                        add("exercise.json", Phrase.of("folder.title", language, title));
+                });
+    }
+
+    private void checkHeading(String file, String text) {
+        text.lines()
+                .filter(line -> line.startsWith("# ") && isPlaceholder(line.substring(2)))
+                .forEach(line -> add(file, Phrase.of("folder.heading", line.substring(2).trim())));
+    }
+
+    /** Whether a title is the word that stands where a title is to be written. */
+    private static boolean isPlaceholder(String title) {
+        return PLACEHOLDERS.contains(title.trim());
     }
 
     /** Looks at each hint by itself, as it is shown. */

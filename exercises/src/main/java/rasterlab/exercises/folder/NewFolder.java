@@ -10,8 +10,10 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.stream.Stream;
 import rasterlab.engine.Topics;
@@ -28,12 +30,14 @@ import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
+import rasterlab.exercises.words.TopicWords;
 
 /**
  * Makes the files of an exercise to begin with: inputs from the topic's hazards, texts and sources
  * with what is still to be written.
  */
 public final class NewFolder {
+    private static final Locale RUSSIAN = Locale.forLanguageTag("ru");
     private static final int ACCURACY = 75;
     private static final int STABILITY = 15;
     private static final int SPEED = 10;
@@ -113,8 +117,8 @@ public final class NewFolder {
         files.put("exercise.json", exercise().toPrettyString() + "\n");
         files.put("cases.json", open().toPrettyString() + "\n");
         files.put("hidden-cases.json", hidden().toPrettyString() + "\n");
-        files.put("statement.en.md", NewTexts.english(grading.contract()));
-        files.put("statement.ru.md", NewTexts.russian(grading.contract()));
+        files.put("statement.en.md", NewTexts.english(title(Locale.ENGLISH), grading.contract()));
+        files.put("statement.ru.md", NewTexts.russian(title(RUSSIAN), grading.contract()));
         files.put("hints.en.md", NewTexts.englishHints());
         files.put("hints.ru.md", NewTexts.russianHints());
         files.put("Starter.java", NewTexts.source(grading.contract(), "MyMethod"));
@@ -169,7 +173,7 @@ public final class NewFolder {
     private ObjectNode exercise() {
         ObjectNode root = JsonNodeFactory.instance.objectNode();
         root.put("topic", topic.name());
-        root.set("title", both("TITLE", "НАЗВАНИЕ"));
+        root.set("title", both(title(Locale.ENGLISH), title(RUSSIAN)));
         root.set("tolerance", JsonNodeFactory.instance.objectNode());
         root.putObject("points")
                 .put("accuracy", ACCURACY)
@@ -205,6 +209,20 @@ public final class NewFolder {
                 .map(call -> call.check(TriedMethod.answer(call, mistake.implementation())))
                 .flatMap(finding -> finding.explanations().stream())
                 .anyMatch(causes -> Cause.codes(causes).contains(mistake.name()));
+    }
+
+    private String title(Locale language) {
+        return TopicWords.of(topic.name(), language).getString("title");
+    }
+
+    /** What the words about the topic call something; the same for both where they do not. */
+    private ObjectNode titles(String key, String otherwise) {
+        return both(word(key, Locale.ENGLISH, otherwise), word(key, RUSSIAN, otherwise));
+    }
+
+    private String word(String key, Locale language, String otherwise) {
+        ResourceBundle words = TopicWords.of(topic.name(), language);
+        return words.containsKey(key) ? words.getString(key) : otherwise;
     }
 
     private static ObjectNode both(String english, String russian) {
@@ -266,7 +284,7 @@ public final class NewFolder {
             String name = visibility.equals("open") ? hazard : "hidden-" + hazard;
             ObjectNode one = cases.addObject();
             one.put("name", name);
-            one.set("title", both(name.replace('-', ' '), "ВХОД " + name));
+            one.set("title", titles("label." + hazard, name.replace('-', ' ')));
             one.put("kind", kind).put("visibility", visibility).put("points", share);
             one.set("input", input(hazard));
         }

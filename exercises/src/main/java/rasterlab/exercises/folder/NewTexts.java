@@ -15,9 +15,9 @@ import java.util.stream.Stream;
 final class NewTexts {
     private NewTexts() {}
 
-    static String english(Class<?> contract) {
+    static String english(String title, Class<?> contract) {
         return """
-        # TITLE
+        # %s
 
         Write a class that …
 
@@ -32,12 +32,12 @@ final class NewTexts {
 
         The rule on ties and borders, the tolerance and its unit, formulas such as $x^2 + y^2 = r^2$, and an example with numbers.
         """
-                .formatted(contract.getName(), signatures(contract));
+                .formatted(title, contract.getName(), signatures(contract));
     }
 
-    static String russian(Class<?> contract) {
+    static String russian(String title, Class<?> contract) {
         return """
-        # НАЗВАНИЕ
+        # %s
 
         Напишите класс, который …
 
@@ -52,7 +52,7 @@ final class NewTexts {
 
         Правило для границ и равенств, допуск и его единица, формулы вида $x^2 + y^2 = r^2$ и пример с числами.
         """
-                .formatted(contract.getName(), signatures(contract));
+                .formatted(title, contract.getName(), signatures(contract));
     }
 
     static String englishHints() {

@@ -49,7 +49,10 @@ class FolderCheckTest {
                 "exercise.json | \"accuracy\" : 75 | \"accuracy\" : 74 | must add up to 100",
                 "exercise.json | \"accuracy\" : 75 | \"accuracy\" : -5 | field 'accuracy' must be a whole number",
                 "exercise.json | \"topic\" : \"point-in-polygon\" | \"topic\" : \"points\" | field 'topic'",
-                "exercise.json | \"ru\" : \"НАЗВАНИЕ\" | \"de\" : \"TITEL\" | field 'title'",
+                "exercise.json | \"ru\" : \"Точка в многоугольнике\" | \"de\" : \"TITEL\" | field 'title'",
+                "exercise.json | \"Point in a polygon\" | \"TITLE\" | field 'title.en' is still the placeholder 'TITLE'",
+                "exercise.json | \"Точка в многоугольнике\" | \"НАЗВАНИЕ\" | field 'title.ru' is still the placeholder 'НАЗВАНИЕ'",
+                "statement.ru.md | # Точка в многоугольнике | # НАЗВАНИЕ | statement.ru.md: the heading is still the placeholder 'НАЗВАНИЕ'",
                 "exercise.json | \"tolerance\" : { } | \"tolerance\" : {\"worst\": 1} | field 'unit' is missing",
                 "exercise.json | \"tolerance\" | \"caps\" : {\"bytes\": 1}, \"tolerance\" | field 'caps.bytes'",
                 "exercise.json | \"count\" : 20 | \"count\" : 0 | count",
@@ -135,7 +138,7 @@ class FolderCheckTest {
     @DisplayName("only the first of several faults is told")
     void allFaultsAreToldAtOnce() throws IOException {
         change("exercise.json", "\"accuracy\" : 75", "\"accuracy\" : 74");
-        change("exercise.json", "\"НАЗВАНИЕ\"", "\"\"");
+        change("exercise.json", "\"Точка в многоугольнике\"", "\"\"");
         change("cases.json", "\"hazard\" : \"last-edge\"", "\"hazard\" : \"none\"");
         change("exercise.json", "\"tolerance\"", "\"colour\" : 1, \"size\" : 2, \"tolerance\"");
         change("hidden-cases.json", "\"points\" : 37", "\"shade\" : 3, \"points\" : 1.5");
@@ -152,7 +155,7 @@ class FolderCheckTest {
     void allFaultsOfAnObjectAreToldAtOnce() throws IOException {
         change("exercise.json", "\"accuracy\" : 75", "\"depth\" : 1, \"accuracy\" : -75");
         change("exercise.json", "\"speed\" : 10", "\"colour\" : 2, \"speed\" : 1000");
-        change("exercise.json", "\"ru\" : \"НАЗВАНИЕ\"", "\"de\" : \"TITEL\"");
+        change("exercise.json", "\"ru\" : \"Точка в многоугольнике\"", "\"de\" : \"TITEL\"");
         change("exercise.json", "\"count\" : 20", "\"counts\" : 3, \"count\" : 0");
         change("cases.json", "\"hazard\" : \"last-edge\"", "\"hazards\" : 1, \"hazard\" : \"x\"");
         change("hidden-cases.json", "\"group\" : \"ordinary\"", "\"group\" : \"other\"");
