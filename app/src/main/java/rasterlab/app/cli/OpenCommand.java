@@ -27,7 +27,8 @@ import rasterlab.exercises.scene.MethodCase;
         mixinStandardHelpOptions = true,
         description = {
             "Opens the desktop lab with the case of an exercise, drawn by the right method.",
-            "With --with your program is drawn beside it: drag the input, step through both."
+            "With --with your program is drawn beside it: drag the input, step through both.",
+            "It is the text of its exercise, too; the text kept there stays as another draft."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -116,7 +117,8 @@ final class OpenCommand implements Callable<Integer> {
         List<Exercise> all = exercises.catalogue(console).all();
         try {
             var written = FirstCase.exerciseOn(topic, Optional.ofNullable(exercise), all);
-            return Optional.of(new FirstCase.Program(written, SourceFile.read(source)));
+            String name = String.valueOf(source.getFileName());
+            return Optional.of(new FirstCase.Program(written, SourceFile.read(source), name));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

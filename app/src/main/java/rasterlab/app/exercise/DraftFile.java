@@ -121,6 +121,28 @@ final class DraftFile implements Closeable {
         WholeFile.write(path(number), text.getBytes(StandardCharsets.UTF_8));
     }
 
+    /**
+     * Keeps a text beside this file, as if another window had written it: in the first file that
+     * there is not yet.
+     *
+     * @throws IOException if there is no place for one more
+     * @throws Complaint if it cannot be written
+     */
+    void keepBeside(String text) throws IOException {
+        for (int each = 1; each <= MOST; each++) {
+            if (each == number || Files.exists(path(each))) continue;
+            Optional<FileChannel> place = held(folder.resolve(stem(exercise, each) + ".lock"));
+            if (place.isEmpty()) continue;
+            try {
+                WholeFile.write(path(each), text.getBytes(StandardCharsets.UTF_8));
+                return;
+            } finally {
+                place.get().close();
+            }
+        }
+        throw new IOException("all " + MOST + " drafts of " + exercise + " are in use");
+    }
+
     /** What other windows wrote and can be read, in the order of the windows. */
     List<Other> others() {
         List<Other> others = new ArrayList<>();

@@ -71,7 +71,18 @@ final class Drafts implements AutoCloseable {
         return file == null ? List.of() : file.others();
     }
 
-    /** The same without those that are that text. */
+    /**
+     * Keeps a text beside the exercise's own, among those of other windows.
+     *
+     * @throws IOException if it cannot be kept
+     * @throws Complaint if it cannot be written
+     */
+    synchronized void keepBeside(String exercise, String text) throws IOException {
+        DraftFile file = file(exercise);
+        if (file.others().stream().noneMatch(one -> one.text().equals(text))) file.keepBeside(text);
+    }
+
+    /** What other windows wrote to it and is not that text. */
     List<DraftFile.Other> others(String exercise, String own) {
         return others(exercise).stream().filter(one -> !one.text().equals(own)).toList();
     }

@@ -133,6 +133,11 @@ final class EditorBar extends JPanel {
                 beginning.refused(model::tell));
     }
 
+    /** Goes on in the lab, as its button does. */
+    void toLab() {
+        inLab.doClick();
+    }
+
     private void offerLab(Exercise exercise) {
         inLab.setVisible(isOffered(exercise));
         if (exercise.form() != Exercise.Form.WRITE) {
@@ -197,7 +202,7 @@ final class EditorBar extends JPanel {
 
     private void takeDraft() {
         List<DraftFile.Other> others = model.state().otherDrafts();
-        if (!others.isEmpty()) model.takeDraft(others.get(0));
+        if (!others.isEmpty()) new OtherTexts(model).take(others.get(0));
     }
 
     /** Asks before it replaces a text that the user has written. */

@@ -2,14 +2,24 @@ package rasterlab.app.exercise;
 
 import static rasterlab.app.exercise.BackgroundWork.Phase.JOINING;
 
+import java.io.IOException;
 import java.net.URI;
 import java.util.Optional;
 import rasterlab.app.exercise.JoinAnswer.Field;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
+import rasterlab.app.server.ServerRefusal;
 
 /** Makes the account that sources are handed in with: by a course's code, or by a token. */
 final class Enrolment {
+    /** How somebody comes to an account: by a course's code, or by a token. */
+    private interface Joining {
+        /**
+         * @throws ServerRefusal if the server does not know the code or the token
+         */
+        Account with(CourseServer server) throws IOException, InterruptedException;
+    }
+
     private final ExerciseLabModel model;
     private final CourseServer.Patience patience;
 

@@ -34,7 +34,7 @@ import rasterlab.exercises.formula.Formulas;
 public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseable {
     final Formulas formulas = new Formulas();
     final Standings standings;
-    private final ExerciseList exercises;
+    final ExerciseList exercises;
     private final CourseServer.Patience patience;
     private final OwnMethods own;
     private final Executor events;
@@ -50,7 +50,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     private ExerciseChoice chosen = ExerciseChoice.FIRST;
     private Optional<Path> folder = Optional.empty();
-    private Sources sources = new Sources(Optional.empty());
+    Sources sources = new Sources(Optional.empty());
     private ExerciseState state;
 
     /** The tab of a window without labs. */
@@ -251,12 +251,6 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     /** The sources that are not on the disk; tries once more to write them, and waits for that. */
     public List<UnsavedDraft> unsavedDrafts() throws InterruptedException {
         return sources.unsaved();
-    }
-
-    /** Goes on with what another window wrote. */
-    void takeDraft(DraftFile.Other draft) {
-        type(draft.text());
-        publish(changed().otherDrafts(sources.others(state.exercise())));
     }
 
     /** Tries the source on the open cases on this machine. */

@@ -1,5 +1,6 @@
 package rasterlab.app.exercise;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
@@ -32,6 +33,15 @@ final class ExerciseList {
     synchronized List<Exercise> get() {
         if (read.isEmpty()) read = Optional.of(catalogue.get());
         return read.get();
+    }
+
+    /** Has an exercise in the place of the one of its name, or behind all. */
+    synchronized void put(Exercise exercise) {
+        if (get().contains(exercise)) return;
+        var all = new ArrayList<>(get());
+        all.replaceAll(one -> one.id().equals(exercise.id()) ? exercise : one);
+        if (!all.contains(exercise)) all.add(exercise);
+        read = Optional.of(List.copyOf(all));
     }
 
     Exercise namedOrFirst(String id) {

@@ -19,6 +19,7 @@ import rasterlab.app.canvas.lab.LargeType;
 import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.work.Settling;
+import rasterlab.app.exercise.sheet.SheetFold;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
@@ -37,6 +38,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     private SourceEditor editor;
     private WindowEditor.Place place;
     private EditorBar bar;
+    private SheetFold sheet;
     private HintRow hints;
     private final JTextArea notice = Controls.words("notice");
     private final JTextArea unsaved = Controls.words("unsaved");
@@ -65,12 +67,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
         this.onFailure = onFailure;
         setName("exercises");
         texts = Texts.of("exercise", language);
-        exercise =
-                new NameChooser(
-                        "exercise",
-                        model.exercises().stream().map(Exercise::id).toList(),
-                        this::title,
-                        model::choose);
+        exercise = new NameChooser("exercise", ids(), this::title, model::choose);
         statement = new StatementPane(texts.text("statement"), model.formulas, onFailure);
     }
 
@@ -140,6 +137,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
 
     private void goTo(Outcome.Remark remark) {
         rooms.show(ExercisePanes.Room.PROGRAM);
+        unfold(true);
         editor.goTo(remark.line(), remark.column());
     }
 
@@ -147,6 +145,10 @@ public final class ExercisePanel extends LabPanel implements Settling {
     public static void prepare(ExerciseLabModel model) {
         StatementPane.prepare(model.exercises().get(0), model.formulas);
         SourceEditor.prepare();
+    }
+
+    private List<String> ids() {
+        return model.exercises().stream().map(Exercise::id).toList();
     }
 
     private String title(String id) {
@@ -200,19 +202,38 @@ public final class ExercisePanel extends LabPanel implements Settling {
                         new MigLayout(
                                 "insets 8 6 4 10, gap 0 6, wrap 1, hidemode 3",
                                 "[grow,fill]",
-                                "[][grow,fill][][]"));
+                                "[][][grow,fill][][]"));
+        sheet = new SheetFold(texts, bar::toLab, this::unfold);
         work.add(bar, "wmin 0");
+        work.add(sheet, "wmin 0");
         work.add(place, "wmin 0, hmin 0");
         work.add(notice, "wmin 0");
         work.add(unsaved, "wmin 0");
         return work;
     }
 
-    /** Gives the keyboard to the editor. */
+    /** Shows the document of a sheet, or folds it away. */
+    private void unfold(boolean seen) {
+        kept.showSheet(seen);
+        fold();
+        if (seen) editor.focus();
+    }
+
+    /** The document of a sheet is seen where it was unfolded, a text to write always. */
+    private void fold() {
+        boolean steps = model.state().exercise().form() == Exercise.Form.PREDICT;
+        sheet.setVisible(steps);
+        sheet.tell(kept.isSheetSeen());
+        place.setVisible(!steps || kept.isSheetSeen());
+        revalidate();
+    }
+
+    /** Gives the keyboard to the editor, or to the way to the lab where the editor is folded. */
     @Override
     public void focusPicture() {
         if (map.shown().isPresent()) map.focus();
-        else editor.focus();
+        else if (place.isVisible()) editor.focus();
+        else sheet.focus();
     }
 
     /** Waits until nothing is checked; a server may never answer. */
@@ -245,13 +266,14 @@ public final class ExercisePanel extends LabPanel implements Settling {
     @Override
     public void refresh() {
         ExerciseState state = model.state();
-        exercise.show(state.exercise().id());
+        exercise.offer(ids(), state.exercise().id());
         HintView shown = model.hints();
         statement.show(state.exercise(), texts.locale().getLanguage(), told(shown));
         hints.show(shown, model.hintDesk().asking(), model.hintDesk().notice());
         editor.show(state.exercise().id(), state.exercise().form(), state.source());
         editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
         bar.refresh();
+        fold();
         say(notice, state.joins() ? Notice.of("joining") : state.notice());
         say(unsaved, state.unsaved());
         result.show(state, model.untried());

@@ -1,10 +1,12 @@
 package rasterlab.app.exercise;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.exercises.Exercise;
 
 /** The sources of all exercises as the user left them, kept on the disk where there is a folder. */
@@ -36,6 +38,17 @@ final class Sources implements AutoCloseable {
     List<DraftFile.Other> others(Exercise exercise) {
         String own = of(exercise);
         return drafts.map(kept -> kept.others(exercise.id(), own)).orElse(List.of());
+    }
+
+    /**
+     * Keeps the source as it is among the other drafts, so that another can take its place; where
+     * sources end with the window, only the editor's history has it.
+     *
+     * @throws IOException if it cannot be kept
+     * @throws Complaint if it cannot be written
+     */
+    void keepBeside(Exercise exercise) throws IOException {
+        if (drafts.isPresent()) drafts.get().keepBeside(exercise.id(), of(exercise));
     }
 
     /** Why the source is not on the disk; {@link Notice#NONE} where it is, or need not be. */

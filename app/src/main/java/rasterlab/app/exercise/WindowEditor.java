@@ -15,6 +15,7 @@ public final class WindowEditor {
     private Optional<SourceEditor> made = Optional.empty();
     private Optional<JoinForm.Typed> typed = Optional.empty();
     private boolean onMap;
+    private boolean sheetSeen;
 
     ExercisePanesKept rooms() {
         return rooms;
@@ -36,6 +37,15 @@ public final class WindowEditor {
 
     void turnToMap(boolean shown) {
         onMap = shown;
+    }
+
+    /** Whether the document of a sheet is shown, and not only the way to its lab. */
+    boolean isSheetSeen() {
+        return sheetSeen;
+    }
+
+    void showSheet(boolean seen) {
+        sheetSeen = seen;
     }
 
     SourceEditor of(ExerciseLabModel model) {

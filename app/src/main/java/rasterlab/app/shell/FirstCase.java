@@ -15,8 +15,12 @@ import rasterlab.exercises.scene.MethodCase;
  * @param program the user's own, shown beside the right method; empty for none
  */
 public record FirstCase(MethodCase scene, Optional<Program> program) {
-    /** A source that was written for an exercise. */
-    public record Program(Exercise exercise, String source) {}
+    /**
+     * A source that was written for an exercise.
+     *
+     * @param file that it was read from
+     */
+    public record Program(Exercise exercise, String source, String file) {}
 
     /**
      * @throws IllegalArgumentException if there is no such topic or method, or the input cannot be

@@ -18,6 +18,7 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.exercise.ExerciseRoom;
+import rasterlab.app.exercise.OtherTexts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.app.practice.GradedSheet;
@@ -237,8 +238,16 @@ final class LabOpening implements OpenInLab {
         bring(card);
     }
 
-    /** Has the program of a case run in the lab, where that can; else shows what is recorded. */
+    /**
+     * Has the program of a case run in the lab, where that can, else shows what is recorded; the
+     * program is the text of its exercise from then on.
+     */
     void showCase(FirstCase one) {
+        one.program()
+                .ifPresent(
+                        own ->
+                                new OtherTexts(models.exercises())
+                                        .open(own.exercise(), own.source(), own.file()));
         MethodCase scene = one.scene();
         String right = scene.method().orElse("");
         Optional<FirstCase.Program> program =

@@ -166,7 +166,7 @@ class ExerciseLabModelTest {
         try (var again = new Trial(folder)) {
             assertEquals("first", again.state().source());
             assertEquals("second", again.state().otherDrafts().get(0).text());
-            again.model.takeDraft(again.state().otherDrafts().get(0));
+            new OtherTexts(again.model).take(again.state().otherDrafts().get(0));
             assertEquals("second", again.state().source());
             assertEquals(List.of(), again.state().otherDrafts());
         }

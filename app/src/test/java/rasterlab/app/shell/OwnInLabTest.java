@@ -105,7 +105,7 @@ class OwnInLabTest {
             throws InterruptedException {
         var scene = new MethodCase("line", Optional.of("dda"), "{\"from\":[1,2],\"to\":[2,2]}");
         String source = line("out.plot(x0, y0); out.plot(9, 9);");
-        var own = new FirstCase.Program(LINE, source);
+        var own = new FirstCase.Program(LINE, source, "Mine.java");
         opening.showCase(new FirstCase(scene, Optional.of(own)));
         settle();
         assertEquals(
