@@ -12,7 +12,7 @@ import rasterlab.app.outcome.Complaint;
 @Command(
         name = "bench",
         description = {
-            "Times our methods beside what one would pick instead and prints the ratios.",
+            "Compares the speed of our methods with the usual alternatives (Java2D, OpenGL); prints the ratios.",
             "It is a program of its own, built and started by the ./lab script;",
             "`./lab bench --help` lists its options."
         },

@@ -52,7 +52,7 @@ final class ChartCommand implements Callable<Integer> {
             names = "--methods",
             paramLabel = "METHOD,…",
             description =
-                    "of line-brightness: methods of topic line; default: bresenham,naive-textbook")
+                    "methods for line-brightness (topic line); default: bresenham,naive-textbook")
     private List<String> methods = List.of();
 
     ChartCommand(Console console) {

@@ -11,13 +11,17 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.PointPlan;
+import rasterlab.exercises.course.Chapter;
 import rasterlab.exercises.score.Disclosure;
 
 /** Lists the exercises. */
 @Command(
         name = "list",
         mixinStandardHelpOptions = true,
-        description = "Lists the exercises, each with its topic, points and cases.",
+        description = {
+            "Lists the exercises, each with its topic, kind, points, usual minutes and cases, and the",
+            "lab that prepares for it.",
+        },
         footer = {"", "Example: ./lab exercises list"})
 final class ExercisesListCommand implements Callable<Integer> {
     private final Console console;
@@ -41,23 +45,30 @@ final class ExercisesListCommand implements Callable<Integer> {
 
     private void print(List<Exercise> all) {
         Texts texts = console.language().texts();
+        String language = console.language().code();
         var table =
                 new TextTable(
                         texts.text("exercise"),
                         texts.text("list.topic"),
+                        texts.text("list.kind"),
                         texts.text("points"),
+                        texts.text("list.minutes"),
                         texts.text("list.open"),
                         texts.text("list.hidden"),
+                        texts.text("list.lab"),
                         texts.text("list.title"));
         for (Exercise one : all)
             table.add(
                     List.of(
                             one.id(),
                             one.topic(),
+                            one.form().code(),
                             "" + one.points().total(),
+                            one.minutes().isPresent() ? "" + one.minutes().getAsInt() : "",
                             "" + open(one),
                             "" + (one.cases().size() - open(one)),
-                            one.title(console.language().code())));
+                            new Chapter(one.topic(), List.of(one)).labTitle(language),
+                            one.title(language)));
         table.lines().forEach(console.out()::println);
     }
 
@@ -82,6 +93,7 @@ final class ExercisesListCommand implements Callable<Integer> {
         out.writeStartObject();
         out.writeStringField("id", one.id());
         out.writeStringField("topic", one.topic());
+        out.writeStringField("kind", one.form().code());
         out.writeObjectFieldStart("title");
         out.writeStringField("en", one.title("en"));
         out.writeStringField("ru", one.title("ru"));
@@ -91,6 +103,8 @@ final class ExercisesListCommand implements Callable<Integer> {
         out.writeNumberField("stability", plan.stability());
         out.writeNumberField("speed", plan.speed());
         out.writeEndObject();
+        if (one.minutes().isPresent()) out.writeNumberField("minutes", one.minutes().getAsInt());
+        out.writeStringField("lab", new Chapter(one.topic(), List.of(one)).lab());
         out.writeNumberField("openCases", open(one));
         out.writeNumberField("hiddenCases", one.cases().size() - open(one));
         out.writeStringField("revision", one.revision());

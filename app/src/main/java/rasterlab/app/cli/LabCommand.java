@@ -45,7 +45,7 @@ final class LabCommand implements Callable<Integer> {
             paramLabel = "LANGUAGE",
             scope = ScopeType.INHERIT,
             description =
-                    "of what people read, pictures too: en or ru; default: en. Names, JSON and CSV"
+                    "language of messages and pictures: en or ru; default: en. Names, JSON and CSV"
                             + " are the same in both")
     private ReportLanguage language = ReportLanguage.EN;
 

@@ -52,15 +52,15 @@ final class LookOptions {
             names = "--two-sided",
             negatable = true,
             description =
-                    "lights backs by their own material, or as fronts; default: as the scene has"
-                            + " it")
+                    "lights back faces with their own material, otherwise like front faces; default:"
+                            + " as the scene has it")
     private Boolean twoSided;
 
     @Option(
             names = "--cull",
             paramLabel = "SIDE",
             description =
-                    "leaves faces out by the side that is seen: ${COMPLETION-CANDIDATES};"
+                    "does not draw back faces or front faces: ${COMPLETION-CANDIDATES};"
                             + " default: ${DEFAULT-VALUE}",
             completionCandidates = EngineNames.OfCulls.class,
             defaultValue = "none")
@@ -119,7 +119,7 @@ final class LookOptions {
             names = "--eyes",
             paramLabel = "DISTANCE",
             description =
-                    "of the two eyes, in world units, or as the angle at the origin such as 3deg;"
+                    "distance between the eyes, in world units or as an angle at the origin, 3deg;"
                             + " default: a thirtieth of the camera's distance",
             converter = EyesOption.class)
     private EyesOption.Distance eyes;

@@ -89,7 +89,8 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--zoom",
             paramLabel = "FACTOR",
-            description = "the scene's size in the picture, times this; default: ${DEFAULT-VALUE}",
+            description =
+                    "scales the scene in the picture by this factor; default: ${DEFAULT-VALUE}",
             defaultValue = "1")
     private double zoom;
 
@@ -97,14 +98,14 @@ final class RenderCommand implements Callable<Integer> {
             names = "--near",
             paramLabel = "N",
             description =
-                    "draws nothing nearer, in world units along the line of sight; none: all of it",
+                    "near clipping plane, in world units along the line of sight; none: no near plane",
             converter = DepthOption.class)
     private DepthOption.Limit near;
 
     @Option(
             names = "--far",
             paramLabel = "F",
-            description = "draws nothing farther; none: all of it",
+            description = "far clipping plane, in world units; none: no far plane",
             converter = DepthOption.class)
     private DepthOption.Limit far;
 

@@ -33,7 +33,7 @@ import rasterlab.exercises.scene.MethodCase;
             "0:answered; with --lines, all input was read",
             "2:unknown topic, method or hazard, or the input is wrong",
             "3:the method refuses this input",
-            "4:the method crashed, did not end, or has more to say than one answer may have"
+            "4:the method crashed, did not end, or its answer is over the limit"
         },
         footer = {
             "",

@@ -37,8 +37,8 @@ final class SceneArgument {
             names = "--detail",
             paramLabel = "N",
             description =
-                    "faces once round a curved surface, 3 to 1024, and half as many across it, of a"
-                            + " scene by name; default: the scene's")
+                    "number of faces around a curved body, 3 to 1024 (half as many along it); built-in"
+                            + " scenes only; default: the scene's")
     private Integer detail;
 
     @Option(
@@ -51,7 +51,7 @@ final class SceneArgument {
     @Option(
             names = "--scene-only",
             description =
-                    "of a scene file: takes the scene, not what the file says about drawing it")
+                    "takes the scene of a scene file, not what the file says about drawing it")
     private boolean sceneOnly;
 
     /** The command that this is an argument of. */

@@ -24,7 +24,7 @@ import rasterlab.engine.study.Topic;
         name = "study",
         mixinStandardHelpOptions = true,
         description = {
-            "Measures every method of a topic: cost per item, timed and where it can be counted, against error.",
+            "Compares all methods of a topic: cost per item (time and, where possible, operations) and error.",
             "Prints a table, all its columns with --wide; --out writes a chart (.svg, .png)",
             "or the numbers (.csv, .json; every round is in the last).",
             "Methods take turns until they are told apart or the time is used up; what is not told",

@@ -22,7 +22,7 @@ final class TextureOptions {
             names = "--wrap",
             paramLabel = "HOW",
             description =
-                    "what a texture is beyond its rim: ${COMPLETION-CANDIDATES};"
+                    "what is drawn beyond the texture's edge: ${COMPLETION-CANDIDATES};"
                             + " default: the scene's, repeat with --texture-image",
             completionCandidates = EngineNames.OfWraps.class)
     private String wrap;
@@ -31,7 +31,7 @@ final class TextureOptions {
             names = "--environment",
             paramLabel = "MODE",
             description =
-                    "how texture and light become one: ${COMPLETION-CANDIDATES};"
+                    "how the texture is combined with the light: ${COMPLETION-CANDIDATES};"
                             + " default: the scene's, modulate with --texture-image",
             completionCandidates = EngineNames.OfEnvironments.class)
     private String environment;

@@ -15,7 +15,7 @@ import rasterlab.engine.study.StudySettings;
         name = "tour",
         mixinStandardHelpOptions = true,
         description = {
-            "Makes one page of every lab, charts, rendered scenes and a graded round trip.",
+            "Builds one page with every lab, charts, rendered scenes and graded submissions.",
             "No display is needed."
         },
         exitCodeListHeading = "%nExit codes:%n",

@@ -60,6 +60,19 @@ class ExercisesCommandTest {
         String table = Ran.lab("exercises", "list").out();
         for (String id : Catalogue.builtIn().ids()) assertTrue(table.contains("\n" + id + " "), id);
         JsonNode json = new JsonMapper().readTree(Ran.lab("exercises", "list", "--json").out());
+        JsonNode first = json.get("exercises").get(0);
+        Exercise same = Catalogue.builtIn().all().get(0);
+        assertEquals(same.form().code(), first.get("kind").asText());
+        assertEquals(same.minutes().orElseThrow(), first.get("minutes").asInt());
+        assertEquals("line", first.get("lab").asText());
+        assertTrue(
+                table.lines()
+                        .anyMatch(
+                                line ->
+                                        line.matches(
+                                                "predict-circle +circle +predict +100 +\\d+ .*"
+                                                        + " Lines .*")),
+                table);
         assertEquals(
                 Catalogue.builtIn().all().stream().map(Exercise::id).toList(),
                 Stream.iterate(0, i -> i + 1)
