@@ -3,6 +3,7 @@ package rasterlab.app.cli;
 import java.util.concurrent.Callable;
 import picocli.AutoComplete;
 import picocli.CommandLine.Command;
+import rasterlab.app.cli.console.Console;
 import rasterlab.app.outcome.ExitCode;
 
 /** Prints a script that completes commands and options. */

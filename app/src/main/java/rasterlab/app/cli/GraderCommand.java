@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Unmatched;
+import rasterlab.app.cli.console.Console;
 import rasterlab.app.outcome.Complaint;
 
 /** Lists the grading server in the help; the {@code ./lab} script starts it as another program. */

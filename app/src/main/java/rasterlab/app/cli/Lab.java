@@ -12,6 +12,20 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.Failures;
+import rasterlab.app.cli.console.OptionNumbers;
+import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.app.cli.exercise.CheckCommand;
+import rasterlab.app.cli.exercise.ExercisesCommand;
+import rasterlab.app.cli.exercise.SubmitCommand;
+import rasterlab.app.cli.render.OpenGlCommand;
+import rasterlab.app.cli.render.RenderCommand;
+import rasterlab.app.cli.run.RunCommand;
+import rasterlab.app.cli.study.ChartCommand;
+import rasterlab.app.cli.study.HazardsCommand;
+import rasterlab.app.cli.study.MethodsCommand;
+import rasterlab.app.cli.study.StudyCommand;
 import rasterlab.app.language.Language;
 
 /** The command line of Rasterlab. */

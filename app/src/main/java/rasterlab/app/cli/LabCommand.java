@@ -6,6 +6,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.outcome.ExitCode;
 
 /** {@code ./lab} itself: help and version; the window is opened before this is reached. */

@@ -20,6 +20,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.FirstCase;
 

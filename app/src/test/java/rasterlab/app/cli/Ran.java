@@ -9,13 +9,13 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
 /** What one command did. */
-record Ran(int exitCode, String out, String err) {
+public record Ran(int exitCode, String out, String err) {
     /** Runs a command with nothing to read. */
-    static Ran lab(String... arguments) {
+    public static Ran lab(String... arguments) {
         return labReading("", arguments);
     }
 
-    static Ran labReading(String in, String... arguments) {
+    public static Ran labReading(String in, String... arguments) {
         var out = new ByteArrayOutputStream();
         var err = new ByteArrayOutputStream();
         int exitCode =
@@ -33,14 +33,14 @@ record Ran(int exitCode, String out, String err) {
     /**
      * Checks that nothing came on standard output, and exactly this one line on the error stream.
      */
-    void assertComplains(int expectedCode, String line) {
+    public void assertComplains(int expectedCode, String line) {
         assertEquals(line + System.lineSeparator(), err);
         assertEquals("", out);
         assertEquals(expectedCode, exitCode);
     }
 
     /** The command did its work and said nothing that looks like a fault. */
-    void assertDone() {
+    public void assertDone() {
         assertFalse(err.contains("\tat "), err);
         assertEquals(0, exitCode, err);
     }

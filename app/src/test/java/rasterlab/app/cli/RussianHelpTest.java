@@ -14,6 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Language;
 
 /** Every command takes {@code --lang}, and what it prints for people is in that language. */

@@ -26,9 +26,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import rasterlab.app.cli.ComplaintText;
-import rasterlab.app.cli.Console;
-import rasterlab.app.cli.ReportLanguage;
+import rasterlab.app.cli.console.ComplaintText;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 import rasterlab.tests.bench.window.WindowBench;
 

@@ -12,8 +12,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.cli.Console;
-import rasterlab.app.cli.ReportLanguage;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Language;
 
 class BenchTest {

@@ -1,0 +1,60 @@
+package rasterlab.app.cli.exercise;
+
+import java.nio.file.Path;
+import picocli.CommandLine.Option;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+
+/** The exercises that a command works on. */
+public final class ExercisesOption {
+    @Option(
+            names = "--exercises",
+            paramLabel = "FOLDER",
+            description =
+                    "of exercises of your own, each in a sub-folder; one named as a built-in one"
+                            + " takes its place")
+    private Path folder;
+
+    /** Whether a folder of them is named. */
+    public boolean isGiven() {
+        return folder != null;
+    }
+
+    /**
+     * The built-in ones and those of the folder.
+     *
+     * @throws Complaint naming the first fault of the folder
+     */
+    public Catalogue catalogue(Console console) {
+        Catalogue builtIn = Catalogue.builtIn();
+        if (folder == null) return builtIn;
+        try {
+            return builtIn.withFolder(folder);
+        } catch (CatalogueException e) {
+            throw Complaint.badInput(e.in(console.language().code()));
+        }
+    }
+
+    /** One of them. */
+    Exercise named(String id, Console console) {
+        return named(id, catalogue(console));
+    }
+
+    /**
+     * The exercise of that name.
+     *
+     * @throws Complaint listing all, if there is none
+     */
+    static Exercise named(String id, Catalogue catalogue) {
+        if (!catalogue.ids().contains(id))
+            throw Complaint.badInput(
+                    "no exercise called '"
+                            + id
+                            + "'; there are "
+                            + String.join(", ", catalogue.ids()));
+        return catalogue.named(id);
+    }
+}

@@ -1,0 +1,148 @@
+package rasterlab.app.cli.study;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rasterlab.app.cli.console.Console;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.study.CountedStudy;
+import rasterlab.app.study.StudyFile;
+import rasterlab.app.study.StudyProgress;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+
+/** Measures speed against accuracy. */
+@Command(
+        name = "study",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Compares all methods of a topic: cost per item (time and, where possible, operations) and error.",
+            "Prints a table, all its columns with --wide; --out writes a chart (.svg, .png)",
+            "or the numbers (.csv, .json; every round is in the last).",
+            "Methods take turns until they are told apart or the time is used up; what is not told",
+            "apart is said, and about how many rounds would settle it. Ctrl-C keeps what was measured."
+        },
+        footer = {"", "Example: ./lab study line --out line.svg --out line.csv"})
+public final class StudyCommand implements Callable<Integer> {
+    private static final String TIME = "time";
+    private static final String OPERATIONS = "operations";
+
+    /** A day, in seconds: nobody waits longer. */
+    private static final double LONGEST = 86_400;
+
+    private final Console console;
+
+    @Parameters(index = "0", paramLabel = "TOPIC", description = "such as line")
+    private String topic;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FILE",
+            description = "file to write: .svg, .png, .csv or .json; may be given several times")
+    private List<Path> files = List.of();
+
+    @Option(names = "--quick", description = "fewer and shorter rounds, for a first look")
+    private boolean quick;
+
+    @Option(
+            names = "--wide",
+            description =
+                    "also each workload's size and what was counted, in as many columns as it takes")
+    private boolean wide;
+
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            description = "timed rounds of each method, at least 1")
+    private Optional<Integer> rounds = Optional.empty();
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "S",
+            description = "time for the rounds of all methods; 0: just the rounds")
+    private Optional<Double> seconds = Optional.empty();
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "of the order in which methods take turns")
+    private Optional<Long> seed = Optional.empty();
+
+    @Option(
+            names = "--cost",
+            paramLabel = "time|operations",
+            description =
+                    "what the chart and the order go by; operations are counted, free of noise")
+    private String cost = TIME;
+
+    public StudyCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() {
+        Topic<?, ?, ?> chosen = TopicChoice.one(topic);
+        for (Path file : files) {
+            StudyFile.named(file);
+            WholeFile.requireWritable(file);
+        }
+        StudySettings settings = settings();
+        boolean counted = isCounted(chosen);
+        try (var stop = new StopRequest()) {
+            Study study = measured(chosen, settings, stop);
+            var table = new StudyTable(study, console.language());
+            (wide ? table.wide() : table.narrow()).forEach(console.out()::println);
+            Study shown = counted ? CountedStudy.of(study) : study;
+            new RankingText(shown, console.language()).lines().forEach(console.out()::println);
+            for (Path file : files) {
+                StudyFile.write(study, counted, file, console.language().inWindow());
+                console.tell("wrote", file.toString());
+            }
+            console.out().flush();
+        }
+        return ExitCode.DONE;
+    }
+
+    private StudySettings settings() {
+        StudySettings settings = quick ? StudySettings.quick() : StudySettings.thorough();
+        if (rounds.isPresent()) {
+            if (rounds.get() < 1)
+                throw Complaint.badInput("--rounds must be at least 1, got " + rounds.get());
+            settings = settings.withRounds(rounds.get());
+        }
+        if (seconds.isPresent()) {
+            double budget = seconds.get();
+            if (!(budget >= 0 && budget <= LONGEST))
+                throw Complaint.badInput(
+                        "--seconds must be from 0 to " + (int) LONGEST + ", got " + budget);
+            settings = settings.withBudget(Duration.ofMillis(Math.round(1000 * budget)));
+        }
+        return seed.map(settings::withSeed).orElse(settings);
+    }
+
+    private boolean isCounted(Topic<?, ?, ?> chosen) {
+        if (cost.equals(TIME)) return false;
+        if (!cost.equals(OPERATIONS))
+            throw Complaint.badInput("--cost must be time or operations, got '" + cost + "'");
+        if (!CountedStudy.isPossible(chosen))
+            throw Complaint.badInput("nothing is counted in topic '" + chosen.name() + "'");
+        return true;
+    }
+
+    private Study measured(Topic<?, ?, ?> chosen, StudySettings settings, StopRequest stop) {
+        return StudyRunner.measure(
+                chosen,
+                settings,
+                new StudyProgress(console.err(), console.language().inWindow())::show,
+                () -> stop.isMade() || Thread.currentThread().isInterrupted());
+    }
+}

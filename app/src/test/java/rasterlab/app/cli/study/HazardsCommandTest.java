@@ -1,0 +1,83 @@
+package rasterlab.app.cli.study;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.cli.Ran;
+import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Verdict;
+
+@Tag("slow")
+class HazardsCommandTest {
+    @Test
+    void everyVerdictIsTheRecordedOne() {
+        Ran ran = Ran.lab("hazards", "line");
+        assertFalse(ran.out().contains("!"), ran.out());
+        assertTrue(ran.out().contains("last-column"), ran.out());
+        ran.assertDone();
+    }
+
+    @Test
+    void anotherVerdictIsMarkedAndNamed() {
+        HazardMatrix matrix = withDetail("pixel (1, 2) is missing");
+        assertFalse(matrix.asRecorded());
+        List<String> lines = printed(matrix, ReportLanguage.EN);
+        assertEquals("steep  wrong !", lines.get(1));
+        assertEquals(
+                "! dda on steep: wrong, recorded is exact; pixel (1, 2) is missing", lines.get(2));
+        List<String> russian = printed(matrix, ReportLanguage.RU);
+        assertEquals("steep  неверно !", russian.get(1));
+        assertEquals(
+                "! dda на steep: неверно, записано точно; пиксель (1, 2) пропущен", russian.get(2));
+    }
+
+    @ParameterizedTest(name = "a script reads another English than Java's: {0}")
+    @ValueSource(
+            strings = {
+                "pixel (-1, 2) is missing",
+                "at 1e-7: -0.5 instead of 2",
+                "no visibility 'x'; there are z16, bsp",
+            })
+    void englishStaysAsTheEngineWritesIt(String detail) {
+        List<String> lines = printed(withDetail(detail), ReportLanguage.EN);
+        assertEquals("! dda on steep: wrong, recorded is exact; " + detail, lines.get(2));
+    }
+
+    @ParameterizedTest(name = "a number is written otherwise than in the other Russian tables: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "pixel (-1, 2) is missing | пиксель (-1, 2) пропущен",
+                "at 1e-7: -0.5 instead of 2.0 | при x = 1e-7: -0.5 вместо 2",
+            })
+    void russianHasTheNumbersOfTheOtherTables(String detail, String said) {
+        List<String> lines = printed(withDetail(detail), ReportLanguage.RU);
+        assertEquals("! dda на steep: неверно, записано точно; " + said, lines.get(2));
+    }
+
+    private static HazardMatrix withDetail(String detail) {
+        var verdict = new Verdict(Verdict.Kind.WRONG, Deviation.NONE, detail);
+        var cell = new Cell("steep", "dda", verdict, Verdict.Kind.EXACT);
+        return new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
+    }
+
+    private static List<String> printed(HazardMatrix matrix, ReportLanguage language) {
+        var out = new ByteArrayOutputStream();
+        HazardText.print(
+                matrix, new PrintStream(out, true, StandardCharsets.UTF_8), language.texts());
+        return out.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+}
