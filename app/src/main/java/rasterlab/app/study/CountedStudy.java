@@ -35,14 +35,7 @@ public final class CountedStudy {
                 known
                         ? Cost.of(List.of((double) operations / items), counts)
                         : new Cost(0, 0, 0, counts);
-        return new Measurement(
-                one.method(),
-                one.workload(),
-                one.size(),
-                cost,
-                one.error(),
-                one.kind(),
-                one.detail());
+        return one.with(cost);
     }
 
     /** Whether a method of the topic counts anything. */

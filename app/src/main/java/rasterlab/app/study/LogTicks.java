@@ -3,7 +3,7 @@ package rasterlab.app.study;
 import java.util.Locale;
 
 /** Numbers on a logarithmic axis: the multiples 1 to 9 of a power of ten, and how they are said. */
-final class LogTicks {
+public final class LogTicks {
     private LogTicks() {}
 
     /** Whether both are the same multiple, however they were computed. */
@@ -18,7 +18,7 @@ final class LogTicks {
     }
 
     /** A short decimal from 0.001 to a million, beyond that with an exponent: "1e-7". */
-    static String label(double value, Locale locale) {
+    public static String label(double value, Locale locale) {
         if (value >= 0.000999 && value < 999_999)
             return String.format(locale, "%.3f", value).replaceFirst("[.,]?0+$", "");
         int power = (int) Math.floor(Math.log10(value) + 1e-9);

@@ -107,16 +107,10 @@ final class OwnStudy<C, I, O> {
                 answered && reference.isPresent()
                         ? program.slowness(workload.inputs())
                         : OptionalDouble.empty();
-        return new Measurement(
-                mine.method(),
-                mine.workload(),
-                mine.size(),
+        return mine.with(
                 slowness.isPresent()
                         ? times(reference.get(), slowness.getAsDouble(), mine.cost())
-                        : Cost.NONE,
-                mine.error(),
-                mine.kind(),
-                mine.detail());
+                        : Cost.NONE);
     }
 
     private static Cost times(Cost reference, double factor, Cost mine) {

@@ -54,7 +54,7 @@ public final class StudyChart {
         return ChartLook.PAPER.svg(graphics -> paint(study, words, graphics));
     }
 
-    private static void paint(Study study, StudyWords words, Graphics2D graphics) {
+    static void paint(Study study, StudyWords words, Graphics2D graphics) {
         var note = LeftOutNote.of(study, words);
         int height = ChartLook.HEIGHT - note.height();
         chart(study, words).paint(graphics, ChartLook.WIDTH, height);

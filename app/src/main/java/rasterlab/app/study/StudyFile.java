@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PngFile;
@@ -15,34 +16,36 @@ import rasterlab.engine.study.Study;
 public enum StudyFile {
     SVG {
         @Override
-        byte[] content(Study study, boolean counted, Language language) {
-            return StudyChart.svg(shown(study, counted), words(counted, language));
+        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
+            return plot.of(shown(study, counted), words(counted, language), ChartLook.PAPER)
+                    .svg(ChartLook.PAPER);
         }
     },
     PNG {
         @Override
-        byte[] content(Study study, boolean counted, Language language) {
+        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
             return PngFile.bytes(StudyChart.image(shown(study, counted), words(counted, language)));
         }
     },
     CSV {
         @Override
-        byte[] content(Study study, boolean counted, Language language) {
+        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
             return StudyCsv.of(study).getBytes(StandardCharsets.UTF_8);
         }
     },
     JSON {
         @Override
-        byte[] content(Study study, boolean counted, Language language) {
+        byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
             return StudyJson.of(study, Machine.here());
         }
     };
 
     /**
+     * @param plot which chart
      * @param counted whether a chart shows what was counted instead of times
      * @param language of a chart; numbers have none
      */
-    abstract byte[] content(Study study, boolean counted, Language language);
+    abstract byte[] content(Study study, StudyPlot plot, boolean counted, Language language);
 
     /**
      * The form that the file's extension names, in capitals or not.
@@ -77,18 +80,26 @@ public enum StudyFile {
      * @throws Complaint if the extension is unknown or the file cannot be written
      */
     public static void write(Study study, Path file, Language language) {
-        write(study, false, file, language);
+        write(study, StudyPlot.FRONT, false, file, language);
     }
 
     /**
      * Writes the study, whole or not at all.
      *
+     * @param plot which chart
      * @param counted whether a chart shows what was counted instead of times
      * @param language of a chart
      * @throws Complaint if the extension is unknown or the file cannot be written
      */
-    public static void write(Study study, boolean counted, Path file, Language language) {
-        WholeFile.write(file, named(file).content(study, counted, language));
+    public static void write(
+            Study study, StudyPlot plot, boolean counted, Path file, Language language) {
+        WholeFile.write(file, named(file).content(study, plot, counted, language));
+    }
+
+    /** The machine that studies are measured on here, in one line. */
+    public static String machine() {
+        Machine here = Machine.here();
+        return here.processor() + ", " + here.system() + ", Java " + here.java();
     }
 
     private static Study shown(Study study, boolean counted) {

@@ -35,7 +35,7 @@ public final class StudyWords {
     }
 
     /** The locale of numbers with fractions. */
-    Locale locale() {
+    public Locale locale() {
         return texts.locale();
     }
 
@@ -88,16 +88,16 @@ public final class StudyWords {
         return words.replaceAll("[^a-z]+", "-").replaceFirst("^-", "");
     }
 
-    String title(Study study) {
+    public String title(Study study) {
         return texts.text("chart.title", called.topic(study.topic()));
     }
 
-    String costAxis(Study study) {
+    public String costAxis(Study study) {
         return texts.text(costKey, item(study));
     }
 
     /** The axis's words without the one on the sizes beside the points. */
-    String briefCostAxis(Study study) {
+    public String briefCostAxis(Study study) {
         return texts.text(costKey + ".brief", item(study));
     }
 
@@ -118,12 +118,61 @@ public final class StudyWords {
                         : Double.isFinite(error) ? String.format(locale(), "%.3g", error) : "∞");
     }
 
-    String errorAxis(Study study) {
+    public String errorAxis(Study study) {
         return texts.text("chart.error", errorUnit(study));
     }
 
+    /** What stands for the errors that count as none. */
+    public String exactShort() {
+        return texts.text("front.exact");
+    }
+
+    /** A number with two digits, as axes have them. */
+    public String shortNumber(double value) {
+        return value >= 0.01 && value < 1000
+                ? String.format(locale(), "%.2g", value)
+                : String.format(locale(), "%.1e", value).replaceAll("e([+-])0*", "e$1");
+    }
+
+    public String frontTitle(Study study, String workload) {
+        return texts.text(
+                "front.title", called.topic(study.topic()), workload(study.topic(), workload));
+    }
+
+    /** How the chart of a front is read, and who could not be timed. */
+    public String frontNote(Study study, String workload) {
+        return texts.text("front.note");
+    }
+
+    /**
+     * @param of what grows: COST or ERROR
+     */
+    public String growthTitle(Study study, String of) {
+        return texts.text("growth.title." + of, called.topic(study.topic()));
+    }
+
+    public String growthNote(String of) {
+        return texts.text("growth.note." + of);
+    }
+
+    public String sizeAxis() {
+        return texts.text("growth.size");
+    }
+
+    public String costPerInput(Study study) {
+        return texts.text(costKey.equals("chart.cost") ? "growth.nanos" : "growth.operations");
+    }
+
+    /** A power of the size n. */
+    public String power(double exponent, double margin) {
+        return texts.text(
+                "growth.power",
+                String.format(locale(), "%.2f", exponent),
+                String.format(locale(), "%.2f", margin));
+    }
+
     /** What stands for an error of zero. */
-    String exact() {
+    public String exact() {
         return texts.text("chart.exact");
     }
 
@@ -143,12 +192,12 @@ public final class StudyWords {
     }
 
     /** What a workload of the topic draws, cuts or counts. */
-    String workload(String topic, String name) {
+    public String workload(String topic, String name) {
         return workloads.workload(topic, name);
     }
 
     /** The size beside a point of the chart, with what it counts. */
-    String size(Study study, Measurement point) {
+    public String size(Study study, Measurement point) {
         return workloads.size(study.topic(), point.workload(), point.size());
     }
 

@@ -1,5 +1,7 @@
 package rasterlab.engine.study;
 
+import java.util.List;
+
 /**
  * One method on one workload: a point of the chart.
  *
@@ -9,6 +11,7 @@ package rasterlab.engine.study;
  *     first difference of the first input that has one
  * @param kind the worst verdict among the inputs
  * @param detail one line for people, as in {@link Verdict#detail}; may be empty
+ * @param errors the worst distance for each input; none where it is not known
  */
 public record Measurement(
         String method,
@@ -17,4 +20,26 @@ public record Measurement(
         Cost cost,
         Deviation error,
         Verdict.Kind kind,
-        String detail) {}
+        String detail,
+        List<Double> errors) {
+    public Measurement {
+        errors = List.copyOf(errors);
+    }
+
+    /** A measurement of which the errors of single inputs are not known. */
+    public Measurement(
+            String method,
+            String workload,
+            int size,
+            Cost cost,
+            Deviation error,
+            Verdict.Kind kind,
+            String detail) {
+        this(method, workload, size, cost, error, kind, detail, List.of());
+    }
+
+    /** The same at another cost. */
+    public Measurement with(Cost other) {
+        return new Measurement(method, workload, size, other, error, kind, detail, errors);
+    }
+}

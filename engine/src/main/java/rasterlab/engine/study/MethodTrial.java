@@ -1,6 +1,7 @@
 package rasterlab.engine.study;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
@@ -18,6 +19,7 @@ final class MethodTrial<C, I, O> {
     private final Samples nanosPerItem = new Samples();
     private final Stability stability = new Stability();
     private Duration warmed = Duration.ZERO;
+    private final List<Double> errors = new ArrayList<>();
     private boolean judged;
     private final Map<String, Long> operations = new TreeMap<>();
     private Duration judging = Duration.ZERO;
@@ -129,12 +131,14 @@ final class MethodTrial<C, I, O> {
                 answered() ? cost() : Cost.NONE,
                 answered() ? error : Deviation.NONE,
                 worst.kind(),
-                worst.detail());
+                worst.detail(),
+                answered() ? errors : List.of());
     }
 
     private void take(Verdict verdict) {
         if (verdict.kind().compareTo(worst.kind()) > 0) worst = verdict;
         Deviation more = verdict.deviation();
+        if (!judged) errors.add(more.worst());
         error =
                 new Deviation(
                         Math.max(error.worst(), more.worst()),

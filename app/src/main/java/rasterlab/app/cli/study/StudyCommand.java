@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -14,6 +15,7 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.study.CountedStudy;
 import rasterlab.app.study.StudyFile;
+import rasterlab.app.study.StudyPlot;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
@@ -84,6 +86,14 @@ public final class StudyCommand implements Callable<Integer> {
                     "what the chart and the order go by; operations are counted, free of noise")
     private String cost = TIME;
 
+    @Option(
+            names = "--chart",
+            paramLabel = "CHART",
+            description =
+                    "what --out draws: front (speed against accuracy, the usual one), sizes,"
+                            + " cost-growth or error-growth")
+    private String chart = StudyPlot.FRONT.code();
+
     public StudyCommand(Console console) {
         this.console = console;
     }
@@ -97,6 +107,7 @@ public final class StudyCommand implements Callable<Integer> {
         }
         StudySettings settings = settings();
         boolean counted = isCounted(chosen);
+        StudyPlot plot = plot();
         try (var stop = new StopRequest()) {
             Study study = measured(chosen, settings, stop);
             var table = new StudyTable(study, console.language());
@@ -104,7 +115,7 @@ public final class StudyCommand implements Callable<Integer> {
             Study shown = counted ? CountedStudy.of(study) : study;
             new RankingText(shown, console.language()).lines().forEach(console.out()::println);
             for (Path file : files) {
-                StudyFile.write(study, counted, file, console.language().inWindow());
+                StudyFile.write(study, plot, counted, file, console.language().inWindow());
                 console.tell("wrote", file.toString());
             }
             console.out().flush();
@@ -127,6 +138,19 @@ public final class StudyCommand implements Callable<Integer> {
             settings = settings.withBudget(Duration.ofMillis(Math.round(1000 * budget)));
         }
         return seed.map(settings::withSeed).orElse(settings);
+    }
+
+    private StudyPlot plot() {
+        return Stream.of(StudyPlot.values())
+                .filter(one -> one.code().equals(chart))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                Complaint.badInput(
+                                        "no chart '"
+                                                + chart
+                                                + "'; there are "
+                                                + String.join(", ", StudyPlot.codes())));
     }
 
     private boolean isCounted(Topic<?, ?, ?> chosen) {

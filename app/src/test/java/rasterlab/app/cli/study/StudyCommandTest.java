@@ -207,6 +207,11 @@ class StudyCommandTest {
                 .assertComplains(2, "./lab study: --rounds must be at least 1, got 0");
         Ran.lab("study", "line", "--seconds", "-1")
                 .assertComplains(2, "./lab study: --seconds must be from 0 to 86400, got -1");
+        Ran.lab("study", "line", "--chart", "pie")
+                .assertComplains(
+                        2,
+                        "./lab study: no chart 'pie'; there are front, sizes, cost-growth,"
+                                + " error-growth");
         Ran.lab("study", "line", "--cost", "money")
                 .assertComplains(2, "./lab study: --cost must be time or operations, got 'money'");
     }

@@ -1,0 +1,198 @@
+package rasterlab.app.study.front;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.MethodLook;
+import rasterlab.app.rooms.LabRooms;
+import rasterlab.app.study.StudyWords;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.ParetoFront;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.measuring.MedianInterval;
+import rasterlab.engine.study.measuring.PowerFit;
+
+/**
+ * How cost or error grows with size, both axes logarithmic, so that a power is a straight line: its
+ * exponent stands behind the method's name with its interval.
+ */
+public final class SizesChart implements StudyPicture {
+    private static final int LEFT = 92;
+    private static final int TOP = 40;
+    private static final int AXIS = 46;
+    private static final int MARK = 9;
+
+    /** What grows. */
+    public enum Of {
+        COST,
+        ERROR
+    }
+
+    private record Line(String method, List<PowerFit.Point> points, Optional<PowerFit> fit) {}
+
+    private final Study study;
+    private final Of of;
+    private final StudyWords words;
+    private final ChartLook paper;
+    private final String kind;
+    private final List<Line> lines = new ArrayList<>();
+    private final Map<String, MethodLook> looks;
+
+    /** The growth over the workloads that differ in nothing but their size. */
+    public SizesChart(Study study, Of of, StudyWords words, ChartLook paper) {
+        this.study = study;
+        this.of = of;
+        this.words = words;
+        this.paper = paper;
+        kind = kindOfMost(study);
+        List<String> methods =
+                study.measurements().stream().map(Measurement::method).distinct().toList();
+        looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
+        looks.replaceAll((method, look) -> look.on(paper));
+        for (String method : methods) {
+            List<PowerFit.Point> points = points(method);
+            if (!points.isEmpty()) lines.add(new Line(method, points, PowerFit.of(points)));
+        }
+    }
+
+    /** The kind of workload that has most sizes. */
+    private static String kindOfMost(Study study) {
+        var sizes = new LinkedHashMap<String, Set<Integer>>();
+        for (Measurement one : study.measurements())
+            sizes.computeIfAbsent(kind(one), key -> new TreeSet<>()).add(one.size());
+        return sizes.entrySet().stream()
+                .max(Comparator.comparingInt(entry -> entry.getValue().size()))
+                .map(Map.Entry::getKey)
+                .orElse("");
+    }
+
+    /** A workload's name without the word that is its size. */
+    private static String kind(Measurement point) {
+        return point.workload().replaceFirst("-[^-]*", "");
+    }
+
+    private List<PowerFit.Point> points(String method) {
+        return study.measurements().stream()
+                .filter(one -> one.method().equals(method) && kind(one).equals(kind))
+                .filter(one -> one.cost().timed())
+                .sorted(Comparator.comparingInt(Measurement::size))
+                .map(one -> new PowerFit.Point(one.size(), value(one)))
+                .filter(one -> one.y() > 0 && Double.isFinite(one.y()))
+                .toList();
+    }
+
+    private double value(Measurement one) {
+        return of == Of.COST
+                ? one.cost().medianNanos() * itemsPerInput(one)
+                : ParetoFront.error(one);
+    }
+
+    private static double itemsPerInput(Measurement one) {
+        long inputs = one.cost().counts().getOrDefault("inputs", 1L);
+        long items = one.cost().counts().getOrDefault("items", 1L);
+        return (double) Math.max(1, items) / Math.max(1, inputs);
+    }
+
+    /** Whether there is anything that grows: two sizes, and a value above 0. */
+    public boolean isTelling() {
+        return lines.stream().anyMatch(line -> line.points().size() > 1);
+    }
+
+    /** Each method with its exponent, where there is one. */
+    public Map<String, PowerFit> fits() {
+        var fits = new LinkedHashMap<String, PowerFit>();
+        for (Line line : lines) line.fit().ifPresent(fit -> fits.put(line.method(), fit));
+        return fits;
+    }
+
+    @Override
+    public void paint(Graphics2D graphics, double width, double height) {
+        List<String> notes = PlotFrame.noteLines(words.growthNote(of.name()), width - 24, graphics);
+        int column =
+                LeaderColumn.width(
+                        lines.stream().map(this::label).toList(),
+                        graphics.getFontMetrics(LeaderColumn.FONT));
+        double right = Math.max(width * 0.4, width - column - 40);
+        double bottom = height - AXIS - PlotFrame.noteHeight(notes) - 6;
+        var plot = new Rectangle2D.Double(LEFT, TOP, right - LEFT, bottom - TOP);
+        var frame = new PlotFrame(graphics, paper, plot, words.locale());
+        frame.title(words.growthTitle(study, of.name()), width);
+        if (!lines.isEmpty()) paintLines(graphics, frame, plot);
+        frame.border();
+        frame.note(notes, 12, height - PlotFrame.noteHeight(notes) - 4);
+    }
+
+    private void paintLines(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {
+        LogScale across = LogScale.over(values(true), plot.getMinX(), plot.getMaxX());
+        LogScale up = LogScale.over(values(false), plot.getMaxY(), plot.getMinY());
+        frame.axisRight(across, words.sizeAxis());
+        frame.axisUp(up, of == Of.COST ? words.costPerInput(study) : words.errorAxis(study));
+        var labels = new ArrayList<LeaderColumn.Label>();
+        for (Line line : lines) {
+            MethodLook look = looks.get(line.method());
+            graphics.setColor(look.colour());
+            graphics.setStroke(look.stroke());
+            for (int i = 1; i < line.points().size(); i++) {
+                PowerFit.Point from = line.points().get(i - 1);
+                PowerFit.Point to = line.points().get(i);
+                graphics.draw(
+                        new Line2D.Double(
+                                across.at(from.x()),
+                                up.at(from.y()),
+                                across.at(to.x()),
+                                up.at(to.y())));
+            }
+            for (PowerFit.Point point : line.points())
+                look.marker().paint(graphics, across.at(point.x()), up.at(point.y()), MARK);
+            if (of == Of.COST) bars(graphics, line.method(), across, up);
+            PowerFit.Point last = line.points().get(line.points().size() - 1);
+            labels.add(
+                    new LeaderColumn.Label(
+                            label(line),
+                            across.at(last.x()),
+                            up.at(last.y()),
+                            paper.ink(),
+                            look.colour()));
+        }
+        new LeaderColumn(labels, plot.getMaxX() + 24, plot.getMinY(), plot.getMaxY())
+                .paint(graphics, MARK / 2.0 + 2);
+    }
+
+    private void bars(Graphics2D graphics, String method, LogScale across, LogScale up) {
+        for (Measurement one : study.measurements()) {
+            if (!one.method().equals(method) || !kind(one).equals(kind) || !one.cost().timed())
+                continue;
+            MedianInterval interval = one.cost().interval(study.noise(one.workload()));
+            double x = across.at(one.size());
+            graphics.draw(
+                    new Line2D.Double(
+                            x,
+                            up.at(interval.low() * itemsPerInput(one)),
+                            x,
+                            up.at(interval.high() * itemsPerInput(one))));
+        }
+    }
+
+    private List<Double> values(boolean sizes) {
+        return lines.stream()
+                .flatMap(line -> line.points().stream())
+                .map(point -> sizes ? point.x() : point.y())
+                .toList();
+    }
+
+    private String label(Line line) {
+        String name = words.called(line.method());
+        return line.fit()
+                .map(fit -> name + "  " + words.power(fit.exponent(), fit.margin()))
+                .orElse(name);
+    }
+}
