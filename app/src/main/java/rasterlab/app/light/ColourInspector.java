@@ -126,12 +126,11 @@ final class ColourInspector {
         errors.forEach(
                 (each, label) ->
                         label.setText(known.containsKey(each) ? error(known.get(each)) : "—"));
-        about.show(explanations, colour.method(), "", mine.map(this::refusal).orElse(""));
-    }
-
-    private String refusal(OwnTrips.Trips trips) {
-        if (trips.refusal().isEmpty()) return "";
-        return OwnWords.refusal(OwnMethods.NAME, trips.refusal(), texts.language()).orElse("");
+        about.show(
+                explanations,
+                colour.method(),
+                "",
+                mine.map(one -> one.refusalIn(texts.language())).orElse(""));
     }
 
     private String error(double error) {

@@ -19,6 +19,7 @@ import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.method.HazardNote;
 import rasterlab.app.language.Texts;
+import rasterlab.app.mine.OwnMethods;
 
 /** The colour cube, turned by mouse and arrow keys. */
 final class CubeStage extends SelfDrawn {
@@ -74,15 +75,21 @@ final class CubeStage extends SelfDrawn {
         g.setColor(StageColours.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         var cube = (Graphics2D) g.create();
-        Optional<HazardNote> note = model.state().note();
-        int below = note.isPresent() ? NOTE_LINES * g.getFontMetrics().getHeight() : 0;
+        String said = said();
+        int below = !said.isEmpty() ? NOTE_LINES * g.getFontMetrics().getHeight() : 0;
         int high = Math.max(1, getHeight() - below);
         new CubePainter(cube, model.state().colour(), texts, getWidth(), high).paint();
         cube.dispose();
-        note.ifPresent(
-                said ->
-                        Plates.sentenceAbove(
-                                g, said.in(texts.language()), getWidth(), getHeight() - 12));
+        if (!said.isEmpty()) Plates.sentenceAbove(g, said, getWidth(), getHeight() - 12);
+    }
+
+    /** What is said below the cube: of the hazard, else why the user's program has no answer. */
+    private String said() {
+        Optional<HazardNote> note = model.state().note();
+        if (note.isPresent()) return note.get().in(texts.language());
+        ColourChoice colour = model.state().colour();
+        if (!colour.method().equals(OwnMethods.NAME)) return "";
+        return model.ownTrips(colour).map(trips -> trips.refusalIn(texts.language())).orElse("");
     }
 
     @Override

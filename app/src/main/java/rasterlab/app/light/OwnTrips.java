@@ -4,7 +4,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.work.LatestOnly;
+import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
@@ -25,7 +27,13 @@ final class OwnTrips implements AutoCloseable {
      *     answer
      * @param refusal why there is none, in English; "" otherwise
      */
-    record Trips(ColourChoice colour, Map<ColorModel, Double> errors, String refusal) {}
+    record Trips(ColourChoice colour, Map<ColorModel, Double> errors, String refusal) {
+        /** Why there is no answer, in words; "" where there is one. */
+        String refusalIn(Language language) {
+            if (refusal.isEmpty()) return "";
+            return OwnWords.refusal(OwnMethods.NAME, refusal, language).orElse("");
+        }
+    }
 
     private final LatestOnly<ColourChoice, Trips> trips;
     private Optional<ColourChoice> asked = Optional.empty();

@@ -81,15 +81,11 @@ final class DepthTriangleKind
             DepthTriangles.Shown exact,
             Optional<DepthTriangles.Shown> actual,
             int pixel) {
-        DepthTriangles.Shown made = actual.orElseThrow();
         int x = pixel % input.width();
         int y = pixel / input.width();
-        return new RowScene.Numbers(
-                List.of("coordinate", "right", "method"),
-                List.of(
-                        new RowScene.Line("x", x, x),
-                        new RowScene.Line("y", y, y),
-                        new RowScene.Line("№", exact.shown()[pixel], made.shown()[pixel]),
-                        new RowScene.Line("z", exact.depths()[pixel], made.depths()[pixel])));
+        return RowScene.Numbers.of(
+                List.of("x", "y", "№", "z"),
+                new double[] {x, y, exact.shown()[pixel], exact.depths()[pixel]},
+                actual.map(made -> new double[] {x, y, made.shown()[pixel], made.depths()[pixel]}));
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.app.row;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -83,14 +84,11 @@ final class MappingKind extends RowKind<TextureMapper, TexturedSpan, Images> {
 
     @Override
     RowScene.Numbers numbers(TexturedSpan span, Images exact, Optional<Images> actual, int pixel) {
-        return new RowScene.Numbers(
-                List.of("coordinate", "right", "method"),
-                List.of(
-                        line("s", exact, actual.orElseThrow(), 2 * pixel),
-                        line("t", exact, actual.orElseThrow(), 2 * pixel + 1)));
+        return RowScene.Numbers.of(
+                List.of("s", "t"), place(exact, pixel), actual.map(made -> place(made, pixel)));
     }
 
-    private static RowScene.Line line(String name, Images exact, Images actual, int at) {
-        return new RowScene.Line(name, exact.coordinates()[at], actual.coordinates()[at]);
+    private static double[] place(Images images, int pixel) {
+        return Arrays.copyOfRange(images.coordinates(), 2 * pixel, 2 * pixel + 2);
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.app.row;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
@@ -36,7 +37,24 @@ record RowScene(
     /**
      * @param headings keys of the columns
      */
-    record Numbers(List<String> headings, List<Line> lines) {}
+    record Numbers(List<String> headings, List<Line> lines) {
+        /**
+         * Coordinates as they are right, beside those of a method.
+         *
+         * @param made by the method; empty where it gave no answer
+         */
+        static Numbers of(List<String> names, double[] right, Optional<double[]> made) {
+            var headings = new ArrayList<>(List.of("coordinate", "right"));
+            if (made.isPresent()) headings.add("method");
+            var lines = new ArrayList<Line>();
+            for (int i = 0; i < right.length; i++)
+                lines.add(
+                        made.isEmpty()
+                                ? new Line(names.get(i), right[i])
+                                : new Line(names.get(i), right[i], made.get()[i]));
+            return new Numbers(headings, lines);
+        }
+    }
 
     record Line(String name, double... values) {}
 

@@ -12,6 +12,8 @@ import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.spline.curve.CurveAt;
 import rasterlab.app.spline.curve.Sampling;
+import rasterlab.contract.CurveEvaluator;
+import rasterlab.contract.CurveFlattener;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.curve.CurveTopic;
 import rasterlab.engine.spline.exact.CurveTask;
@@ -34,7 +36,11 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     /** The flatness at first, in pixels. */
     static final double FIRST_FLATNESS = 5;
 
+    /** Steps between points at given t, where a program can be asked for nothing else. */
+    private static final int OWN_STEPS = 24;
+
     private final Topic<CurveTracer, CurveTask, Polyline> topic;
+    private final OwnMethods own;
     private final CurveChoice first;
     private final LatestOnly<CurveChoice, CurveDrawings> drawings;
     private final History<Arranged<CurveChoice>> history =
@@ -57,6 +63,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
      * @param onFailure told what drawing threw, on any thread
      */
     CurveLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+        this.own = own;
         topic = own.in(new CurveTopic());
         first =
                 new CurveChoice(
@@ -140,6 +147,16 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
 
     public void sample(Sampling sampling) {
         change(state.choice().withSampling(sampling), false);
+    }
+
+    /** Asks for what the user's program was written for: points at given t, or a polyline. */
+    void askWhatOwnAnswers() {
+        String contract = own.of(topic.name()).flatMap(one -> one.exercise().contract()).orElse("");
+        boolean flat = state.choice().sampling().isFlat();
+        if (flat && contract.equals(CurveEvaluator.class.getSimpleName()))
+            sample(Sampling.equal(OWN_STEPS));
+        if (!flat && contract.equals(CurveFlattener.class.getSimpleName()))
+            sample(Sampling.flat(FIRST_FLATNESS));
     }
 
     /**

@@ -58,7 +58,7 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
                                         (lab, method) -> lab.curve().chooseMethod(method))
                                 .withOwn(
                                         lab -> lab.curve().history(),
-                                        lab -> lab.show(SplineMode.CURVE),
+                                        SplineRoom::enterCurve,
                                         (lab, method) -> lab.curve().chooseMethod(method),
                                         (lab, method) -> lab.curve().compareWith(method))
                                 .writing(
@@ -91,6 +91,11 @@ public final class SplineRoom implements LabRoom<SplineLabModel> {
                                                         SplineMode.FUNCTION,
                                                         FunctionCommand.of(
                                                                 lab.function().state())))));
+    }
+
+    private static void enterCurve(SplineLabModel lab) {
+        lab.show(SplineMode.CURVE);
+        lab.curve().askWhatOwnAnswers();
     }
 
     private static Optional<String> shown(SplineLabModel lab, SplineMode mode, String command) {
