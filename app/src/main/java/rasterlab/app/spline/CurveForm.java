@@ -32,6 +32,11 @@ public enum CurveForm {
         return code;
     }
 
+    /** The kind of its curves. */
+    Curve.Kind kind() {
+        return kind;
+    }
+
     /** The form of that code. */
     static CurveForm named(String code) {
         for (CurveForm form : values()) if (form.code.equals(code)) return form;

@@ -12,8 +12,6 @@ import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.spline.curve.CurveAt;
 import rasterlab.app.spline.curve.Sampling;
-import rasterlab.contract.CurveEvaluator;
-import rasterlab.contract.CurveFlattener;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.curve.CurveTopic;
 import rasterlab.engine.spline.exact.CurveTask;
@@ -35,9 +33,6 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
 
     /** The flatness at first, in pixels. */
     static final double FIRST_FLATNESS = 5;
-
-    /** Steps between points at given t, where a program can be asked for nothing else. */
-    private static final int OWN_STEPS = 24;
 
     private final Topic<CurveTracer, CurveTask, Polyline> topic;
     private final OwnMethods own;
@@ -149,14 +144,16 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
         change(state.choice().withSampling(sampling), false);
     }
 
-    /** Asks for what the user's program was written for: points at given t, or a polyline. */
+    /** Asks for what the user's program was written for, of the curve that is shown if it can. */
     void askWhatOwnAnswers() {
-        String contract = own.of(topic.name()).flatMap(one -> one.exercise().contract()).orElse("");
-        boolean flat = state.choice().sampling().isFlat();
-        if (flat && contract.equals(CurveEvaluator.class.getSimpleName()))
-            sample(Sampling.equal(OWN_STEPS));
-        if (!flat && contract.equals(CurveFlattener.class.getSimpleName()))
-            sample(Sampling.flat(FIRST_FLATNESS));
+        own.of(topic.name())
+                .map(program -> new OwnCurve(program.exercise()))
+                .ifPresent(
+                        asked -> {
+                            CurveForm form = asked.form(state.choice().form());
+                            if (form != state.choice().form()) chooseForm(form);
+                            sample(asked.sampling(state.choice().sampling()));
+                        });
     }
 
     /**
