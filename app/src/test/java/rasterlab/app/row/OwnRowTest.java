@@ -121,6 +121,15 @@ class OwnRowTest {
                 scene.verdict().detail());
     }
 
+    @ParameterizedTest(name = "{0} shows no numbers of a pixel beside a program without an answer")
+    @ValueSource(strings = {"texture-mapping", "depth-triangle", "mipmap"})
+    void whatIsRightIsShownBesideAProgramWithoutAnAnswer(String id) throws InterruptedException {
+        RowScene scene = scene(id, "public class Mine {");
+        RowScene.Numbers numbers = scene.numbers().apply(0);
+        assertEquals("right", numbers.headings().get(numbers.headings().size() - 1));
+        for (RowScene.Line line : numbers.lines()) assertEquals(1, line.values().length);
+    }
+
     @Test
     void anotherTextIsAskedAgain() throws InterruptedException {
         String wrong = MAPPING.formatted("return new double[2 * span.pixels()];");

@@ -115,10 +115,11 @@ final class TurnInspector {
         showStep();
         operations.setText(operations(model.operations()));
         table.show(headings(), rows(), own());
-        about.show(explanations, model.method().name(), "", refusal());
+        about.show(explanations, model.method().name(), "", refusal(model, texts));
     }
 
-    private String refusal() {
+    /** Why the method does not turn the point; "" where it does, or that is not known yet. */
+    static String refusal(TurnLabModel model, Texts texts) {
         TurnScene scene = model.scene();
         boolean known = scene.known() && scene.choice().equals(model.choice());
         if (!known || !scene.drift().refused()) return "";

@@ -139,6 +139,8 @@ final class TurnStage extends JPanel implements AutoCloseable {
     }
 
     private String note(TurnScene scene) {
+        String refusal = TurnInspector.refusal(model, texts);
+        if (!refusal.isEmpty()) return refusal;
         int times = scene.choice().times();
         return times > TurnScene.MOST_TURNS
                 ? texts.text("note.first", TurnScene.MOST_TURNS, times)
