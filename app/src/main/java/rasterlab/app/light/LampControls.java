@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
@@ -54,11 +55,7 @@ final class LampControls {
                         this::select);
         column.row("lamp", lamp);
         column.wide(buttons());
-        on = new JCheckBox(texts.label("lamp.on"));
-        on.setName("lamp.on");
-        on.setMnemonic(texts.mnemonic("lamp.on"));
-        on.setDisplayedMnemonicIndex(texts.mnemonicIndex("lamp.on"));
-        on.addActionListener(e -> change(old -> old.switched(on.isSelected())));
+        on = KeyedControls.box("lamp.on", texts, lit -> change(old -> old.switched(lit)));
         column.wide(on);
         kind =
                 new NameChooser(
@@ -105,13 +102,7 @@ final class LampControls {
     }
 
     private JButton button(String key, Runnable action) {
-        var button = new JButton(texts.label(key));
-        button.setName(key);
-        button.setMnemonic(texts.mnemonic(key));
-        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        button.setToolTipText(texts.text(key + ".hint"));
-        button.addActionListener(e -> action.run());
-        return button;
+        return KeyedControls.button(key, texts, action);
     }
 
     private void select(String index) {

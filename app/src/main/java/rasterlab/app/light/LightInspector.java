@@ -19,6 +19,7 @@ import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.FormulaView;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
@@ -237,12 +238,7 @@ final class LightInspector {
     }
 
     private JCheckBox box(String key, Consumer<Boolean> chosen) {
-        var box = new JCheckBox(texts.label(key));
-        box.setName(key);
-        box.setMnemonic(texts.mnemonic(key));
-        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        box.setToolTipText(texts.text(key + ".hint"));
-        box.addActionListener(e -> chosen.accept(box.isSelected()));
+        JCheckBox box = KeyedControls.box(key, texts, chosen);
         column.wide(box);
         return box;
     }

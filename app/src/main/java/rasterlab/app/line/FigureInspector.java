@@ -13,6 +13,7 @@ import rasterlab.app.canvas.lab.Inspector;
 import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.canvas.method.MethodChooser;
 import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.card.TopicTexts;
@@ -77,12 +78,9 @@ final class FigureInspector {
                         code -> texts.text("dashes." + code),
                         code -> model.pen(old -> old.withDashes(Dashes.coded(code))));
         column.row("dashes", dashes);
-        round = new JCheckBox(texts.label("round"));
-        round.setName("round");
-        round.setMnemonic(texts.mnemonic("round"));
-        round.setDisplayedMnemonicIndex(texts.mnemonicIndex("round"));
-        round.setToolTipText(texts.text("round.hint"));
-        round.addActionListener(e -> model.pen(old -> old.withRound(round.isSelected())));
+        round =
+                KeyedControls.box(
+                        "round", texts, rounded -> model.pen(old -> old.withRound(rounded)));
         column.wide(round);
 
         column.heading("heading.numbers");

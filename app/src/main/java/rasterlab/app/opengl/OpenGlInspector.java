@@ -15,6 +15,7 @@ import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
 import rasterlab.app.canvas.lab.Inspector;
 import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
@@ -92,12 +93,7 @@ final class OpenGlInspector {
     }
 
     private JButton openButton() {
-        var button = new JButton(texts.label("open"));
-        button.setName("open");
-        button.setMnemonic(texts.mnemonic("open"));
-        button.setDisplayedMnemonicIndex(texts.mnemonicIndex("open"));
-        button.setToolTipText(texts.text("open.hint"));
-        button.addActionListener(e -> chooseImage());
+        JButton button = KeyedControls.button("open", texts, this::chooseImage);
         column.wide(button);
         return button;
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.FillRule;
@@ -17,8 +18,7 @@ final class FigureControls {
     private final NameChooser colour;
 
     FigureControls(PolygonLabModel model, Texts texts, Inspector column) {
-        whole = checkBox("whole", texts);
-        whole.addActionListener(e -> model.inside(old -> old.withWhole(whole.isSelected())));
+        whole = KeyedControls.box("whole", texts, on -> model.inside(old -> old.withWhole(on)));
         column.wide(whole);
         rule =
                 new NameChooser(
@@ -48,16 +48,6 @@ final class FigureControls {
                         name -> texts.text("colour." + name),
                         name -> model.seed(old -> old.withSame(name.equals("same"))));
         column.row("colour", colour);
-    }
-
-    /** A check box named as its text, whose mnemonic it has. */
-    static JCheckBox checkBox(String key, Texts texts) {
-        var box = new JCheckBox(texts.label(key));
-        box.setName(key);
-        box.setMnemonic(texts.mnemonic(key));
-        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        box.setToolTipText(texts.text(key + ".hint"));
-        return box;
     }
 
     void refresh(PolygonFigure figure, Inspector column) {

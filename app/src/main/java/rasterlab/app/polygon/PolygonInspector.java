@@ -17,6 +17,7 @@ import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.canvas.method.MethodChooser;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.widget.FormulaView;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
@@ -72,8 +73,7 @@ final class PolygonInspector {
     }
 
     private void addFigure() {
-        difference = FigureControls.checkBox("difference", texts);
-        difference.addActionListener(e -> model.showDifference(difference.isSelected()));
+        difference = KeyedControls.box("difference", texts, model::showDifference);
         column.wide(difference);
         controls = new FigureControls(model, texts, column);
     }

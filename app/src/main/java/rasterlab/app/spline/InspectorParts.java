@@ -6,6 +6,7 @@ import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import rasterlab.app.canvas.lab.Inspector;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
@@ -57,12 +58,6 @@ final class InspectorParts {
 
     /** A check box that is not placed yet. */
     JCheckBox box(String key, Consumer<Boolean> chosen) {
-        var box = new JCheckBox(texts.label(key));
-        box.setName(key);
-        box.setMnemonic(texts.mnemonic(key));
-        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        box.setToolTipText(texts.text(key + ".hint"));
-        box.addActionListener(e -> chosen.accept(box.isSelected()));
-        return box;
+        return KeyedControls.box(key, texts, chosen);
     }
 }

@@ -25,6 +25,7 @@ import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.canvas.lab.StageGuide;
 import rasterlab.app.canvas.widget.FlowRows;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.RunButtons;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -95,13 +96,8 @@ public final class StudyPanel extends LabPanel {
     }
 
     private JButton button(String key, Runnable action) {
-        var button = new JButton(texts.label(key));
-        button.setName(key);
-        button.setMnemonic(texts.mnemonic(key));
-        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        button.setToolTipText(texts.text(key + ".hint"));
+        JButton button = KeyedControls.button(key, texts, action);
         button.setMargin(MARGIN);
-        button.addActionListener(e -> action.run());
         return button;
     }
 

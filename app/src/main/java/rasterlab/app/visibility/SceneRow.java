@@ -7,6 +7,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.file.FileDrop;
 import rasterlab.app.canvas.file.SceneChooser;
 import rasterlab.app.canvas.lab.Actions;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -26,13 +27,8 @@ final class SceneRow extends JPanel {
     }
 
     private JButton button(String key, Runnable action) {
-        var button = new JButton(texts.label(key));
-        button.setName(key);
-        button.setMnemonic(texts.mnemonic(key));
-        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        JButton button = KeyedControls.button(key, texts, action);
         button.setMargin(Actions.NARROW);
-        button.setToolTipText(texts.text(key + ".hint"));
-        button.addActionListener(e -> action.run());
         return button;
     }
 

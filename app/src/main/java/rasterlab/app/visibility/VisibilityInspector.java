@@ -15,6 +15,7 @@ import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.canvas.method.MethodChooser;
 import rasterlab.app.canvas.method.MethodSwatch;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Texts;
@@ -209,12 +210,7 @@ final class VisibilityInspector {
     }
 
     private JCheckBox box(String key, Consumer<Boolean> chosen) {
-        var box = new JCheckBox(texts.label(key));
-        box.setName(key);
-        box.setMnemonic(texts.mnemonic(key));
-        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        box.setToolTipText(texts.text(key + ".hint"));
-        box.addActionListener(e -> chosen.accept(box.isSelected()));
+        JCheckBox box = KeyedControls.box(key, texts, chosen);
         column.wide(box);
         return box;
     }

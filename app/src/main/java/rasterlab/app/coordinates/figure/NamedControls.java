@@ -8,6 +8,7 @@ import javax.swing.JCheckBox;
 import rasterlab.app.canvas.lab.Inspector;
 import rasterlab.app.canvas.method.AboutText;
 import rasterlab.app.canvas.method.MethodChooser;
+import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
@@ -66,24 +67,13 @@ public final class NamedControls {
 
     /** A check box across the column. */
     public JCheckBox box(String key, Consumer<Boolean> chosen) {
-        var box = new JCheckBox(texts.label(key));
-        box.setName(key);
-        box.setMnemonic(texts.mnemonic(key));
-        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        box.setToolTipText(texts.text(key + ".hint"));
-        box.addActionListener(e -> chosen.accept(box.isSelected()));
+        JCheckBox box = KeyedControls.box(key, texts, chosen);
         column.wide(box);
         return box;
     }
 
     /** A button that is not placed yet. */
     public JButton button(String key, Runnable action) {
-        var button = new JButton(texts.label(key));
-        button.setName(key);
-        button.setMnemonic(texts.mnemonic(key));
-        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        button.setToolTipText(texts.text(key + ".hint"));
-        button.addActionListener(e -> action.run());
-        return button;
+        return KeyedControls.button(key, texts, action);
     }
 }
