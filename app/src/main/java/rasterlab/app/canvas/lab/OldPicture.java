@@ -2,6 +2,7 @@ package rasterlab.app.canvas.lab;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -9,6 +10,7 @@ import javax.accessibility.AccessibleRole;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 
 /**
@@ -48,15 +50,15 @@ final class OldPicture extends SelfDrawn {
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setFont(getFont().deriveFont(Font.BOLD));
+        FontMetrics metrics = g.getFontMetrics();
         int y = getHeight() / 2;
-        int x = Math.max(MARGIN, (getWidth() - g.getFontMetrics().stringWidth(sentence)) / 2);
-        Plates.plate(
-                g,
-                sentence,
-                x,
-                y,
-                Plates.nearlyOpaque(StageColours.now().ground()),
-                StageColours.now().ink());
+        Color plate = Plates.nearlyOpaque(StageColours.now().ground());
+        for (String line :
+                Wrapping.lines(sentence, getWidth() - 2 * MARGIN, metrics::stringWidth)) {
+            int x = Math.max(MARGIN, (getWidth() - metrics.stringWidth(line)) / 2);
+            Plates.plate(g, line, x, y, plate, StageColours.now().ink());
+            y += metrics.getHeight() + 2;
+        }
         g.dispose();
     }
 }
