@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.regex.Pattern;
 
 /** The few pieces of HTML that the tour's page is made of. */
-final class Html {
+public final class Html {
     /** A number, a share, a range, a fraction or a dash where there is none. */
     private static final Pattern NUMBERS =
             Pattern.compile("–|[−-]?[0-9][0-9 \u00a0.,/%–·⁻⁰¹²³⁴-⁹]*");
 
     private Html() {}
 
-    static String escaped(String text) {
+    public static String escaped(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")
                 .replace(">", "&gt;")
@@ -22,7 +22,7 @@ final class Html {
      * A table in a frame that scrolls on narrow screens; columns of numbers stand to the right. The
      * last cell of a row that is too short, such as a sentence, reaches to the table's end.
      */
-    static String table(List<String> heads, List<List<String>> rows) {
+    public static String table(List<String> heads, List<List<String>> rows) {
         var html = new StringBuilder("<div class=\"scroll\"><table>\n<thead><tr>");
         for (int column = 0; column < heads.size(); column++)
             html.append(cell("th", heads.get(column), attribute(rows, column)));

@@ -10,6 +10,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.console.Console;
+import rasterlab.app.findings.Findings;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
@@ -33,7 +34,11 @@ import rasterlab.engine.study.Topic;
             "Methods take turns until they are told apart or the time is used up; what is not told",
             "apart is said, and about how many rounds would settle it. Ctrl-C keeps what was measured."
         },
-        footer = {"", "Example: ./lab study line --out line.svg --out line.csv"})
+        footer = {
+            "",
+            "Example: ./lab study line --out line.svg --out line.csv",
+            "         ./lab study --all --quick --out findings"
+        })
 public final class StudyCommand implements Callable<Integer> {
     private static final String TIME = "time";
     private static final String OPERATIONS = "operations";
@@ -43,8 +48,19 @@ public final class StudyCommand implements Callable<Integer> {
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "TOPIC", description = "such as line")
-    private String topic;
+    @Parameters(
+            index = "0",
+            arity = "0..1",
+            paramLabel = "TOPIC",
+            description = "such as line; none with --all")
+    private Optional<String> topic = Optional.empty();
+
+    @Option(
+            names = "--all",
+            description =
+                    "all topics: --out DIR gets a page for each, with charts, sentences computed"
+                            + " from the numbers and the commands that repeat them")
+    private boolean all;
 
     @Option(
             names = "--out",
@@ -100,7 +116,9 @@ public final class StudyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        Topic<?, ?, ?> chosen = TopicChoice.one(topic);
+        if (all) return findings();
+        if (topic.isEmpty()) throw Complaint.badInput("name a TOPIC, or all of them with --all");
+        Topic<?, ?, ?> chosen = TopicChoice.one(topic.get());
         for (Path file : files) {
             StudyFile.named(file);
             WholeFile.requireWritable(file);
@@ -121,6 +139,26 @@ public final class StudyCommand implements Callable<Integer> {
             console.out().flush();
         }
         return ExitCode.DONE;
+    }
+
+    private int findings() {
+        if (topic.isPresent())
+            throw Complaint.badInput("--all is all topics, '" + topic.get() + "' is one");
+        if (files.size() != 1)
+            throw Complaint.badInput("--all needs one folder for its pages: --out DIR");
+        try (var stop = new StopRequest()) {
+            var findings =
+                    new Findings(
+                            files.get(0),
+                            settings(),
+                            quick ? " --quick" : "",
+                            console.language().inWindow(),
+                            console.err()::println,
+                            stop::isMade);
+            boolean whole = findings.write(TopicChoice.of(null));
+            console.tell("wrote", findings.index().toString());
+            return whole ? ExitCode.DONE : ExitCode.FOUND_WRONG;
+        }
     }
 
     private StudySettings settings() {

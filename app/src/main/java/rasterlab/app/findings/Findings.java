@@ -1,0 +1,224 @@
+package rasterlab.app.findings;
+
+import java.awt.Color;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.study.HazardMatrix;
+import rasterlab.app.study.StudyFile;
+import rasterlab.app.study.StudyPlot;
+import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.TopicNames;
+import rasterlab.engine.study.Circumstances;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+
+/** Measures topics and writes what was found: a folder of pages, charts and numbers. */
+public final class Findings {
+    private static final ChartLook DARK =
+            new ChartLook(new Color(0x16, 0x19, 0x1f), new Color(0xe6, 0xe9, 0xee));
+
+    private static final String CHARTS = "charts";
+    private static final String DATA = "data";
+
+    private final Path folder;
+    private final StudySettings settings;
+    private final String pace;
+    private final Language language;
+    private final Texts texts;
+    private final TopicNames called;
+    private final Consumer<String> progress;
+    private final BooleanSupplier stopped;
+
+    /** What became of a topic: its first sentence, or why there is none. */
+    private record Found(boolean whole, String sentence) {}
+
+    /**
+     * @param folder where everything goes; files of other names are left alone
+     * @param pace the option of {@code ./lab study} that stands for the settings; may be empty
+     * @param progress told about each topic in one line
+     * @param stopped asked before each piece of work; what was found till then is written
+     */
+    public Findings(
+            Path folder,
+            StudySettings settings,
+            String pace,
+            Language language,
+            Consumer<String> progress,
+            BooleanSupplier stopped) {
+        this.folder = folder;
+        this.settings = settings;
+        this.pace = pace;
+        this.language = language;
+        this.progress = progress;
+        this.stopped = stopped;
+        texts = Texts.of("findings", language);
+        called = TopicNames.in(language);
+    }
+
+    /**
+     * Writes the pages.
+     *
+     * @return whether every topic was measured to its end
+     * @throws rasterlab.app.outcome.Complaint if the folder cannot be written to
+     */
+    public boolean write(List<? extends Topic<?, ?, ?>> topics) {
+        WholeFile.requireFolder(folder.resolve(CHARTS));
+        WholeFile.requireFolder(folder.resolve(DATA));
+        WholeFile.requireWritable(index());
+        Map<Topic<?, ?, ?>, Found> found = new LinkedHashMap<>();
+        for (Topic<?, ?, ?> topic : topics) {
+            progress.accept(texts.text("measuring", topic.name()));
+            found.put(topic, found(topic));
+        }
+        writeContents(found);
+        writeCourse(found);
+        return found.values().stream().allMatch(Found::whole);
+    }
+
+    /** The page of contents. */
+    public Path index() {
+        return folder.resolve("index.html");
+    }
+
+    private Found found(Topic<?, ?, ?> topic) {
+        if (stopped.getAsBoolean()) return new Found(false, texts.text("notMeasured"));
+        try {
+            Study study = StudyRunner.measure(topic, settings, step -> {}, stopped);
+            if (study.measurements().isEmpty()) return new Found(false, texts.text("notMeasured"));
+            HazardMatrix hazards = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
+            List<String> said = new FoundWords(topic, study, hazards, language).sentences();
+            writeData(study);
+            writeTopic(topic, study, hazards, said);
+            return new Found(study.isWhole(), said.get(0));
+        } catch (RuntimeException | LinkageError e) {
+            String reason = e.getMessage() == null ? e.toString() : e.getMessage();
+            return new Found(false, texts.text("failed", Complaints.said(language, reason)));
+        }
+    }
+
+    private void writeData(Study study) {
+        for (String extension : List.of(".json", ".csv"))
+            StudyFile.write(
+                    study, folder.resolve(DATA).resolve(study.topic() + extension), language);
+        var words = new StudyWords(language);
+        for (StudyPlot plot : StudyPlot.values()) {
+            Path charts = folder.resolve(CHARTS);
+            String name = study.topic() + "-" + plot.code();
+            WholeFile.write(
+                    charts.resolve(name + ".svg"),
+                    plot.of(study, words, ChartLook.PAPER).svg(ChartLook.PAPER));
+            WholeFile.write(
+                    charts.resolve(name + "-dark.svg"), plot.of(study, words, DARK).svg(DARK));
+        }
+    }
+
+    private void writeTopic(
+            Topic<?, ?, ?> topic, Study study, HazardMatrix hazards, List<String> said) {
+        var page = new FoundPage(called.topic(topic.name()), texts);
+        page.link("index.html", texts.text("contents"), "");
+        said.forEach(page::paragraph);
+        if (!study.isWhole()) page.warning(texts.text("cut"));
+        for (StudyPlot plot :
+                List.of(StudyPlot.FRONT, StudyPlot.COST_GROWTH, StudyPlot.ERROR_GROWTH)) {
+            String name = CHARTS + "/" + topic.name() + "-" + plot.code();
+            page.chart(name, texts.text("chart." + plot.code()), name + ".svg");
+            page.command(
+                    "./lab study %s%s --seed %d --chart %s --out %s.svg"
+                            .formatted(
+                                    topic.name(), pace, settings.seed(), plot.code(), plot.code()));
+        }
+        page.heading(texts.text("hazards")).paragraph(texts.text("hazards.meaning"));
+        page.table(heads(hazards), rows(topic, hazards));
+        page.command("./lab hazards " + topic.name());
+        page.heading(texts.text("how")).paragraph(how(study.circumstances().orElseThrow(), study));
+        page.link(DATA + "/" + topic.name() + ".json", "JSON", texts.text("data.json"));
+        page.link(DATA + "/" + topic.name() + ".csv", "CSV", texts.text("data.csv"));
+        WholeFile.write(folder.resolve(topic.name() + ".html"), page.html());
+    }
+
+    private static List<String> heads(HazardMatrix hazards) {
+        var heads = new ArrayList<String>(List.of(""));
+        heads.addAll(hazards.methods());
+        return heads;
+    }
+
+    private List<List<String>> rows(Topic<?, ?, ?> topic, HazardMatrix hazards) {
+        var words = new StudyWords(language);
+        var rows = new ArrayList<List<String>>();
+        for (Hazard<?> hazard : topic.hazards()) {
+            var row = new ArrayList<String>(List.of(called.hazard(topic, hazard)));
+            for (String method : hazards.methods()) {
+                Cell cell = hazards.cell(hazard.name(), method);
+                String verdict = words.verdict(cell.verdict().kind());
+                row.add(cell.asRecorded() ? verdict : verdict + " !");
+            }
+            rows.add(row);
+        }
+        return rows;
+    }
+
+    private String how(Circumstances how, Study study) {
+        double noise = how.fixed().keySet().stream().mapToDouble(study::noise).max().orElse(1);
+        return texts.text(
+                "how.measured",
+                DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm")
+                        .format(how.begun().atZone(ZoneOffset.UTC)),
+                StudyFile.machine(),
+                String.format(texts.locale(), "%.1f", Math.max(0, how.loadBefore())),
+                String.format(texts.locale(), "%.1f", 100 * (noise - 1)),
+                how.settings().seed());
+    }
+
+    private void writeContents(Map<Topic<?, ?, ?>, Found> found) {
+        var page = new FoundPage(texts.text("title"), texts);
+        page.paragraph(texts.text("introduction"));
+        page.link("course.html", texts.text("course"), texts.text("course.meaning"));
+        found.forEach(
+                (topic, one) -> {
+                    String name = called.topic(topic.name());
+                    if (hasPage(topic)) page.link(topic.name() + ".html", name, one.sentence());
+                    else page.warning(name + ": " + one.sentence());
+                });
+        page.heading(texts.text("again"));
+        page.command(
+                "./lab study --all%s --seed %d --out findings".formatted(pace, settings.seed()));
+        WholeFile.write(index(), page.html());
+    }
+
+    private void writeCourse(Map<Topic<?, ?, ?>, Found> found) {
+        var page = new FoundPage(texts.text("course"), texts);
+        page.link("index.html", texts.text("contents"), "");
+        page.paragraph(texts.text("course.meaning"));
+        page.begin("small gallery");
+        for (Topic<?, ?, ?> topic : found.keySet())
+            if (hasPage(topic))
+                page.chart(
+                        CHARTS + "/" + topic.name() + "-front",
+                        called.topic(topic.name()),
+                        topic.name() + ".html");
+        page.end();
+        WholeFile.write(folder.resolve("course.html"), page.html());
+    }
+
+    private boolean hasPage(Topic<?, ?, ?> topic) {
+        return Files.exists(folder.resolve(topic.name() + ".html"));
+    }
+}
