@@ -15,6 +15,8 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.signmap.SignMaps;
+import rasterlab.app.signmap.SignWindow;
 
 /** The clipping lab as the window shows it, in one language. */
 public final class ClipPanel extends LabPanel {
@@ -47,6 +49,11 @@ public final class ClipPanel extends LabPanel {
         actions.addPicture(new ShownPicture("clipping", stage, stage::svg), onFailure);
         actions.addCopy(
                 "copyCommand", told -> told.accept(ClipCommand.of(model.state().choice().scene())));
+        actions.add(
+                "signMaps",
+                () ->
+                        SignWindow.open(
+                                this, model.state().choice().mode().topic(), language, onFailure));
         actions.addQuestions(() -> model.state().choice().mode().topic());
     }
 
@@ -105,6 +112,8 @@ public final class ClipPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        actions.enable(
+                "signMaps", SignMaps.ofTopic(model.state().choice().mode().topic()).isPresent());
         guide.refresh();
         String mode = model.state().choice().mode().code();
         guide.hint("clip." + mode, texts.text("first." + mode));

@@ -15,6 +15,8 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.signmap.SignMaps;
+import rasterlab.app.signmap.SignWindow;
 
 /** The lab of polygons as the window shows it, in one language. */
 public final class PolygonPanel extends LabPanel {
@@ -48,6 +50,11 @@ public final class PolygonPanel extends LabPanel {
         actions.addCopy(
                 "copyCommand",
                 told -> PolygonCommand.of(model.state().choice().scene()).ifPresent(told));
+        actions.add(
+                "signMaps",
+                () ->
+                        SignWindow.open(
+                                this, model.state().choice().mode().topic(), language, onFailure));
         actions.addQuestions(() -> model.state().choice().mode().topic());
     }
 
@@ -102,6 +109,8 @@ public final class PolygonPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        actions.enable(
+                "signMaps", SignMaps.ofTopic(model.state().choice().mode().topic()).isPresent());
         guide.refresh();
         String mode = model.state().choice().mode().code();
         guide.hint("polygon." + mode, texts.text("first." + mode));

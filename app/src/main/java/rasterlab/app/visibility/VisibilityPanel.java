@@ -21,6 +21,8 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.row.RowCard;
 import rasterlab.app.row.RowPanel;
+import rasterlab.app.signmap.SignMaps;
+import rasterlab.app.signmap.SignWindow;
 import rasterlab.engine.pipeline.RenderRequest;
 
 /** The hidden-surface lab as the window shows it, in one language. */
@@ -71,6 +73,7 @@ public final class VisibilityPanel extends LabPanel {
         verdicts = new ViewVerdicts(EventQueue::invokeLater, onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
         actions.addCopy("copyCommand", saving::tellCommand);
+        actions.add("signMaps", () -> SignWindow.open(this, topic(), language, onFailure));
         actions.addQuestions(this::topic);
     }
 
@@ -178,6 +181,7 @@ public final class VisibilityPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        actions.enable("signMaps", SignMaps.ofTopic(topic()).isPresent());
         guide.refresh();
         guide.hint("visibility", texts.text("first"));
         actions.hint(

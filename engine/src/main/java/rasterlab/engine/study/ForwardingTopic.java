@@ -2,6 +2,8 @@ package rasterlab.engine.study;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import rasterlab.engine.predicate.PointQuestion;
 
 /**
  * A topic that answers as another one does, but for what a subclass overrides.
@@ -104,6 +106,11 @@ public abstract class ForwardingTopic<C, I, O> implements Topic<C, I, O> {
     @Override
     public int mostItems() {
         return other.mostItems();
+    }
+
+    @Override
+    public Optional<PointQuestion<I, O>> question() {
+        return other.question();
     }
 
     @Override

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import rasterlab.engine.naming.Named;
+import rasterlab.engine.predicate.PointQuestion;
 
 /**
  * One task of the course: its contract, the methods that solve it, an exact reference and the
@@ -151,6 +152,11 @@ public interface Topic<C, I, O> {
      */
     default int mostItems() {
         return 20_000;
+    }
+
+    /** The question that the topic's answers are signs of, if they are such. */
+    default Optional<PointQuestion<I, O>> question() {
+        return Optional.empty();
     }
 
     /**

@@ -29,12 +29,16 @@ import rasterlab.engine.naming.Named;
             "line-brightness: light that lines get for each pixel of their length, over their angle, by",
             "  the methods of topic line that --methods names.",
             "visibility-growth: the counted work of each visibility method over the number of faces N",
-            "  and of pixels n, and its exponents: about N^2 against n*N, measured."
+            "  and of pixels n, and its exponents: about N^2 against n*N, measured.",
+            "sign-map: what a predicate answers around a point where its value is nearly 0, one pixel",
+            "  for each neighbour that the numbers have; the wrong area is striped and measured."
         },
-        footer = {"", "Example: ./lab chart perspective --out gamma.svg"})
+        footer = {
+            "",
+            "Example: ./lab chart perspective --out gamma.svg",
+            "Example: ./lab chart sign-map point-in-triangle/half-plane --out signs.png"
+        })
 public final class ChartCommand implements Callable<Integer> {
-    private static final List<String> EXTENSIONS = List.of(".svg", ".png", ".csv");
-
     private final Console console;
 
     @Parameters(
@@ -44,10 +48,21 @@ public final class ChartCommand implements Callable<Integer> {
             completionCandidates = Chart.Names.class)
     private String name;
 
+    @Parameters(
+            index = "1..*",
+            arity = "0..*",
+            paramLabel = "TOPIC/METHOD",
+            description = {
+                "of sign-map: a topic or predicate, all its methods or one;",
+                "default: orientation, in all its forms"
+            })
+    private List<String> predicates = List.of();
+
     @Option(
             names = "--out",
             paramLabel = "FILE",
-            description = "file to write: .svg, .png or .csv; may be given several times")
+            description =
+                    "file to write: .svg, .png or .csv, a sign map .json too; may be given several times")
     private List<Path> files = List.of();
 
     @Option(
@@ -65,23 +80,33 @@ public final class ChartCommand implements Callable<Integer> {
     public Integer call() {
         Chart chart = chart();
         for (Path file : files) {
-            extension(file);
+            extension(chart, file);
             WholeFile.requireWritable(file);
         }
-        var tables = new ChartTables(console.language().texts());
-        chart.table().apply(tables).lines().forEach(console.out()::println);
+        table(chart).lines().forEach(console.out()::println);
         for (Path file : files) {
-            WholeFile.write(file, chart.content(extension(file), console.language().inWindow()));
+            WholeFile.write(
+                    file, chart.content(extension(chart, file), console.language().inWindow()));
             console.tell("wrote", file.toString());
         }
         return ExitCode.DONE;
+    }
+
+    private TextTable table(Chart chart) {
+        try {
+            return chart.table().apply(new ChartTables(console.language().texts()));
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 
     private Chart chart() {
         try {
             List<String> named = NameList.of("--methods", methods, BrightnessChart.known());
             BrightnessChart.requireKnown(named);
-            Chart chart = Named.find("chart", name, Chart.all(named), Chart::name);
+            Chart chart = Named.find("chart", name, Chart.all(named, predicates), Chart::name);
+            if (!predicates.isEmpty() && !name.equals(Chart.OF_SIGNS))
+                throw new IllegalArgumentException("TOPIC/METHOD is for chart " + Chart.OF_SIGNS);
             if (!named.isEmpty() && !name.equals(Chart.OF_METHODS))
                 throw new IllegalArgumentException("--methods is for chart " + Chart.OF_METHODS);
             return chart;
@@ -90,16 +115,16 @@ public final class ChartCommand implements Callable<Integer> {
         }
     }
 
-    private static String extension(Path file) {
-        String name = file.toString().toLowerCase(Locale.ROOT);
-        return EXTENSIONS.stream()
-                .filter(name::endsWith)
+    private static String extension(Chart chart, Path file) {
+        String named = file.toString().toLowerCase(Locale.ROOT);
+        return chart.extensions().stream()
+                .filter(named::endsWith)
                 .findFirst()
                 .orElseThrow(
                         () ->
                                 Complaint.badInput(
                                         file
                                                 + ": unknown extension; allowed are "
-                                                + String.join(", ", EXTENSIONS)));
+                                                + String.join(", ", chart.extensions())));
     }
 }

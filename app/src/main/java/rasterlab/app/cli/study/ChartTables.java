@@ -11,6 +11,7 @@ import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
 import rasterlab.app.precision.DepthPrecisionChart;
 import rasterlab.app.visibility.GrowthChart;
+import rasterlab.engine.signmap.SignMap;
 import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 import rasterlab.engine.visibility.hidden.Growth;
@@ -41,6 +42,29 @@ final class ChartTables {
 
     private String lightOrNone(double light) {
         return Double.isNaN(light) ? "-" : thousandths(light);
+    }
+
+    TextTable signs(List<SignMap> maps) {
+        var table =
+                new TextTable(
+                        texts.text("chart.predicate"),
+                        texts.text("chart.method"),
+                        texts.text("chart.numbers"),
+                        texts.text("chart.wrong"),
+                        texts.text("chart.more"),
+                        texts.text("chart.less"),
+                        texts.text("chart.unanswered"));
+        for (SignMap map : maps)
+            table.add(
+                    List.of(
+                            map.subject(),
+                            map.method(),
+                            map.spacing().code(),
+                            String.format(texts.locale(), "%.1f %%", 100 * map.share()),
+                            "" + map.extra(),
+                            "" + map.missing(),
+                            "" + map.unanswered()));
+        return table;
     }
 
     TextTable perspective() {

@@ -58,7 +58,14 @@ class ChartCommandTest {
     }
 
     @ParameterizedTest(name = "heads of the table stay English: {0}")
-    @ValueSource(strings = {"perspective", "depth-precision", "mach-bands", "line-brightness"})
+    @ValueSource(
+            strings = {
+                "perspective",
+                "depth-precision",
+                "mach-bands",
+                "line-brightness",
+                "sign-map"
+            })
     void headsAreRussian(String chart) {
         String english = Ran.lab("chart", chart).out().lines().findFirst().orElseThrow();
         String russian =
@@ -163,6 +170,39 @@ class ChartCommandTest {
                 "the colour of zfloat");
     }
 
+    @Test
+    void signMapCountsItsWrongPointsAndTellsThemToPrograms() throws Exception {
+        Path json = folder.resolve("s.json");
+        Path svg = folder.resolve("s.svg");
+        Ran ran =
+                Ran.lab(
+                        "chart",
+                        "sign-map",
+                        "orientation/from-p",
+                        "point-in-triangle/robust",
+                        "--out=" + json,
+                        "--out=" + svg);
+        ran.assertDone();
+        List<String> rows =
+                ran.out().lines().map(row -> row.strip().replaceAll(" +", " ")).toList();
+        assertEquals("orientation from-p double 32.6 % 2673 2673 0", rows.get(1));
+        assertEquals("point-in-triangle robust double 0.0 % 0 0 0", rows.get(2));
+        assertTrue(Files.readString(json).contains("\"wrong\" : 5346"), "counted for programs");
+        assertTrue(Files.readString(svg).contains("orientation from-p"), "its name in the drawing");
+    }
+
+    @Test
+    void signMapOfAnUnknownPredicateIsRefused() {
+        Ran.lab("chart", "sign-map", "orient")
+                .assertComplains(
+                        2,
+                        "./lab chart: no predicate 'orient'; there are orientation, side-of-plane,"
+                                + " point-in-triangle, point-in-polygon, clip-segment, clip-volume,"
+                                + " visible-faces");
+        Ran.lab("chart", "perspective", "orientation")
+                .assertComplains(2, "./lab chart: TOPIC/METHOD is for chart sign-map");
+    }
+
     /** Whether a quarter of the picture, with that corner at its top left, has the colour. */
     private static boolean has(BufferedImage picture, Color colour, int left, int top) {
         for (int y = top; y < top + 350; y++)
@@ -229,7 +269,7 @@ class ChartCommandTest {
                 .assertComplains(
                         2,
                         "./lab chart: no chart 'perspektive'; there are perspective, depth-precision,"
-                                + " mach-bands, line-brightness, visibility-growth");
+                                + " mach-bands, line-brightness, visibility-growth, sign-map");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

@@ -2,6 +2,7 @@ package rasterlab.engine.clip.volume;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import rasterlab.contract.SpaceSegmentSink;
 import rasterlab.contract.VolumeClipper;
@@ -10,6 +11,7 @@ import rasterlab.engine.clip.EndComparison;
 import rasterlab.engine.clip.EndSum;
 import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.clip.exact.ExactClip;
+import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -155,6 +157,11 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
             counts.merge("handed over", walk.unsure() ? 1L : 0L, Long::sum);
         }
         return counts;
+    }
+
+    @Override
+    public Optional<PointQuestion<SegmentsInVolume, ClippedEnds>> question() {
+        return Optional.of(new VolumeQuestion());
     }
 
     @Override

@@ -2,12 +2,14 @@ package rasterlab.engine.polygon.inside;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.MembershipComparison;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.ShapeAndPoints;
+import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -118,6 +120,11 @@ public final class PointInPolygonTopic
             }
         }
         return Map.of("edges", edges, "crossings", counted);
+    }
+
+    @Override
+    public Optional<PointQuestion<ShapeAndPoints, Membership>> question() {
+        return Optional.of(new PolygonQuestion());
     }
 
     @Override

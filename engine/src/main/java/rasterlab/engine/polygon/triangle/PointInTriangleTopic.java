@@ -2,6 +2,7 @@ package rasterlab.engine.polygon.triangle;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.polygon.ExactMembership;
@@ -9,6 +10,7 @@ import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.MembershipComparison;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.ShapeAndPoints;
+import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -142,6 +144,11 @@ public final class PointInTriangleTopic
                 "sides asked exactly", exactSides[0],
                 "multiplications", RobustTriangle.MULTIPLICATIONS * points,
                 "additions", RobustTriangle.ADDITIONS * points);
+    }
+
+    @Override
+    public Optional<PointQuestion<ShapeAndPoints, Membership>> question() {
+        return Optional.of(new TriangleQuestion());
     }
 
     @Override

@@ -2,7 +2,9 @@ package rasterlab.engine.visibility.faces;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import rasterlab.contract.VisibleFaces;
+import rasterlab.engine.predicate.PointQuestion;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
@@ -85,6 +87,11 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
         do more = walk.advance();
         while (more);
         return walk.operations();
+    }
+
+    @Override
+    public Optional<PointQuestion<Body, SeenFaces>> question() {
+        return Optional.of(new FaceQuestion());
     }
 
     @Override

@@ -1,0 +1,91 @@
+package rasterlab.app.signmap;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.engine.signmap.SignMap;
+
+/**
+ * Paints a map, y growing up: each answer in its colour, and over it, where it is wrong, stripes
+ * that rise to the right where it is more than right and fall where it is less.
+ */
+final class SignPainter {
+    /** Dots from stripe to stripe, and of a stripe. */
+    private static final int PERIOD = 6;
+
+    private static final int STRIPE = 3;
+
+    private static final double PLUS = 0.4;
+    private static final double PLUS_ON_DARK = 0.65;
+    private static final double ZERO = 0.85;
+    private static final double MINUS = 0.28;
+
+    private final ChartLook look;
+    private final Color plus;
+    private final Color zero;
+    private final Color minus;
+
+    SignPainter(ChartLook look) {
+        this.look = look;
+        boolean paper = look.ground().equals(Color.WHITE);
+        plus = MethodColours.mix(look.ground(), MethodColours.BLUE, paper ? PLUS : PLUS_ON_DARK);
+        zero = MethodColours.mix(look.ground(), MethodColours.YELLOW, ZERO);
+        minus = MethodColours.mix(look.ground(), MethodColours.GREY, MINUS);
+    }
+
+    /** What a dot of the picture shows. */
+    enum Dot {
+        PLUS,
+        ZERO,
+        MINUS,
+        EXTRA,
+        MISSING,
+        NONE
+    }
+
+    /**
+     * @param dots of the picture for each point, across and down
+     */
+    BufferedImage image(SignMap map, int dots) {
+        int size = dots * map.size();
+        var image = new BufferedImage(size, size, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < size; y++)
+            for (int x = 0; x < size; x++) {
+                int row = map.size() - 1 - y / dots;
+                image.setRGB(x, y, colour(map, x / dots, row, x, y).getRGB());
+            }
+        return image;
+    }
+
+    private Color colour(SignMap map, int column, int row, int x, int y) {
+        int answer = map.answer(column, row);
+        if (answer == SignMap.NONE) return colour(Dot.NONE, x, y);
+        Color own = colour(dot(map, answer), x, y);
+        if (!map.wrong(column, row)) return own;
+        Dot wrong = answer > map.exact(column, row) ? Dot.EXTRA : Dot.MISSING;
+        return striped(wrong, x, y) ? MethodColours.VERMILLION : own;
+    }
+
+    private static Dot dot(SignMap map, int answer) {
+        if (answer > 0) return Dot.PLUS;
+        return answer < 0 || map.yesOrNo() ? Dot.MINUS : Dot.ZERO;
+    }
+
+    /** The colour of a dot at that place of a picture. */
+    Color colour(Dot dot, int x, int y) {
+        return switch (dot) {
+            case PLUS -> plus;
+            case ZERO -> zero;
+            case MINUS -> minus;
+            case EXTRA, MISSING -> striped(dot, x, y) ? MethodColours.VERMILLION : look.ground();
+            case NONE ->
+                    x % PERIOD < 2 && y % PERIOD < 2 ? MethodColours.VERMILLION : look.ground();
+        };
+    }
+
+    private static boolean striped(Dot wrong, int x, int y) {
+        int along = wrong == Dot.EXTRA ? x + y : x - y;
+        return Math.floorMod(along, PERIOD) < STRIPE;
+    }
+}

@@ -1,0 +1,28 @@
+package rasterlab.engine.signmap;
+
+import java.util.stream.IntStream;
+import rasterlab.engine.predicate.Spacing;
+
+/**
+ * The square of neighbouring points that a map has a pixel for.
+ *
+ * @param size points in each row and column
+ * @param left the least x, above 0
+ * @param low the least y, above 0
+ */
+record SignField(Spacing spacing, int size, double left, double low) {
+    /** What is said of each point, row after row from the lowest. */
+    byte[] answers(Sign sign) {
+        var answers = new byte[size * size];
+        IntStream.range(0, answers.length)
+                .parallel()
+                .forEach(
+                        i ->
+                                answers[i] =
+                                        (byte)
+                                                sign.of(
+                                                        spacing.above(left, i % size),
+                                                        spacing.above(low, i / size)));
+        return answers;
+    }
+}

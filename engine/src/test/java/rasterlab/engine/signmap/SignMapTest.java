@@ -1,0 +1,79 @@
+package rasterlab.engine.signmap;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.Topics;
+import rasterlab.engine.predicate.Spacing;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+
+class SignMapTest {
+    /** A topic that asks a question, by its name in messages. */
+    private record Asked(Topic<?, ?, ?> topic, SignSubject signs) {
+        @Override
+        public String toString() {
+            return topic.name();
+        }
+    }
+
+    static Stream<Asked> topics() {
+        return Topics.all().stream()
+                .flatMap(topic -> SignSubject.of(topic).map(s -> new Asked(topic, s)).stream());
+    }
+
+    @ParameterizedTest(name = "a method that promises to be right errs near its border: {0}")
+    @MethodSource("topics")
+    void rightMethodsHaveNoWrongArea(Asked asked) {
+        for (Method<?> method : asked.topic().methods()) {
+            if (!method.promisesToBeRight()) continue;
+            SignMap map = asked.signs().map(method.name());
+            assertEquals(0, map.extra() + map.missing() + map.unanswered(), method.name());
+        }
+    }
+
+    @ParameterizedTest(name = "the point is far from the border: {0}")
+    @MethodSource("topics")
+    void bothAnswersAreRightSomewhere(Asked asked) {
+        for (String method : asked.signs().methods()) {
+            SignMap map = asked.signs().map(method);
+            var seen = new ArrayList<Integer>();
+            for (int row = 0; row < map.size(); row++)
+                for (int column = 0; column < map.size(); column++)
+                    if (!seen.contains(map.exact(column, row))) seen.add(map.exact(column, row));
+            assertTrue(seen.containsAll(List.of(0, 1)), method + " " + seen);
+        }
+    }
+
+    /** The block structure of the paper's first figure: which point is subtracted matters. */
+    @Test
+    void orientationErrsByThePointThatIsSubtracted() {
+        SignSubject orientation = SignSubject.basic().get(0);
+        assertEquals(5346, orientation.map("from-p").extra() + orientation.map("from-p").missing());
+        assertEquals(2804, orientation.map("from-q").extra() + orientation.map("from-q").missing());
+        assertEquals(5474, orientation.map("from-r").extra() + orientation.map("from-r").missing());
+        assertEquals(0, orientation.map("robust").share());
+    }
+
+    @Test
+    void onTheLineIsZeroAndAboveItIsPositive() {
+        SignMap map = SignSubject.basic().get(0).map("robust");
+        assertEquals(0, map.exact(7, 7));
+        assertEquals(1, map.exact(7, 8));
+        assertEquals(-1, map.exact(8, 7));
+        assertEquals(Math.nextUp(map.x(7)), map.x(8));
+    }
+
+    @Test
+    void neighboursAreThoseOfTheNumbersThatTheMethodHas() {
+        assertEquals(Math.nextUp(0.5), Spacing.DOUBLE.above(0.5, 1));
+        assertEquals(Math.nextUp(0.5f), Spacing.FLOAT.above(0.5, 1));
+        assertEquals(103, Spacing.WHOLE.above(100, 3));
+    }
+}
