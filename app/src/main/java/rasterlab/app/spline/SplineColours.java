@@ -6,7 +6,9 @@ import static rasterlab.app.canvas.method.MethodColours.GREY;
 import static rasterlab.app.canvas.method.MethodColours.OLIVE;
 import static rasterlab.app.canvas.method.MethodColours.ORANGE;
 import static rasterlab.app.canvas.method.MethodColours.PURPLE;
+import static rasterlab.app.canvas.method.MethodColours.ROSE;
 import static rasterlab.app.canvas.method.MethodColours.SAND;
+import static rasterlab.app.canvas.method.MethodColours.SKY_BLUE;
 import static rasterlab.app.canvas.method.MethodColours.WINE;
 import static rasterlab.app.canvas.method.MethodColours.YELLOW;
 
@@ -27,6 +29,8 @@ final class SplineColours {
                             Map.entry("uniform", WINE),
                             Map.entry("adaptive-naive", ORANGE),
                             Map.entry("adaptive", BLUE),
+                            Map.entry("curvature-unchecked", ROSE),
+                            Map.entry("fewest", SKY_BLUE),
                             Map.entry("cubic", BLUE),
                             Map.entry("monotone", ORANGE)));
 

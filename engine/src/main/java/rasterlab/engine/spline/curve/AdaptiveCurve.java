@@ -11,10 +11,16 @@ import rasterlab.contract.CurvePoints;
  * chord lies within {@code h²·max(|B″(u)|, |B″(u + h)|) / 8} of the curve, point for point. A chord
  * that an S-curve crosses, a loop that comes back to its start, a cusp or control points on one
  * line cannot look flat to this bound, and it ends the halving. Where it is not small enough yet,
- * {@link ChordDistance} measures across the chord alone, which saves a third of the segments. The
- * middle is {@code (P(u) + P(u + h))/2 − h²·(B″(u) + B″(u + h))/16}, the second derivative there
- * the mean of those at the ends: halving takes no control points at all. Pieces yet to come wait on
- * a stack as deep as there are halvings. Degrees above 3 are halved by {@link HalvingWalk}.
+ * {@link ChordDistance} measures across the chord alone, which saves a third of the segments; the
+ * inner Bézier points' distances, of which the piece's is at most ¾, or 4⁄9 where they lie on both
+ * sides, and that of its middle mostly decide before it has to. A piece whose inner points are near
+ * the chord, wherever they lie along it, is flat too: so whatever the usual test of those points
+ * calls flat is flat here, and there are never more pieces than Java2D's {@code
+ * FlatteningPathIterator} makes. The fewest chords there can be are about two thirds of them, see
+ * {@link FewestCurve}. The middle is {@code (P(u) + P(u + h))/2 − h²·(B″(u) + B″(u + h))/16}, the
+ * second derivative there the mean of those at the ends: halving takes no control points at all.
+ * Pieces yet to come wait on a stack as deep as there are halvings. Degrees above 3 are halved by
+ * {@link HalvingWalk}.
  *
  * <p>Source: the bound is {@link WangCount}'s for one piece; halving by second derivatives: J.
  * Clark, Some properties of B-splines, 1981 (central differencing).
@@ -66,9 +72,23 @@ public final class AdaptiveCurve implements SteppedCurve {
         private static final int WIDTH = 5;
         private static final int NUMBERS = 6;
 
+        /** The squares of ¾ and 4⁄9: a piece's distance beside its inner points' larger one. */
+        private static final double SAME_SIDE = 0.5625;
+
+        private static final double BOTH_SIDES = 16.0 / 81;
+
+        /** Products of four lengths between these lose nothing to the range of doubles. */
+        private static final double SMALLEST_SQUARE = 1e-260;
+
+        private static final double LARGEST_SQUARE = 1e260;
+
+        /** 18⁄16, the share of the middle: a sixteenth of h² times the sum of both ends' B″. */
+        private static final double MIDDLE = 1.125;
+
         private final BezierPoints points;
         private final int spans;
         private final double left;
+        private final double leftSquare;
         private final double enough;
         private final double[] waiting;
         private int top = -NUMBERS;
@@ -78,7 +98,14 @@ public final class AdaptiveCurve implements SteppedCurve {
         private double bendY;
         private double bend;
         private double u = 1;
-        private double decision;
+
+        /** Where the piece passed last began, and how long it was. */
+        private double startX;
+
+        private double startY;
+        private double startBendX;
+        private double startBendY;
+        private double width;
         private int span = -1;
         private long splits;
 
@@ -86,7 +113,8 @@ public final class AdaptiveCurve implements SteppedCurve {
             points = new BezierPoints(curve);
             spans = curve.spans();
             left = Flatness.left(curve, flatness, 1);
-            enough = 64 * left * left;
+            leftSquare = left * left;
+            enough = 64 * leftSquare;
             int steps = WangCount.largest(curve, points, left);
             int halvings = 32 - Integer.numberOfLeadingZeros(steps);
             waiting = new double[NUMBERS * (halvings + 2)];
@@ -101,10 +129,7 @@ public final class AdaptiveCurve implements SteppedCurve {
             }
             while (true) {
                 double square = waiting[top + WIDTH] * waiting[top + WIDTH];
-                double there = waiting[top + BEND];
-                double bound = (bend > there ? bend : there) * square * square;
-                decision = bound <= enough ? Math.sqrt(bound) / 8 : across(square);
-                if (bound <= enough || decision <= left) {
+                if (flat(square)) {
                     pass();
                     return true;
                 }
@@ -112,18 +137,46 @@ public final class AdaptiveCurve implements SteppedCurve {
             }
         }
 
-        private double across(double square) {
-            return ChordDistance.of(
-                    waiting[top + END_X] - x,
-                    waiting[top + END_Y] - y,
-                    bendX,
-                    bendY,
-                    waiting[top + BEND_X],
-                    waiting[top + BEND_Y],
-                    square);
+        private boolean flat(double square) {
+            double there = waiting[top + BEND];
+            double bound = (bend > there ? bend : there) * square * square;
+            if (bound <= enough) return true;
+            double chordX = waiting[top + END_X] - x;
+            double chordY = waiting[top + END_Y] - y;
+            double endBendX = waiting[top + BEND_X];
+            double endBendY = waiting[top + BEND_Y];
+            double part = square / 18;
+            double length = chordX * chordX + chordY * chordY;
+            double along = part * (chordX * bendX + chordY * bendY);
+            double endAlong = part * (chordX * endBendX + chordY * endBendY);
+            double first = length / 3 - (2 * along + endAlong);
+            double second = 2 * length / 3 - (along + 2 * endAlong);
+            if (!(length > 0 && first >= 0 && first <= length && second >= 0 && second <= length))
+                return ChordDistance.ofHull(
+                                chordX, chordY, bendX, bendY, endBendX, endBendY, square)
+                        <= left;
+            double across = part * (chordX * bendY - chordY * bendX);
+            double endAcross = part * (chordX * endBendY - chordY * endBendX);
+            double most = leftSquare * length;
+            if (!(most > SMALLEST_SQUARE && most < LARGEST_SQUARE))
+                return ChordDistance.of(chordX, chordY, bendX, bendY, endBendX, endBendY, square)
+                        <= left;
+            double one = 2 * across + endAcross;
+            double other = across + 2 * endAcross;
+            double farther = Math.max(one * one, other * other);
+            if (farther * (one * other >= 0 ? SAME_SIDE : BOTH_SIDES) <= most) return true;
+            double middle = MIDDLE * (across + endAcross);
+            if (middle * middle > most) return false;
+            return ChordDistance.of(chordX, chordY, bendX, bendY, endBendX, endBendY, square)
+                    <= left;
         }
 
         private void pass() {
+            startX = x;
+            startY = y;
+            startBendX = bendX;
+            startBendY = bendY;
+            width = waiting[top + WIDTH];
             x = waiting[top + END_X];
             y = waiting[top + END_Y];
             bendX = waiting[top + BEND_X];
@@ -196,7 +249,18 @@ public final class AdaptiveCurve implements SteppedCurve {
          */
         @Override
         public double decision() {
-            return decision;
+            double square = width * width;
+            double one = startBendX * startBendX + startBendY * startBendY;
+            double bound = Math.max(one, bend) * square * square;
+            if (bound <= enough) return Math.sqrt(bound) / 8;
+            double chordX = x - startX;
+            double chordY = y - startY;
+            double across =
+                    ChordDistance.of(chordX, chordY, startBendX, startBendY, bendX, bendY, square);
+            return across < Double.POSITIVE_INFINITY
+                    ? across
+                    : ChordDistance.ofHull(
+                            chordX, chordY, startBendX, startBendY, bendX, bendY, square);
         }
 
         @Override

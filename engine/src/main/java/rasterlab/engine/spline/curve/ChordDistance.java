@@ -46,6 +46,45 @@ final class ChordDistance {
         return square / 6 * largest(2 * across + endAcross, endAcross - across);
     }
 
+    /**
+     * The larger distance of the two inner Bézier points from the chord, ends included, which no
+     * point of the piece exceeds: wherever the piece may run.
+     *
+     * @param chordX as for {@link #of}, and so are the others
+     */
+    static double ofHull(
+            double chordX,
+            double chordY,
+            double bendX,
+            double bendY,
+            double endBendX,
+            double endBendY,
+            double square) {
+        double third = square / 18;
+        return Math.sqrt(
+                Math.max(
+                        fromSegment(
+                                chordX,
+                                chordY,
+                                chordX / 3 - third * (2 * bendX + endBendX),
+                                chordY / 3 - third * (2 * bendY + endBendY)),
+                        fromSegment(
+                                chordX,
+                                chordY,
+                                2 * chordX / 3 - third * (bendX + 2 * endBendX),
+                                2 * chordY / 3 - third * (bendY + 2 * endBendY))));
+    }
+
+    /** The square of the distance of (x, y) from the segment from (0, 0) to the chord's end. */
+    private static double fromSegment(double chordX, double chordY, double x, double y) {
+        double along = chordX * x + chordY * y;
+        double length = chordX * chordX + chordY * chordY;
+        if (!(along > 0)) return x * x + y * y;
+        if (along >= length) return (x - chordX) * (x - chordX) + (y - chordY) * (y - chordY);
+        double across = chordX * y - chordY * x;
+        return across * (across / length);
+    }
+
     /** The largest {@code |s·(1 − s)·(a + d·s)|} for s from 0 to 1. */
     private static double largest(double a, double d) {
         double root = Math.sqrt(a * a + a * d + d * d);

@@ -4,6 +4,7 @@ import static rasterlab.contract.Curve.Kind.BEZIER;
 import static rasterlab.contract.Curve.Kind.B_SPLINE;
 import static rasterlab.contract.Curve.Kind.CATMULL_ROM;
 import static rasterlab.contract.Curve.Kind.HERMITE;
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
 import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
@@ -25,6 +26,7 @@ final class CurveHazards {
     private static final String DIFFERENCES = "forward-differences";
     private static final String FLOAT = "forward-differences-float";
     private static final String NAIVE = "adaptive-naive";
+    private static final String UNCHECKED = "curvature-unchecked";
     private static final double[] X_OF_S = {20, 120, 220, 320};
     private static final double[] ARCH_X = {10, 60, 180, 250};
     private static final double[] ARCH_Y = {200, 20, 40, 190};
@@ -50,7 +52,7 @@ final class CurveHazards {
                         "s-curve",
                         X_OF_S,
                         of(100, 250, -50, 100),
-                        Map.of(BLENDING, WRONG, NAIVE, WRONG)),
+                        Map.of(BLENDING, WRONG, NAIVE, WRONG, UNCHECKED, DEGRADED)),
                 flat("cusp", of(10, 310, 10, 310), of(20, 320, 320, 20), Map.of(BLENDING, WRONG)),
                 flat("loop", of(0, 400, -250, 150), of(200, 0, 0, 200), Map.of(BLENDING, WRONG)),
                 flat(
@@ -62,7 +64,7 @@ final class CurveHazards {
                         "collinear-beyond-the-ends",
                         of(10, 510, -390, 110),
                         of(50, 50, 50, 50),
-                        Map.of(BLENDING, WRONG, NAIVE, WRONG)),
+                        Map.of(BLENDING, WRONG, NAIVE, WRONG, UNCHECKED, WRONG)),
                 flat("coincident-points", of(70, 70, 70, 70), of(40, 40, 40, 40), Map.of()),
                 huge(),
                 tiny(),

@@ -19,6 +19,8 @@ final class CurveMethods {
                 Method.failing("forward-differences-float", new ForwardDifferencesFloatCurve()),
                 Method.right("uniform", new UniformCurve()),
                 Method.failing("adaptive-naive", new AdaptiveNaiveCurve()),
-                Method.right("adaptive", new AdaptiveCurve()));
+                Method.right("adaptive", new AdaptiveCurve()),
+                Method.failing("curvature-unchecked", new CurvatureUncheckedCurve()),
+                Method.right("fewest", new FewestCurve()));
     }
 }
