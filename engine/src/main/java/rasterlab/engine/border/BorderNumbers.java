@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Random;
 
 /** Numbers where arithmetic in doubles and ints changes its ways, and ordinary ones beside them. */
-final class BorderNumbers {
+public final class BorderNumbers {
     private static final double[] DOUBLES = {
         0.0,
         Double.MIN_VALUE,
@@ -31,19 +31,19 @@ final class BorderNumbers {
     private BorderNumbers() {}
 
     /** One of the border numbers of doubles, of either sign; −0.0 is one. */
-    static double border(Random random) {
+    public static double border(Random random) {
         double number = DOUBLES[random.nextInt(DOUBLES.length)];
         return random.nextBoolean() ? number : -number;
     }
 
     /** One of the border numbers of ints or the next one to it, of either sign. */
-    static long whole(Random random) {
+    public static long whole(Random random) {
         long number = INTS[random.nextInt(INTS.length)] + random.nextInt(3) - 1L;
         return random.nextBoolean() ? number : -number;
     }
 
     /** A number as a person writes it, or any of a usual size. */
-    static double ordinary(Random random) {
+    public static double ordinary(Random random) {
         return switch (random.nextInt(4)) {
             case 0 -> random.nextInt(17) - 8;
             case 1 -> (random.nextInt(161) - 80) / 8.0;
@@ -53,14 +53,14 @@ final class BorderNumbers {
     }
 
     /** Any mantissa with any exponent. */
-    static double anywhere(Random random) {
+    public static double anywhere(Random random) {
         int exponent = random.nextInt(Double.MIN_EXPONENT - 52, Double.MAX_EXPONENT + 1);
         double number = Math.scalb(random.nextDouble(1, 2), exponent);
         return random.nextBoolean() ? number : -number;
     }
 
     /** What has to do with numbers that stand elsewhere in the same input. */
-    static double related(Random random, List<Double> earlier) {
+    public static double related(Random random, List<Double> earlier) {
         double a = earlier.get(random.nextInt(earlier.size()));
         double b = earlier.get(random.nextInt(earlier.size()));
         return switch (random.nextInt(9)) {

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.util.RawValue;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.scene.MethodCase.Drawn;
+import rasterlab.exercises.scene.MethodCase.Found;
 import rasterlab.exercises.scene.MethodCase.Pixel;
 
 /** Cases as JSON. */
@@ -14,13 +15,21 @@ final class CaseJson {
     private CaseJson() {}
 
     static MethodCase read(SceneJsonPlace file) {
-        file.object("version", "topic", "method", "input", "drawn", "drawnCut");
+        file.object("version", "topic", "method", "input", "drawn", "drawnCut", "found");
         file.at("version").integer(SceneFile.VERSION, SceneFile.VERSION);
         return new MethodCase(
                 file.at("topic").text(),
                 file.optional("method").map(SceneJsonPlace::text),
                 file.at("input").json(),
-                drawn(file));
+                drawn(file),
+                file.optional("found").map(CaseJson::found));
+    }
+
+    private static Found found(SceneJsonPlace found) {
+        found.object("verdict", "seed");
+        return new Found(
+                found.at("verdict").text(),
+                found.at("seed").integer(Integer.MIN_VALUE, Integer.MAX_VALUE));
     }
 
     private static Optional<Drawn> drawn(SceneJsonPlace file) {
@@ -61,6 +70,12 @@ final class CaseJson {
         one.method().ifPresent(method -> file.put("method", method));
         file.putRawValue("input", new RawValue(one.input()));
         one.drawn().ifPresent(drawn -> write(drawn, file));
+        one.found()
+                .ifPresent(
+                        found ->
+                                file.putObject("found")
+                                        .put("verdict", found.verdict())
+                                        .put("seed", found.seed()));
         return file.toString();
     }
 

@@ -13,8 +13,14 @@ import rasterlab.engine.raster.Plotted;
  * @param method that was called; empty where it was a student's own
  * @param input a JSON object
  * @param drawn what a student's own method plotted; empty where it is not kept
+ * @param found how a search found it; empty where none did
  */
-public record MethodCase(String topic, Optional<String> method, String input, Optional<Drawn> drawn)
+public record MethodCase(
+        String topic,
+        Optional<String> method,
+        String input,
+        Optional<Drawn> drawn,
+        Optional<Found> found)
         implements SceneFile {
     /** The most pixels that are kept of what was plotted. */
     public static final int MOST_DRAWN = 4096;
@@ -54,8 +60,21 @@ public record MethodCase(String topic, Optional<String> method, String input, Op
         }
     }
 
+    /**
+     * What a search for hazards says of an input.
+     *
+     * @param verdict that the method earned on it, such as "wrong"
+     * @param seed of the search
+     */
+    public record Found(String verdict, int seed) {}
+
     public MethodCase {
         SceneJsonPlace.root(input).object();
+    }
+
+    /** An input that no search found. */
+    public MethodCase(String topic, Optional<String> method, String input, Optional<Drawn> drawn) {
+        this(topic, method, input, drawn, Optional.empty());
     }
 
     /** An input without anything drawn for it. */

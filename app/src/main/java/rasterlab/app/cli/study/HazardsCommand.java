@@ -1,6 +1,7 @@
 package rasterlab.app.cli.study;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -9,6 +10,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.language.Texts;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.study.HazardTrial;
@@ -20,15 +22,20 @@ import rasterlab.engine.study.Topic;
         mixinStandardHelpOptions = true,
         description = {
             "Tries every method on every hazard of a topic and prints the verdicts.",
-            "A verdict that differs from the recorded one is marked with ! and both are named."
+            "A verdict that differs from the recorded one is marked with ! and both are named.",
+            "With --search it looks for a new input on which a method fails, and makes it simpler."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
-            "0:every verdict is the recorded one",
-            "1:a verdict differs",
-            "2:unknown topic"
+            "0:every verdict is the recorded one; the search has ended",
+            "1:a verdict differs; a method of which no failure is known fails",
+            "2:unknown topic or method, or a file that cannot be written"
         },
-        footer = {"", "Example: ./lab hazards line"})
+        footer = {
+            "",
+            "Example: ./lab hazards line",
+            "Example: ./lab hazards line --search naive-textbook --out found.scene.json"
+        })
 public final class HazardsCommand implements Callable<Integer> {
     private final Console console;
 
@@ -38,12 +45,41 @@ public final class HazardsCommand implements Callable<Integer> {
     @Option(names = "--json", description = "prints one JSON object instead of tables")
     private boolean json;
 
+    @Option(
+            names = "--search",
+            paramLabel = "METHOD",
+            description = "a method or mutant of TOPIC to find a failing input for")
+    private String searched;
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "N",
+            description = "of --search: the longest it may take; default: ${DEFAULT-VALUE}")
+    private int seconds = 60;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            description =
+                    "of --search: the same numbers are drawn again; default: ${DEFAULT-VALUE}")
+    private int seed = 1;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FILE",
+            description =
+                    "of --search: a scene file that ./lab run --scene, ./lab open and the lab read")
+    private Path out;
+
     public HazardsCommand(Console console) {
         this.console = console;
     }
 
     @Override
     public Integer call() throws IOException {
+        if (searched != null)
+            return new SearchRun(console, topic, searched, seed, out).within(seconds, json);
+        if (out != null) throw Complaint.badInput("--out goes with --search METHOD");
         List<HazardMatrix> matrices = new ArrayList<>();
         for (Topic<?, ?, ?> chosen : TopicChoice.of(topic))
             matrices.add(HazardMatrix.judged(chosen, HazardTrial.WALL_LIMIT));

@@ -7,9 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -66,6 +68,30 @@ class HazardsCommandTest {
     void russianHasTheNumbersOfTheOtherTables(String detail, String said) {
         List<String> lines = printed(withDetail(detail), ReportLanguage.RU);
         assertEquals("! dda на steep: неверно, записано точно; " + said, lines.get(2));
+    }
+
+    @Test
+    void searchWritesAnInputThatRunTakes(@TempDir Path folder) {
+        Path file = folder.resolve("found.scene.json");
+        Ran found =
+                Ran.lab("hazards", "line", "--search=naive-textbook", "--out=" + file, "--seed=3");
+        found.assertDone();
+        assertTrue(found.out().startsWith("line naive-textbook: wrong: "), found.out());
+        assertTrue(found.err().contains("made simpler"), found.err());
+        Ran.lab("run", "--scene", file.toString()).assertDone();
+    }
+
+    @Test
+    void searchRefusesWhatItCannotDo() {
+        Ran.lab("hazards", "--search", "dda")
+                .assertComplains(2, "./lab hazards: --search METHOD needs TOPIC");
+        Ran.lab("hazards", "line", "--search", "dda", "--seconds", "0")
+                .assertComplains(2, "./lab hazards: --seconds must be from 1 to 3600, got 0");
+        Ran.lab("hazards", "line", "--out", "x.scene.json")
+                .assertComplains(2, "./lab hazards: --out goes with --search METHOD");
+        Ran unknown = Ran.lab("hazards", "line", "--search", "ddaa");
+        assertEquals(2, unknown.exitCode());
+        assertTrue(unknown.err().startsWith("./lab hazards: no line method 'ddaa'"), unknown.err());
     }
 
     private static HazardMatrix withDetail(String detail) {

@@ -1,0 +1,220 @@
+package rasterlab.exercises.searching;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import rasterlab.engine.Topics;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.study.Guard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Mutant;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * Searches for an input on which a method is wrong, crashes or comes to no end, though a method
+ * that promises to be right is exact there.
+ *
+ * <p>Each input is either drawn from the topic's description or made of one that is kept, by a few
+ * changes. Kept are the study's own inputs and those that bring a worse error than all before. A
+ * method that is never wrong but sometimes inexact is told by such an input when the time is over.
+ */
+public final class HazardSearch<C, I, O> {
+    /** The wall time of one method, and of the exact answer, for one input. */
+    private static final Duration LIMIT = Duration.ofSeconds(1);
+
+    private static final Duration SLOW = Duration.ofMillis(300);
+    private static final long TELL_NANOS = 1_000_000_000L;
+    private static final int MOST_KEPT = 60;
+
+    /** Time to make an input simpler, whatever was left. */
+    private static final Duration LEAST_SHRINKING = Duration.ofSeconds(3);
+
+    private final Topic<C, I, O> topic;
+    private final Method<C> method;
+    private final List<Method<C>> witnesses;
+    private final SearchedInputs<C, I, O> inputs;
+    private final int seed;
+    private final SearchTold told;
+    private final Random random;
+    private final TreeMutation mutation;
+    private final List<JsonNode> kept = new ArrayList<>();
+    private final long start = System.nanoTime();
+    private double worst;
+    private long tried;
+    private int asked;
+    private int drawn;
+    private int slow;
+
+    /** Place among the kept ones of what was changed last; -1 where it was drawn. */
+    private int changedOf = -1;
+
+    private Optional<Failing> inexact = Optional.empty();
+
+    /** A tree on which the method earned that verdict. */
+    private record Failing(JsonNode tree, Verdict verdict) {}
+
+    private HazardSearch(Topic<C, I, O> topic, Method<C> method, int seed, SearchTold told) {
+        this.topic = topic;
+        this.method = method;
+        this.seed = seed;
+        this.told = told;
+        witnesses =
+                topic.methods().stream()
+                        .filter(Method::promisesToBeRight)
+                        .filter(each -> !each.name().equals(method.name()))
+                        .toList();
+        inputs = new SearchedInputs<>(topic, method.name(), method.implementation());
+        random = new Random(seed);
+        mutation = new TreeMutation(random);
+    }
+
+    /**
+     * Makes ready to search.
+     *
+     * @param method a method of the topic, or one of its mutants
+     * @param seed of what is drawn
+     * @throws IllegalArgumentException if there is no such topic or method; lists those there are
+     */
+    public static HazardSearch<?, ?, ?> of(String topic, String method, int seed, SearchTold told) {
+        return of(Topics.named(topic), method, seed, told);
+    }
+
+    private static <C, I, O> HazardSearch<C, I, O> of(
+            Topic<C, I, O> topic, String method, int seed, SearchTold told) {
+        for (Mutant<C> mutant : topic.allMutants())
+            if (mutant.name().equals(method))
+                return new HazardSearch<>(
+                        topic, Method.failing(method, mutant.implementation()), seed, told);
+        Method<C> named =
+                Named.find(topic.name() + " method", method, topic.methods(), Method::name);
+        return new HazardSearch<>(topic, named, seed, told);
+    }
+
+    /**
+     * Searches until something is found or the time is over.
+     *
+     * @param cancelled asked before each input
+     */
+    public Optional<Find> search(Duration time, BooleanSupplier cancelled) {
+        long deadline = start + time.toNanos();
+        BooleanSupplier over = () -> cancelled.getAsBoolean() || System.nanoTime() - deadline >= 0;
+        kept.addAll(inputs.ofStudy());
+        long next = start + TELL_NANOS;
+        while (!over.getAsBoolean()) {
+            JsonNode tree = next();
+            if (tree == null) continue;
+            Optional<Failing> failing = tried(tree);
+            if (failing.isPresent()) return Optional.of(shrunk(failing.get(), over));
+            if (System.nanoTime() - next < 0) continue;
+            told.tried(tried);
+            next += TELL_NANOS;
+        }
+        return inexact.map(failing -> shrunk(failing, over));
+    }
+
+    private JsonNode next() {
+        boolean drawing = kept.isEmpty() || random.nextInt(5) < 2 && worthDrawing();
+        changedOf = drawing ? -1 : random.nextInt(kept.size());
+        if (!drawing) return mutation.changed(kept.get(changedOf));
+        asked++;
+        Optional<JsonNode> tree = inputs.drawn(random, slow > 2 && random.nextInt(8) > 0);
+        if (tree.isEmpty()) return null;
+        drawn++;
+        return tree.get();
+    }
+
+    /** Few descriptions say so little that hardly anything drawn from them is an input. */
+    private boolean worthDrawing() {
+        return asked < 400 || 50L * drawn > asked;
+    }
+
+    private Optional<Failing> tried(JsonNode tree) {
+        Optional<I> input = inputs.read(tree);
+        if (input.isEmpty()) return Optional.empty();
+        tried++;
+        long began = System.nanoTime();
+        Optional<Verdict> verdict = verdict(input.get());
+        if (System.nanoTime() - began > SLOW.toNanos()) forget();
+        if (verdict.isEmpty()) return Optional.empty();
+        var here = new Failing(tree, verdict.get());
+        if (fails(here.verdict.kind())) return Optional.of(here);
+        if (here.verdict.kind() == Verdict.Kind.DEGRADED && inexact.isEmpty())
+            inexact = Optional.of(here);
+        keep(here);
+        return Optional.empty();
+    }
+
+    /** What takes long is not changed again: hundreds of others can be tried instead. */
+    private void forget() {
+        slow++;
+        if (changedOf >= 0 && kept.size() > 1) kept.remove(changedOf);
+        changedOf = -1;
+    }
+
+    private void keep(Failing here) {
+        double error = here.verdict.deviation().worst();
+        if (!(error > worst)) return;
+        worst = error;
+        if (kept.size() < MOST_KEPT) kept.add(here.tree);
+        else kept.set(random.nextInt(MOST_KEPT), here.tree);
+    }
+
+    private static boolean fails(Verdict.Kind kind) {
+        return kind == Verdict.Kind.WRONG
+                || kind == Verdict.Kind.ENDLESS
+                || kind == Verdict.Kind.CRASHED;
+    }
+
+    /** What the method does with an input; empty where that says nothing of the method. */
+    private Optional<Verdict> verdict(I input) {
+        var exact =
+                Guard.call("exact answer", () -> HazardTrial.judging(topic, input, LIMIT), LIMIT);
+        if (!(exact instanceof Guard.Returned<Function<Method<C>, Verdict>> judging))
+            return Optional.empty();
+        Verdict verdict = judging.value().apply(method);
+        if (verdict.kind() == Verdict.Kind.EXACT || verdict.kind() == Verdict.Kind.REFUSED)
+            return Optional.of(verdict);
+        boolean witnessed =
+                witnesses.isEmpty()
+                        || witnesses.stream()
+                                .anyMatch(
+                                        each ->
+                                                judging.value().apply(each).kind()
+                                                        == Verdict.Kind.EXACT);
+        return witnessed ? Optional.of(verdict) : Optional.empty();
+    }
+
+    private Find shrunk(Failing first, BooleanSupplier over) {
+        Duration after = Duration.ofNanos(System.nanoTime() - start);
+        long inputsTried = tried;
+        told.found(find(first.tree, first.verdict, inputsTried, after));
+        long least = System.nanoTime() + LEAST_SHRINKING.toNanos();
+        var last = new Verdict[] {first.verdict};
+        JsonNode best =
+                new TreeShrinking(
+                                tree -> failsAs(first, tree, last),
+                                tree -> told.simpler(find(tree, last[0], inputsTried, after)),
+                                () -> over.getAsBoolean() && System.nanoTime() - least >= 0)
+                        .shrunk(first.tree);
+        return find(best, last[0], inputsTried, after);
+    }
+
+    private boolean failsAs(Failing first, JsonNode tree, Verdict[] last) {
+        Optional<Verdict> verdict = inputs.read(tree).flatMap(this::verdict);
+        if (verdict.isEmpty() || verdict.get().kind() != first.verdict.kind()) return false;
+        last[0] = verdict.get();
+        return true;
+    }
+
+    private Find find(JsonNode tree, Verdict verdict, long inputsTried, Duration after) {
+        return new Find(
+                topic.name(), method.name(), verdict, tree.toString(), seed, inputsTried, after);
+    }
+}

@@ -1,0 +1,13 @@
+package rasterlab.exercises.searching;
+
+/** What a search tells while it goes on, on the thread that searches. */
+public interface SearchTold {
+    /** Tells how many inputs were tried so far, every now and then. */
+    void tried(long inputs);
+
+    /** Tells the first input that fails. */
+    void found(Find find);
+
+    /** Tells a simpler one that fails too. */
+    void simpler(Find find);
+}

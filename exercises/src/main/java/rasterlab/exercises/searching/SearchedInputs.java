@@ -1,0 +1,131 @@
+package rasterlab.exercises.searching;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import rasterlab.engine.format.Given;
+import rasterlab.engine.study.Call;
+import rasterlab.engine.study.Format;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+import rasterlab.exercises.document.OwnJson;
+import rasterlab.exercises.json.JsonSink;
+import rasterlab.exercises.json.StrictJson;
+
+/** Makes inputs of a topic of trees, and trees of inputs. */
+final class SearchedInputs<C, I, O> {
+    /** Numbers of an input; larger ones of a study are left out. */
+    private static final int MOST_LEAVES = 400;
+
+    private static final int MOST_OF_STUDY = 24;
+    private static final int MOST_LOOKED_AT = 2000;
+
+    /** Items that are left of an array. */
+    private static final int FEW = 6;
+
+    private final Topic<C, I, O> topic;
+    private final Format<C, I, O> format;
+    private final Call<C> call;
+
+    SearchedInputs(Topic<C, I, O> topic, String method, C implementation) {
+        this.topic = topic;
+        format = topic.format();
+        call = new Call<>(method, implementation, false);
+    }
+
+    /** An input as {@code ./lab run} would take it; empty where it refuses it. */
+    Optional<I> read(JsonNode tree) {
+        byte[] text = tree.toString().getBytes(StandardCharsets.UTF_8);
+        try {
+            Given given = StrictJson.read(text, text.length, format.input(), format.open());
+            I input = format.read(given);
+            format.prepared(call, input);
+            return Optional.of(input);
+        } catch (IllegalArgumentException | ArithmeticException refused) {
+            return Optional.empty();
+        } catch (RuntimeException misfit) {
+            // a misfit, or numbers that the topic's own arithmetic cannot take
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * Draws an input from the topic's description; empty where its fields do not go together.
+     *
+     * @param calm whether numbers of a usual size are wanted
+     */
+    Optional<JsonNode> drawn(Random random, boolean calm) {
+        try {
+            var source = new DrawnSource(random, calm);
+            Given given =
+                    format.open()
+                            ? source.openObject(format.input())
+                            : source.object(format.input());
+            return Optional.of(tree(format.read(given)));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (RuntimeException refused) {
+            return Optional.empty();
+        }
+    }
+
+    /** Ordinary inputs: some of the topic's study, cut to few items where they allow that. */
+    List<JsonNode> ofStudy() {
+        var all = new ArrayList<I>();
+        for (Workload<I> workload : topic.workloads())
+            for (I input : workload.inputs())
+                for (I single : format.singles(input))
+                    if (all.size() < MOST_LOOKED_AT) all.add(single);
+        var trees = new ArrayList<JsonNode>();
+        int step = Math.max(1, all.size() / MOST_OF_STUDY);
+        for (int i = 0; i < all.size(); i += step) {
+            JsonNode tree = treeOrNull(all.get(i));
+            if (tree == null) continue;
+            cut(tree);
+            if (new TreeParts(tree).leaves().size() <= MOST_LEAVES) trees.add(tree);
+        }
+        return trees;
+    }
+
+    /** Leaves the first few items of each array for which the rest is still an input. */
+    private void cut(JsonNode tree) {
+        for (int at = 0; at < new TreeParts(tree).arrays().size(); at++) {
+            ArrayNode array = new TreeParts(tree).arrays().get(at);
+            if (array.size() <= FEW) continue;
+            ArrayNode whole = array.deepCopy();
+            while (array.size() > FEW) array.remove(array.size() - 1);
+            if (read(tree).isPresent()) continue;
+            array.removeAll();
+            array.addAll(whole);
+        }
+    }
+
+    private JsonNode treeOrNull(I input) {
+        try {
+            return tree(input);
+        } catch (IllegalArgumentException notTold) {
+            return null;
+        }
+    }
+
+    private JsonNode tree(I input) {
+        var text = new StringWriter();
+        try (JsonGenerator json = OwnJson.MAPPER.createGenerator(text)) {
+            json.writeStartObject();
+            format.writeInput(input, new JsonSink(json));
+            json.writeEndObject();
+            json.flush();
+            return OwnJson.MAPPER.readTree(text.toString());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

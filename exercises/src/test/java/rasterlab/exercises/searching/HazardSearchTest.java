@@ -1,0 +1,113 @@
+package rasterlab.exercises.searching;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.exercises.judging.MethodsOnInput;
+import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.scene.MethodCase;
+import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.score.Phrase;
+
+class HazardSearchTest {
+    /** Ample: each of these is found with the first few inputs. */
+    private static final Duration TIME = Duration.ofMinutes(2);
+
+    /** What a search told, in its order. */
+    private static final class Heard implements SearchTold {
+        final List<Find> finds = new ArrayList<>();
+
+        @Override
+        public void tried(long inputs) {}
+
+        @Override
+        public void found(Find find) {
+            finds.add(find);
+        }
+
+        @Override
+        public void simpler(Find find) {
+            finds.add(find);
+        }
+    }
+
+    @ParameterizedTest(name = "nothing is found for {0} {1}")
+    @CsvSource({
+        "line, naive-textbook",
+        "clip-segment, cohen-sutherland-nested-textbook",
+        "triangulate, shortest-diagonal-textbook",
+        "rotate-axis, seven-steps-textbook",
+        "visible-faces, convex-segment-textbook",
+        "color, formula-textbook"
+    })
+    void findsAnInputOnWhichTheMethodFailsAndRightOnesDoNot(String topic, String method) {
+        Find find =
+                HazardSearch.of(topic, method, 5, new Heard())
+                        .search(TIME, () -> false)
+                        .orElseThrow();
+        MethodsOnInput<?, ?, ?> again =
+                MethodsOnInput.of(topic, Phrase.of("break.input"), find.input());
+        assertTrue(again.right().stream().noneMatch(Tried::failed), find.input());
+    }
+
+    @Test
+    void foundInputGetsSimplerAndIsTheSameForTheSameSeed() {
+        var heard = new Heard();
+        Optional<Find> one =
+                HazardSearch.of("line", "naive-textbook", 5, heard).search(TIME, () -> false);
+        Optional<Find> again =
+                HazardSearch.of("line", "naive-textbook", 5, new Heard()).search(TIME, () -> false);
+        assertEquals(one.orElseThrow().input(), again.orElseThrow().input());
+        int first = heard.finds.get(0).input().length();
+        assertTrue(one.get().input().length() <= first, heard.finds.toString());
+    }
+
+    @Test
+    void nothingIsFoundForARightMethod() {
+        var inputs = new AtomicInteger();
+        Optional<Find> found =
+                HazardSearch.of("line", "bresenham", 5, new Heard())
+                        .search(TIME, () -> inputs.incrementAndGet() > 150);
+        assertEquals(Optional.empty(), found);
+    }
+
+    @Test
+    void mutantIsFoundToo() {
+        Find find =
+                HazardSearch.of("visible-faces", "turned-away", 5, new Heard())
+                        .search(TIME, () -> false)
+                        .orElseThrow();
+        assertEquals("turned-away", find.method());
+    }
+
+    @Test
+    void sceneKeepsVerdictAndSeed() {
+        Find find =
+                HazardSearch.of("line", "naive-textbook", 5, new Heard())
+                        .search(TIME, () -> false)
+                        .orElseThrow();
+        var read = (MethodCase) SceneFile.read(find.scene().write());
+        assertEquals(find.scene(), read);
+        assertEquals(
+                new MethodCase.Found(find.verdict().kind().code(), 5), read.found().orElseThrow());
+    }
+
+    @Test
+    void unknownMethodIsRefused() {
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> HazardSearch.of("line", "bresenhan", 1, new Heard()));
+        assertTrue(
+                refusal.getMessage().startsWith("no line method 'bresenhan'"), refusal::getMessage);
+    }
+}
