@@ -2,7 +2,7 @@ package rasterlab.app.signmap;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
-import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.engine.signmap.SignMap;
 

@@ -16,7 +16,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
-import rasterlab.app.canvas.Background;
+import rasterlab.app.canvas.work.Background;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.chart.ChartLook;
