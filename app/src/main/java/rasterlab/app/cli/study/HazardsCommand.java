@@ -46,6 +46,15 @@ public final class HazardsCommand implements Callable<Integer> {
     private boolean json;
 
     @Option(
+            names = "--html",
+            paramLabel = "FILE",
+            description = {
+                "writes a page with every verdict, its picture and the command that repeats it;",
+                "without TOPIC, or where FILE does not end in .html, a folder of such pages"
+            })
+    private Path html;
+
+    @Option(
             names = "--search",
             paramLabel = "METHOD",
             description = "a method or mutant of TOPIC to find a failing input for")
@@ -79,6 +88,7 @@ public final class HazardsCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         if (searched != null)
             return new SearchRun(console, topic, searched, seed, out).within(seconds, json);
+        if (html != null) return new HazardPages(console, html).write(TopicChoice.of(topic));
         if (out != null) throw Complaint.badInput("--out goes with --search METHOD");
         List<HazardMatrix> matrices = new ArrayList<>();
         for (Topic<?, ?, ?> chosen : TopicChoice.of(topic))

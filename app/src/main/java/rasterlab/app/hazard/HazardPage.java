@@ -1,0 +1,204 @@
+package rasterlab.app.hazard;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import rasterlab.app.canvas.method.VerdictDetail;
+import rasterlab.app.card.TopicTexts;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.TopicNames;
+import rasterlab.engine.study.Guard;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Tried;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+import rasterlab.exercises.graded.AnswerPictures;
+import rasterlab.exercises.score.CasePicture;
+
+/** The page of one topic: every method on every hazard. */
+public final class HazardPage<C, I, O> {
+    private static final Duration LONGEST_DRAWING = Duration.ofSeconds(10);
+
+    private final Topic<C, I, O> topic;
+    private final Texts texts;
+    private final TopicNames called;
+    private final StudyWords words;
+    private final AnswerPictures<C, I, O> pictures;
+    private final StringBuilder rows = new StringBuilder();
+    private final StringBuilder cells = new StringBuilder();
+    private boolean asRecorded = true;
+
+    private HazardPage(Topic<C, I, O> topic, Language language) {
+        this.topic = topic;
+        texts = Texts.of("hazard", language);
+        called = TopicNames.in(language);
+        words = new StudyWords(language);
+        pictures = new AnswerPictures<>(topic);
+    }
+
+    /**
+     * A page as a document of its own.
+     *
+     * @param asRecorded whether every verdict is the one that is written down
+     */
+    public record Written(String html, boolean asRecorded) {}
+
+    /**
+     * Tries every method on every hazard of the topic and writes what came of it.
+     *
+     * @param longest wall time that a method may take for one hazard
+     */
+    public static Written of(Topic<?, ?, ?> topic, Duration longest, Language language) {
+        return written(topic, longest, language);
+    }
+
+    private static <C, I, O> Written written(
+            Topic<C, I, O> topic, Duration longest, Language language) {
+        var page = new HazardPage<>(topic, language);
+        topic.hazards().forEach(hazard -> page.add(hazard, longest));
+        return new Written(page.html(), page.asRecorded);
+    }
+
+    private String html() {
+        var body = new StringBuilder();
+        String name = texts.text("title", called.topic(topic.name()), topic.name());
+        body.append("<h1>%s</h1>\n<p>%s</p>\n".formatted(text(name), text(texts.text("about"))));
+        body.append(command("./lab hazards " + topic.name()));
+        body.append("<h2>%s</h2>\n<dl>\n".formatted(text(texts.text("rules"))));
+        for (Verdict.Kind kind : Verdict.Kind.values())
+            body.append(
+                    "<dt class=\"%s\">%s</dt><dd>%s</dd>\n"
+                            .formatted(
+                                    kind.code(),
+                                    text(signed(kind)),
+                                    text(texts.text("rule." + kind.code()))));
+        body.append("</dl>\n<h2>%s</h2>\n".formatted(text(texts.text("table"))));
+        body.append("<div class=\"scroll\"><table>\n<thead><tr><th></th>");
+        for (Method<C> method : topic.methods())
+            body.append("<th>%s</th>".formatted(text(method.name())));
+        body.append("</tr></thead>\n<tbody>\n").append(rows).append("</tbody></table></div>\n");
+        return HazardHtml.document(name, texts.language(), body.append(cells).toString());
+    }
+
+    private void add(Hazard<I> hazard, Duration longest) {
+        Function<Method<C>, Tried<O>> trial = HazardTrial.trying(topic, hazard.input(), longest);
+        String title = called.hazard(topic, hazard);
+        rows.append("<tr><th><a href=\"#%s\">%s</a></th>".formatted(hazard.name(), text(title)));
+        var below = new StringBuilder();
+        var exact = new ArrayList<String>();
+        for (Method<C> method : topic.methods()) {
+            Tried<O> tried = trial.apply(method);
+            Verdict.Kind kind = tried.verdict().kind();
+            boolean known =
+                    kind == hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
+            asRecorded &= known;
+            addCell(hazard, method, kind, known);
+            if (kind == Verdict.Kind.EXACT) exact.add(method.name());
+            else below.append(section(hazard, method, tried, known));
+        }
+        rows.append("</tr>\n");
+        cells.append("<h2 id=\"%s\">%s</h2>\n".formatted(hazard.name(), text(title)));
+        cells.append("<p>%s</p>\n".formatted(text(said(hazard))));
+        if (!exact.isEmpty()) {
+            cells.append(
+                    "<p>%s</p>\n".formatted(text(texts.text("exact", String.join(", ", exact)))));
+            cells.append(command(repeating(hazard, exact.get(0))));
+        }
+        cells.append("<div class=\"cells\">\n").append(below).append("</div>\n");
+    }
+
+    private String said(Hazard<I> hazard) {
+        return TopicTexts.of(topic.name(), texts.language()).hazard(hazard);
+    }
+
+    private void addCell(Hazard<I> hazard, Method<C> method, Verdict.Kind kind, boolean known) {
+        String sign = signed(kind) + (known ? "" : " !");
+        String place = kind == Verdict.Kind.EXACT ? hazard.name() : id(hazard, method);
+        rows.append(
+                "<td class=\"%s\"><a href=\"#%s\" title=\"%s\">%s</a></td>"
+                        .formatted(
+                                kind.code(),
+                                place,
+                                text(repeating(hazard, method.name())),
+                                text(sign)));
+    }
+
+    private String section(Hazard<I> hazard, Method<C> method, Tried<O> tried, boolean known) {
+        Verdict verdict = tried.verdict();
+        var html =
+                new StringBuilder(
+                        "<section id=\"%s\"><h3 class=\"%s\">%s: %s</h3>\n"
+                                .formatted(
+                                        id(hazard, method),
+                                        verdict.kind().code(),
+                                        text(method.name()),
+                                        text(signed(verdict.kind()) + (known ? "" : " !"))));
+        String detail = VerdictDetail.saidToTypist(texts.language(), verdict.detail());
+        if (!verdict.detail().isEmpty()) html.append("<p>%s</p>\n".formatted(text(detail)));
+        picture(hazard, tried)
+                .ifPresent(
+                        drawn ->
+                                html.append(
+                                        "<img alt=\"%s\" src=\"data:image/png;base64,%s\">\n"
+                                                .formatted(
+                                                        text(texts.text("difference")),
+                                                        Base64.getEncoder()
+                                                                .encodeToString(drawn.png()))));
+        return html.append(command(repeating(hazard, method.name())))
+                .append("</section>\n")
+                .toString();
+    }
+
+    /** What a method made of the hazard, under guard, since an answer may be huge. */
+    private Optional<CasePicture> picture(Hazard<I> hazard, Tried<O> tried) {
+        if (tried.made().isEmpty()) return Optional.empty();
+        var drawn =
+                Guard.call(
+                        "picture of " + hazard.name(),
+                        () -> pictures.drawn(hazard.input(), tried.exact(), tried.made().get()),
+                        LONGEST_DRAWING);
+        return drawn instanceof Guard.Returned<Optional<CasePicture>> returned
+                ? returned.value()
+                : Optional.empty();
+    }
+
+    private String signed(Verdict.Kind kind) {
+        return HazardHtml.sign(kind) + " " + words.verdict(kind);
+    }
+
+    private String repeating(Hazard<I> hazard, String method) {
+        return "./lab run %s %s --hazard %s".formatted(topic.name(), method, hazard.name());
+    }
+
+    private String id(Hazard<I> hazard, Method<C> method) {
+        return hazard.name() + "." + method.name();
+    }
+
+    private static String command(String typed) {
+        return "<pre>" + text(typed) + "</pre>\n";
+    }
+
+    private static String text(String said) {
+        return HazardHtml.escaped(said);
+    }
+
+    /** A page that leads to those of the topics. */
+    public static String contents(List<Topic<?, ?, ?>> topics, Language language) {
+        Texts texts = Texts.of("hazard", language);
+        var body = new StringBuilder("<h1>" + text(texts.text("all")) + "</h1>\n<ul>\n");
+        for (Topic<?, ?, ?> topic : topics)
+            body.append(
+                    "<li><a href=\"%s.html\">%s</a></li>\n"
+                            .formatted(
+                                    topic.name(),
+                                    text(TopicNames.in(language).topic(topic.name()))));
+        return HazardHtml.document(texts.text("all"), language, body.append("</ul>\n").toString());
+    }
+}
