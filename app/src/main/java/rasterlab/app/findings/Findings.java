@@ -18,7 +18,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.StudyFile;
-import rasterlab.app.study.StudyPlot;
+import rasterlab.app.study.front.StudyPlot;
 import rasterlab.app.study.StudyWords;
 import rasterlab.app.study.TopicNames;
 import rasterlab.engine.study.Circumstances;

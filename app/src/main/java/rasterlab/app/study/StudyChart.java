@@ -54,7 +54,8 @@ public final class StudyChart {
         return ChartLook.PAPER.svg(graphics -> paint(study, words, graphics));
     }
 
-    static void paint(Study study, StudyWords words, Graphics2D graphics) {
+    /** Draws the chart in the usual size. */
+    public static void paint(Study study, StudyWords words, Graphics2D graphics) {
         var note = LeftOutNote.of(study, words);
         int height = ChartLook.HEIGHT - note.height();
         chart(study, words).paint(graphics, ChartLook.WIDTH, height);

@@ -10,6 +10,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.study.front.StudyPlot;
 import rasterlab.engine.study.Study;
 
 /** The forms in which a study is written, chosen by the file's extension. */

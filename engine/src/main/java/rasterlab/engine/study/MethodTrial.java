@@ -43,7 +43,7 @@ final class MethodTrial<C, I, O> {
         this.settings = settings;
     }
 
-    /** So many parts make the least warm-up. */
+    /** The number of parts of the least warm-up. */
     private static final int WARM_UPS = 3;
 
     private record Sample(long nanos, long items, long passes) {
@@ -115,7 +115,7 @@ final class MethodTrial<C, I, O> {
         if (sample.items() > 0) stability.add(sample.nanosPerItem());
     }
 
-    /** Its time per item in one more round; none where it has none any longer. */
+    /** Times it per item in one more round; none where it has no time any longer. */
     OptionalDouble round() {
         Sample sample = run(settings.round());
         if (sample.items() == 0) return OptionalDouble.empty();

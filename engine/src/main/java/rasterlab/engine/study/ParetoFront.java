@@ -64,7 +64,7 @@ public record ParetoFront(Ranking ranking, Map<String, List<String>> beatenBy) {
         return ranking.places().stream().filter(one -> !isBeaten(one.method())).toList();
     }
 
-    /** Those of the front from which on no quicker one has as small an error: its corners. */
+    /** The corners of the front: those that have a smaller error than every quicker one. */
     public List<Measurement> corners() {
         var corners = new ArrayList<Measurement>();
         double least = Double.POSITIVE_INFINITY;

@@ -20,7 +20,7 @@ public record Ranking(String workload, List<Measurement> places, double noise) {
         places = List.copyOf(places);
     }
 
-    /** That of one workload. */
+    /** The ranking of one workload. */
     public static Ranking of(Study study, String workload) {
         List<Measurement> places =
                 study.measurements().stream()
@@ -30,7 +30,7 @@ public record Ranking(String workload, List<Measurement> places, double noise) {
         return new Ranking(workload, places, study.noise(workload));
     }
 
-    /** Those of all workloads, in the study's order. */
+    /** The rankings of all workloads, in the study's order. */
     public static List<Ranking> all(Study study) {
         return study.measurements().stream()
                 .map(Measurement::workload)

@@ -16,7 +16,7 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.study.CountedStudy;
 import rasterlab.app.study.StudyFile;
-import rasterlab.app.study.StudyPlot;
+import rasterlab.app.study.front.StudyPlot;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;

@@ -157,7 +157,7 @@ public final class FrontChart implements StudyPicture {
                 : colour;
     }
 
-    /** From the quickest corner down to the most accurate one, and on to the right. */
+    /** Draws the steps from the quickest corner down to the most accurate one and to the right. */
     private void staircase(Graphics2D graphics, Rectangle2D plot) {
         List<Spot> corners =
                 spots.stream().filter(spot -> front.corners().contains(spot.point())).toList();

@@ -11,7 +11,6 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
-import rasterlab.app.study.StudyPlot;
 import rasterlab.app.study.StudyWords;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;

@@ -10,7 +10,7 @@ import java.time.Duration;
 public final class Calibration {
     private static final int STEPS = 2_048;
 
-    /** It draws the numbers as G. Marsaglia's Xorshift RNGs, JSS 8(14), 2003, does. */
+    /** The numbers, mixed by a xorshift generator: G. Marsaglia, Xorshift RNGs, JSS 8(14), 2003. */
     private final int[] numbers = new int[STEPS];
 
     private int mixed = 1;

@@ -23,16 +23,16 @@ public record PaceComparison(Order order, double ratio, double low, double high,
     /** The ratio of two medians up to which they are not put in an order. */
     public static final double LEAST_GAP = 1.08;
 
-    /** More further rounds than this are not worth naming. */
+    /** The most further rounds that are worth naming. */
     private static final int MOST_ROUNDS = 1_000;
 
     /** How two loads stand to each other. */
     public enum Order {
         FASTER,
         SLOWER,
-        /** Both medians are the same, but for what is never told apart. */
+        /** The medians are the same, but for what is never told apart. */
         ALIKE,
-        /** They are not told apart on this machine now. */
+        /** The order is not told on this machine now. */
         OPEN;
 
         /** Whether further rounds could say no more. */

@@ -11,7 +11,7 @@ import java.time.Duration;
  * @param seed of the order in which the loads of a round take turns
  */
 public record RoundPlan(int rounds, int most, Duration budget, long seed) {
-    /** So many rounds are made whatever time they take: of fewer the interval promises less. */
+    /** The rounds that are made whatever time they take: of fewer the interval promises less. */
     public static final int LEAST = 8;
 
     public RoundPlan {

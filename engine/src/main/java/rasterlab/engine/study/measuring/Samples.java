@@ -9,7 +9,7 @@ public final class Samples {
     private double[] nanos = new double[16];
     private int count;
 
-    /** Those times, in that order. */
+    /** Makes samples of those times, in that order. */
     public static Samples of(List<Double> nanos) {
         var samples = new Samples();
         nanos.forEach(samples::add);

@@ -7,10 +7,10 @@ package rasterlab.engine.study.measuring;
  * Evaluation, OOPSLA 2007, section 4: a steady state is found, not assumed.
  */
 public final class Stability {
-    /** So many runs on end that bring nothing make it stable. */
+    /** The number of runs on end that bring nothing, which make it stable. */
     private static final int RUNS = 3;
 
-    /** A run that is faster than the best before by less brings nothing. */
+    /** The least gain: a run that is faster than the best before by less brings nothing. */
     private static final double GAIN = 1.03;
 
     private double best = Double.POSITIVE_INFINITY;

@@ -1,12 +1,11 @@
-package rasterlab.app.study;
+package rasterlab.app.study.front;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.study.front.FrontChart;
-import rasterlab.app.study.front.SizesChart;
-import rasterlab.app.study.front.StudyPicture;
+import rasterlab.app.study.StudyChart;
+import rasterlab.app.study.StudyWords;
 import rasterlab.engine.study.Study;
 
 /** The charts that can be drawn of a study. */
