@@ -3,6 +3,7 @@ package rasterlab.exercises.formula;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.util.Optional;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.scilab.forge.jlatexmath.Box;
@@ -25,8 +26,11 @@ final class Typesetter {
     /** Wider or higher formulas are mistakes, in em. */
     private static final int LARGEST = 200;
 
-    /** Words, and a sign of a list with the space and the minus after it. */
-    private static final Pattern LISTED = Pattern.compile("\\\\text\\{[^{}]*\\}|([,;])\\s+(-?)");
+    /** Words; a sign alone in braces; a sign of a list with the space and the minus after it. */
+    private static final Pattern SIGNS =
+            Pattern.compile(
+                    "\\\\text\\{[^{}]*\\}|\\{([-+*=<>:,;]|\\\\pm)\\}"
+                            + "|(?<!\\\\)([,;])((?:\\s|\\\\ )*)(-|\\\\pm(?![a-z]))?");
 
     private Typesetter() {}
 
@@ -86,20 +90,24 @@ final class Typesetter {
 
     /**
      * The library gives a comma after a digit or a bracket no space, so that 0, 1 looks like 0,1,
-     * and takes a minus after it for a difference.
+     * and takes a minus after it for a difference. A sign alone in braces loses its spaces in all
+     * formulas that follow, so none is handed on like that.
      */
     private static String spaced(String tex) {
-        return LISTED.matcher(tex)
-                .replaceAll(
-                        found -> {
-                            String sign = found.group(1);
-                            String set =
-                                    sign == null
-                                            ? found.group()
-                                            : sign
-                                                    + "\\, "
-                                                    + (found.group(2).isEmpty() ? "" : "{-}");
-                            return Matcher.quoteReplacement(set);
-                        });
+        return SIGNS.matcher(tex).replaceAll(found -> Matcher.quoteReplacement(spaced(found)));
+    }
+
+    private static String spaced(MatchResult found) {
+        String alone = found.group(1);
+        String listed = found.group(2);
+        if (alone != null) return "{" + ordinary(alone) + "}";
+        if (listed == null) return found.group();
+        String gap = found.group(3);
+        String space = gap.isBlank() && !gap.isEmpty() ? "\\, " : gap;
+        return ordinary(listed) + space + (found.group(4) == null ? "" : ordinary(found.group(4)));
+    }
+
+    private static String ordinary(String sign) {
+        return "\\mathord{" + sign + "}";
     }
 }

@@ -59,6 +59,18 @@ class FormulasTest {
         double positive = drawn("(0, 2)").width();
         double minus = drawn("-2").width() - drawn("2").width();
         assertEquals(minus, drawn("(0, -2)").width() - positive, 0.01);
+        assertEquals(drawn("0;\\ {-}2").width(), drawn("0;\\ -2").width(), 1e-6);
+        assertEquals(drawn("a, {\\pm}b").width(), drawn("a, \\pm b").width(), 1e-6);
+    }
+
+    @ParameterizedTest(name = "after {0} a difference is set tight")
+    @ValueSource(strings = {"(0, -2)", "{-}2", "0{,}5; -1"})
+    void aSignKeepsItsSpacesAfterOneWithout(String signs) {
+        drawn(signs);
+        double parts = drawn("v^2").width() + drawn("w").width() + drawn("{-}").width();
+        assertTrue(drawn("v^2 - w").width() > parts + 0.4, signs);
+        double list = drawn("a").width() + drawn("b").width() + drawn("{,}").width();
+        assertTrue(drawn("a, b").width() > list + 0.1, signs);
     }
 
     @Test
