@@ -18,6 +18,9 @@ internal class HandedForm private constructor(
     /** Whether the student agrees that it is marked as late. */
     val late: Boolean = text(LATE) == ACCEPT
 
+    /** Whether it is only to be shown once more, as in another language, and not handed in. */
+    val again: Boolean = text(AGAIN).isNotEmpty()
+
     /** The file or the text as it can be shown again; empty where it is no text. */
     val kept: String =
         sent()
@@ -56,6 +59,9 @@ internal class HandedForm private constructor(
     companion object {
         /** The field that tells one opened page from the next. */
         const val ONCE = "once"
+
+        /** The field that asks for the form once more as it is filled in. */
+        const val AGAIN = "again"
 
         /** The field that says which sheet the answers are to. */
         const val SEED = "seed"

@@ -8,6 +8,7 @@ import kotlinx.html.a
 import kotlinx.html.article
 import kotlinx.html.div
 import kotlinx.html.h2
+import kotlinx.html.id
 import kotlinx.html.p
 import kotlinx.html.section
 import kotlinx.html.unsafe
@@ -37,11 +38,13 @@ internal class ExercisePage(
     private val formulas: Formulas,
     private val clock: InstantSource,
 ) {
+    /** @param form that was filled in before; null for an empty one */
     suspend fun show(
         call: ApplicationCall,
         who: Identity,
         exercise: Exercise,
-    ) = respond(call, stand(who, exercise, form = null), HttpStatusCode.OK, refused = null)
+        form: HandedForm? = null,
+    ) = respond(call, stand(who, exercise, form), HttpStatusCode.OK, refused = null)
 
     /** Has [form] shown again, with all that it holds, where what [call] goes on to do with it is refused. */
     fun showAgain(
@@ -85,7 +88,7 @@ internal class ExercisePage(
         refused: Refused?,
     ) {
         val texts = call.texts()
-        call.respondPage(texts, stand.who, stand.exercise.title(texts.language), status) {
+        call.respondPage(texts, stand.who, stand.exercise.title(texts.language), status, stand.filled()) {
             plan(texts, stand)
             div("columns wide") {
                 article("card statement") {
@@ -95,11 +98,16 @@ internal class ExercisePage(
                             "/exercises/${stand.exercise.id()}/pictures/$it"
                         }
                     unsafe { +html }
+                    if (stand.mine != null) wayDown(texts)
                 }
                 section { work(texts, stand, refused) }
             }
         }
     }
+
+    /** Leads to the form where that stands below the statement. */
+    private fun FlowContent.wayDown(texts: PageTexts) =
+        p("way-down") { a("#hand-in", classes = "button") { +"${texts.say("exercise.submit.do")} ↓" } }
 
     private fun FlowContent.work(
         texts: PageTexts,
@@ -108,6 +116,7 @@ internal class ExercisePage(
     ) {
         val exercise = stand.exercise
         div("card") {
+            id = "hand-in"
             p {
                 val starter = "/exercises/${exercise.id()}/starter"
                 val words = if (stand.sheet == null) "exercise.starter" else "exercise.sheet"

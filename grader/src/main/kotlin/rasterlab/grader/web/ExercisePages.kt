@@ -66,6 +66,7 @@ fun Route.exercisePages(
         val student = call.studentHere(accounts)
         val exercise = exercises.named(call.parameters.getOrFail("id"))
         val form = HandedForm.of(exercise, call.receiveFields())
+        if (form.again) return@post page.show(call, student, exercise, form)
         page.showAgain(call, student, exercise, form)
         val source = form.source()
         val accepted = intake.accept(student, exercise, source, form.once(source), form.late)

@@ -1,7 +1,6 @@
 package rasterlab.grader.web
 
 import org.commonmark.node.Node
-import org.commonmark.node.Text
 import org.commonmark.renderer.NodeRenderer
 import org.commonmark.renderer.html.HtmlNodeRendererContext
 import org.commonmark.renderer.html.HtmlWriter
@@ -15,10 +14,6 @@ import kotlin.math.ceil
 import kotlin.math.roundToInt
 
 private const val UNITS_PER_EM = 1000
-
-/** The sign without width beside which no line is broken. */
-private const val WORD_JOINER = "\u2060"
-private const val BINDING_SIGNS = ",.;:!?)»”"
 
 /** Pictures go below the baseline by whole steps, for each of which the style sheet has a class. */
 private const val STEPS_PER_EM = 10
@@ -39,17 +34,21 @@ class FormulaPictures(
 ) : NodeRenderer {
     private val out: HtmlWriter = context.writer
 
-    override fun getNodeTypes(): Set<Class<out Node>> = setOf(InlineFormula::class.java, FormulaBlock::class.java)
+    override fun getNodeTypes(): Set<Class<out Node>> =
+        setOf(InlineFormula::class.java, FormulaBlock::class.java, UnbrokenFormula::class.java)
 
-    override fun render(node: Node) {
-        if (node is FormulaBlock) return displayed(node)
-        put((node as InlineFormula).formula())
-        if (endsBeforeSign(node)) out.text(WORD_JOINER)
+    override fun render(node: Node) =
+        when (node) {
+            is FormulaBlock -> displayed(node)
+            is UnbrokenFormula -> unbroken(node)
+            else -> put((node as InlineFormula).formula())
+        }
+
+    private fun unbroken(node: UnbrokenFormula) {
+        out.tag("span", mapOf("class" to "unbroken"))
+        generateSequence(node.firstChild) { it.next }.forEach(context::render)
+        out.tag("/span")
     }
-
-    /** Whether a comma or the like follows, which must not begin a line. */
-    private fun endsBeforeSign(node: Node): Boolean =
-        (node.next as? Text)?.literal?.firstOrNull()?.let { it in BINDING_SIGNS } ?: false
 
     private fun displayed(block: FormulaBlock) {
         out.line()

@@ -9,6 +9,7 @@ import kotlinx.html.button
 import kotlinx.html.details
 import kotlinx.html.form
 import kotlinx.html.h2
+import kotlinx.html.id
 import kotlinx.html.input
 import kotlinx.html.label
 import kotlinx.html.p
@@ -22,6 +23,13 @@ import rasterlab.grader.submission.ACCEPT
 import rasterlab.grader.submission.HandedForm
 import rasterlab.grader.submission.LATE
 
+private const val STEPS_FORM = "steps"
+private const val WHOLE_FORM = "whole"
+
+/** The form that was filled in; null where none was sent yet. */
+internal fun ExerciseStand.filled(): String? =
+    form?.let { if (sheet != null && it.answers != null) STEPS_FORM else WHOLE_FORM }
+
 /** Where to hand in: a file or its text; the questions of a sheet come first, each with its fields. */
 internal fun FlowContent.handIn(
     texts: PageTexts,
@@ -34,7 +42,7 @@ internal fun FlowContent.handIn(
         whole(texts, stand, stand.form?.kept.orEmpty())
         return
     }
-    handing(texts, stand) { questions(texts, stand.exercise, stand.sheet) }
+    handing(texts, stand, STEPS_FORM) { questions(texts, stand.exercise, stand.sheet) }
     val document =
         stand.form
             ?.takeIf { it.answers == null }
@@ -52,7 +60,7 @@ private fun FlowContent.whole(
     texts: PageTexts,
     stand: ExerciseStand,
     text: String,
-) = handing(texts, stand) {
+) = handing(texts, stand, WHOLE_FORM) {
     val form = stand.exercise.form()
     label {
         span { +texts.say("exercise.file.${form.code()}") }
@@ -74,8 +82,10 @@ private fun FlowContent.whole(
 private fun FlowContent.handing(
     texts: PageTexts,
     stand: ExerciseStand,
+    name: String,
     content: FORM.() -> Unit,
 ) = form("/exercises/${stand.exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
+    id = name
     input(InputType.hidden, name = HandedForm.ONCE) { value = Secrets.newId() }
     content()
     if (stand.over) consent(texts, agreed = stand.form?.late == true)

@@ -8,6 +8,7 @@ import io.ktor.server.html.respondHtml
 import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
+import kotlinx.html.ButtonType
 import kotlinx.html.FlowContent
 import kotlinx.html.InputType
 import kotlinx.html.MAIN
@@ -34,17 +35,24 @@ import kotlinx.html.span
 import kotlinx.html.title
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.submission.HandedForm
 
-/** Answers with a page: heading, navigation for this role, and [content]. */
+/**
+ * Answers with a page: heading, navigation for this role, and [content].
+ *
+ * @param form that another language begins with as it is filled in, by its id; null where none is to be kept
+ */
 suspend fun ApplicationCall.respondPage(
     texts: PageTexts,
     who: Identity?,
     heading: String,
     status: HttpStatusCode = HttpStatusCode.OK,
+    form: String? = null,
     content: MAIN.() -> Unit,
 ) {
     // A form's address shows nothing by itself, so another language begins where the form was.
-    val path = if (request.httpMethod == HttpMethod.Get) request.path().here() else pageBefore() ?: "/"
+    val here = request.httpMethod == HttpMethod.Get || form != null
+    val path = if (here) request.path().here() else pageBefore() ?: "/"
     response.header(HttpHeaders.CacheControl, "no-store")
     respondHtml(status) {
         lang = texts.language
@@ -59,7 +67,7 @@ suspend fun ApplicationCall.respondPage(
         }
         body {
             a("#content", classes = "skip") { +texts.say("skip") }
-            header { navigation(texts, who, path) }
+            header { navigation(texts, who, path, form) }
             main {
                 id = "content"
                 h1 { +heading }
@@ -74,6 +82,7 @@ private fun FlowContent.navigation(
     texts: PageTexts,
     who: Identity?,
     path: String,
+    form: String?,
 ) = nav {
     a("/", classes = "brand") { +texts.say("app") }
     if (who != null) a("/exercises") { +texts.say("nav.exercises") }
@@ -81,10 +90,23 @@ private fun FlowContent.navigation(
     span("spread") {}
     if (who is Identity.Student) span("who") { +who.name }
     LANGUAGES.filter { it != texts.language }.forEach { other ->
-        a("$path?lang=$other") {
-            attributes["hreflang"] = other
-            attributes["aria-label"] = "${texts.say("nav.language")}: $other"
-            +other.uppercase()
+        val label = "${texts.say("nav.language")}: $other"
+        if (form == null) {
+            a("$path?lang=$other") {
+                attributes["hreflang"] = other
+                attributes["aria-label"] = label
+                +other.uppercase()
+            }
+        } else {
+            button(classes = "plain", type = ButtonType.submit) {
+                name = HandedForm.AGAIN
+                value = "true"
+                formAction = "$path?lang=$other"
+                attributes["formnovalidate"] = "formnovalidate"
+                attributes["form"] = form
+                attributes["aria-label"] = label
+                +other.uppercase()
+            }
         }
     }
     if (who != null) {

@@ -62,7 +62,11 @@ fun DIV.result(
     if (view.verdict != null && view.cases.isNotEmpty()) {
         h2 { +texts.say("result.cases") }
         if (view.cases.flatMap { it.pictures }.any { isOfPixels(it) }) p("legend") { +texts.say("result.legend") }
-        view.cases.forEach { case(texts, it, files, "/api/v1/submissions/${view.id}", sheet) }
+        alike(view.cases).forEach { group ->
+            val show = { case: PublishedCase -> case(texts, case, files, "/api/v1/submissions/${view.id}", sheet) }
+            show(group.first())
+            if (group.size > 1) others(texts, group.drop(1), show)
+        }
     }
     view.speed?.let { speedChart(texts, it) }
     view.isolation?.takeIf { it.isNotEmpty() && files.asksForPrograms }?.let { isolation ->
@@ -71,6 +75,16 @@ fun DIV.result(
             if (isolation == Report.PROCESS_LIMITS) +" ${texts.say("result.weak")}"
         }
     }
+}
+
+/** The other cases that are told the same, as one row that opens. */
+private fun FlowContent.others(
+    texts: PageTexts,
+    cases: List<PublishedCase>,
+    show: (PublishedCase) -> Unit,
+) = details("alike") {
+    summary { +texts.say("result.alike", cases.size) }
+    cases.forEach(show)
 }
 
 private fun FlowContent.progress(
@@ -166,8 +180,7 @@ private fun FlowContent.case(
     }
     case.why.getOrNull()?.let { p("why") { +texts.say("result.why", it) } }
     if (case.pictures.isNotEmpty()) pictures(texts, case.title, case.pictures)
-    val passed = case.verdict.told(case.points, case.of) == GradingVerdict.OK.code()
-    if (case.scene.isNotEmpty() && !passed) inLab(texts, case.name, files, address)
+    if (case.scene.isNotEmpty() && !case.passed()) inLab(texts, case.name, files, address)
 }
 
 /** The way from a failed case to the lab, where both methods draw it side by side. */

@@ -27,7 +27,7 @@ fun FlowContent.attemptTable(
     texts: PageTexts,
     exercises: Exercises,
     rows: List<Listed>,
-) = listing(texts, exercises, rows, listOf("attempt" to ::attemptLink))
+) = listing(texts, exercises, rows, listOf("attempt" to ::attemptLink), "attempts")
 
 /** Everybody's submissions. */
 fun FlowContent.classTable(
@@ -57,8 +57,9 @@ private fun FlowContent.listing(
     exercises: Exercises,
     rows: List<Listed>,
     first: List<Pair<String, (PageTexts, Listed) -> String>>,
+    named: String? = null,
 ) = div("scroll") {
-    table {
+    table(named) {
         thead {
             tr {
                 (first.map { it.first } + listOf("verdict", "points", "received")).forEach { column ->
@@ -91,7 +92,10 @@ private fun FlowContent.listing(
                         }
                     }
                     td {
-                        +row.submission.receivedAt.forPeople()
+                        row.submission.receivedAt.forPeople().split(' ').forEach {
+                            span("unbroken") { +it }
+                            +" "
+                        }
                         if (row.late) span("late") { +texts.say("table.late") }
                     }
                 }

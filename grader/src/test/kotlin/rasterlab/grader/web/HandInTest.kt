@@ -142,6 +142,28 @@ class HandInTest {
     }
 
     @Test
+    @DisplayName("another language empties the form, or hands it in")
+    fun anotherLanguageKeepsWhatWasTyped() {
+        val id = "predict-clip-segment"
+        classroom(asking(id)).open(grades = false) {
+            val student = newStudent()
+            val seed = sheet(student, id).seed()
+            val typed = arrayOf("seed" to "$seed", "answer-1-decision" to "four", "answer-2-decision" to "7")
+            val refused = send(student, id, *typed).bodyAsText()
+            val button = Regex("<button[^>]*formaction=\"/exercises/$id\\?lang=ru\"[^>]*>").find(refused)?.value
+            assertTrue(button != null && "form=\"steps\"" in button && "name=\"again\"" in button, refused)
+            val again = send(student, id, *typed, "again" to "true", language = "ru")
+            val page = again.bodyAsText()
+            assertEquals(200, again.status.value, page)
+            assertTrue("lang=\"ru\"" in page && "value=\"four\"" in page && "value=\"7\"" in page, page)
+            val document = send(student, id, "source" to "{\"typed\": 1}", "again" to "true").bodyAsText()
+            assertTrue("{&quot;typed&quot;: 1}" in document || "{\"typed\": 1}" in document, document)
+            assertTrue("form=\"whole\"" in document, document)
+            assertEquals(seed, sheet(student, id).seed(), "it was handed in")
+        }
+    }
+
+    @Test
     @DisplayName("only the first mistake of a document is told")
     fun allMistakesOfADocumentAreToldAndItIsKept() {
         val id = "predict-clip-segment"

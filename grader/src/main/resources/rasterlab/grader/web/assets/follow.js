@@ -1,6 +1,7 @@
 // Keeps the part of the page that is marked `data-events` up to date: whenever the server reports
 // something new, the part is fetched again as HTML that the server has escaped. Copies the command before a
-// button "copy" where the browser lets it; elsewhere there is no such button.
+// button "copy" where the browser lets it; elsewhere there is no such button. Keeps what was typed when the
+// language changes.
 "use strict";
 
 const live = document.querySelector("[data-events]");
@@ -42,6 +43,28 @@ if (live) {
     refresh();
   });
 }
+
+// Another language begins with what was typed: the form is sent to be shown again, not handed in.
+const changed = (field) => {
+  if (field.type === "file") return field.files.length > 0;
+  if (field.options) return [...field.options].some((one) => one.selected && !one.defaultSelected && one.value);
+  return "defaultValue" in field && field.value !== field.defaultValue;
+};
+
+document.addEventListener("click", (event) => {
+  const link = event.target.closest("a[hreflang]");
+  const form = link && [...document.querySelectorAll("#steps, #whole")].find((one) => [...one.elements].some(changed));
+  if (!form) return;
+  event.preventDefault();
+  const again = document.createElement("button");
+  again.hidden = true;
+  again.name = "again";
+  again.value = "true";
+  again.formAction = link.href;
+  again.formNoValidate = true;
+  form.append(again);
+  again.click();
+});
 
 if (navigator.clipboard) {
   document.documentElement.classList.add("copies");

@@ -1,0 +1,20 @@
+package rasterlab.grader.web
+
+import rasterlab.exercises.published.PublishedCase
+import rasterlab.exercises.score.GradingVerdict
+
+/** So many failures that are told the same are one row that opens; fewer stand by themselves. */
+private const val MANY = 3
+
+/** Whether it earned all its points. */
+internal fun PublishedCase.passed(): Boolean = verdict.told(points, of) == GradingVerdict.OK.code()
+
+/** The cases in their order, many failures with one verdict and one message as a group at the place of the first. */
+internal fun alike(cases: List<PublishedCase>): List<List<PublishedCase>> =
+    cases
+        .groupBy { listOf(it.verdict.told(it.points, it.of), it.message, it.visibility) }
+        .values
+        .flatMap { group ->
+            val alike = group.size >= MANY && group.none { it.passed() } && group.first().message.isNotEmpty()
+            if (alike) listOf(group) else group.map(::listOf)
+        }.sortedBy { cases.indexOf(it.first()) }
