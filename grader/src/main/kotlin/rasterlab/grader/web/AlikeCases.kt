@@ -3,7 +3,7 @@ package rasterlab.grader.web
 import rasterlab.exercises.published.PublishedCase
 import rasterlab.exercises.score.GradingVerdict
 
-/** So many failures that are told the same are one row that opens; fewer stand by themselves. */
+/** The least number of failures, told the same, that are shown as one row which opens. */
 private const val MANY = 3
 
 /** Whether it earned all its points. */

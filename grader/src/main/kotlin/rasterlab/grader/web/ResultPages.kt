@@ -76,7 +76,7 @@ private suspend fun ApplicationCall.respondResult(
     val view = results.view(who, submission.id, texts.language)
     val files = results.files(submission)
     val sheet = SheetResult.of(exercises.at(submission.exercise, view.revision), submission.source)
-    respondPage(texts, who, "$title — ${texts.say("result.title", submission.attempt)}") {
+    respondPage(texts, who, "$title\u00a0— ${texts.say("result.title", submission.attempt)}") {
         p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
         deadline(texts, view)
         div {
