@@ -298,7 +298,8 @@ public final class LightPanel extends LabPanel {
             orbit.refresh();
             lightActions.refreshUndo();
             lightGuide.refresh();
-            lightGuide.hint("light", texts.text("first.light"));
+            boolean steps = ownSteps().isPresent();
+            lightGuide.hint("light", texts.text(steps ? "first.light.own" : "first.light"));
             boolean saved = saving.commands().isPresent();
             lightActions.enable("copyCommand", model.state().drawn().isPresent());
             lightActions.hint("copyCommand", texts.text(saved ? "copy.saved" : "copy.unsaved"));
