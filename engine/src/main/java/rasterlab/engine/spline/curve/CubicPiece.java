@@ -43,7 +43,7 @@ final class CubicPiece {
     }
 
     /**
-     * At most how far the piece from u = {@code from} to {@code to} is from its chord, in pixels:
+     * Bounds how far the piece from u = {@code from} to {@code to} is from its chord, in pixels:
      * exact where no point lies beyond the chord's ends; elsewhere the least of two bounds.
      */
     double fromChord(double from, double to) {

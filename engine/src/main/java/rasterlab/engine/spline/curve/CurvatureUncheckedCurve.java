@@ -4,8 +4,8 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 
 /**
- * As many chords as the curvature asks for, none of which is looked at again: what {@link
- * FewestCurve} does before it measures.
+ * Draws as many chords as the curvature asks for and measures none of them, unlike {@link
+ * FewestCurve}.
  *
  * <p>The corners lie on the parabolas, which have a tenth of the flatness for themselves, and the
  * chords the rest. It is nearly the fewest, but where the estimate is too small, a chord is farther

@@ -13,6 +13,7 @@ import rasterlab.engine.spline.exact.Polyline;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Mutant;
 import rasterlab.engine.study.Topic;
@@ -90,6 +91,29 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
 
     private static long limit(CurveTask task) {
         return task.flatness() > 0 ? Flatness.MOST_SEGMENTS * 2L : task.at().length;
+    }
+
+    /** Counts points and adds up their places, so that a compiler cannot leave them uncomputed. */
+    private static final class CountingPoints implements CurvePoints {
+        private final long limit;
+        private long count;
+        private double places;
+
+        CountingPoints(long limit) {
+            this.limit = limit;
+        }
+
+        @Override
+        public void point(double x, double y) {
+            if (count == limit) throw new LimitReached((int) limit, null);
+            count++;
+            places += x + y;
+        }
+
+        long count() {
+            if (Double.isNaN(places)) throw new AssertionError("a point is not a number");
+            return count;
+        }
     }
 
     @Override

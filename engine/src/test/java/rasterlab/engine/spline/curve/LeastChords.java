@@ -8,7 +8,7 @@ final class LeastChords {
 
     private LeastChords() {}
 
-    /** From each end the farthest one that the flatness allows, which no other choice beats. */
+    /** Goes from each end to the farthest one that the flatness allows, which no other choice beats. */
     static int of(double[] x, double[] y, double flatness) {
         double[] px = sampled(x);
         double[] py = sampled(y);
