@@ -153,6 +153,7 @@ final class DrawnSource implements ValueSource {
     private double fresh() {
         if (!numbers.isEmpty() && random.nextInt(5) == 0)
             return BorderNumbers.related(random, numbers);
+        if (random.nextInt(12) == 0) return RoundNumbers.any(random);
         return switch (temper) {
             case 0 -> random.nextInt(SMALL);
             case 1 -> BorderNumbers.ordinary(random);

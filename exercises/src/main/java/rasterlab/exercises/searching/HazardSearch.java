@@ -124,7 +124,7 @@ public final class HazardSearch<C, I, O> {
         changedOf = drawing ? -1 : random.nextInt(kept.size());
         if (!drawing) return mutation.changed(kept.get(changedOf));
         asked++;
-        Optional<JsonNode> tree = inputs.drawn(random, slow > 2 && random.nextInt(8) > 0);
+        Optional<JsonNode> tree = inputs.drawn(random, slow > 0 && random.nextInt(8) > 0);
         if (tree.isEmpty()) return null;
         drawn++;
         return tree.get();

@@ -35,7 +35,10 @@ final class TreeMutation {
             case 4 -> spread(parts);
             case 5, 6 -> changeItems(parts);
             case 7 -> alignItem(parts);
-            case 8 -> scale(parts);
+            case 8 -> {
+                if (random.nextBoolean()) scale(parts);
+                else equate(parts);
+            }
             default -> equate(parts);
         }
     }
@@ -55,7 +58,7 @@ final class TreeMutation {
 
     private double number(JsonNode value, TreeParts parts) {
         double old = value.doubleValue();
-        return switch (random.nextInt(11)) {
+        return switch (random.nextInt(12)) {
             case 0 -> Math.nextUp(old);
             case 1 -> Math.nextDown(old);
             case 2 -> -old;
@@ -63,6 +66,7 @@ final class TreeMutation {
             case 4 -> BorderNumbers.anywhere(random);
             case 5 -> BorderNumbers.ordinary(random);
             case 6 -> BorderNumbers.whole(random);
+            case 9 -> RoundNumbers.any(random);
             case 7 -> Math.rint(old) + random.nextInt(3) - 1;
             case 8 -> old + (random.nextBoolean() ? 1 : -1) * Math.scalb(1.0, -random.nextInt(30));
             default -> BorderNumbers.related(random, values(parts));

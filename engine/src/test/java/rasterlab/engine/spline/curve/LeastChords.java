@@ -8,7 +8,9 @@ final class LeastChords {
 
     private LeastChords() {}
 
-    /** Goes from each end to the farthest one that the flatness allows, which no other choice beats. */
+    /**
+     * Goes from each end to the farthest one that the flatness allows, which no other choice beats.
+     */
     static int of(double[] x, double[] y, double flatness) {
         double[] px = sampled(x);
         double[] py = sampled(y);
