@@ -4,12 +4,12 @@ import java.awt.EventQueue;
 import java.nio.file.Path;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
-import rasterlab.app.shell.LabLook;
-import rasterlab.app.shell.LabModels;
-import rasterlab.app.shell.LabSettings;
-import rasterlab.app.shell.LabTheme;
-import rasterlab.app.shell.LabsFile;
-import rasterlab.app.shell.SettingsFile;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabsFile;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.settings.SettingsFile;
 
 /** A window of its own process that changes something, says so and is never closed. */
 final class EndedWindow {

@@ -19,9 +19,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabSettings;
-import rasterlab.app.shell.LabTheme;
-import rasterlab.app.shell.SettingsFile;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.tests.bench.JavaCommand;
 
 /** What is left of a window whose process is ended from outside. */

@@ -21,11 +21,11 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
-import rasterlab.app.shell.LabModels;
-import rasterlab.app.shell.LabSettings;
-import rasterlab.app.shell.LabTheme;
-import rasterlab.app.shell.LabsFile;
-import rasterlab.app.shell.SettingsFile;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabsFile;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.settings.SettingsFile;
 
 /** A window that was asked to speak Russian this once, and is English otherwise. */
 @Tag("slow")

@@ -28,9 +28,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.file.LastChosen;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabLook;
-import rasterlab.app.shell.LabSettings;
-import rasterlab.app.shell.SettingsFile;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.tests.bench.JavaCommand;
 
 /** The window of a program that was left at a tab. */

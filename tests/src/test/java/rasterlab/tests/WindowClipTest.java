@@ -16,9 +16,9 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.clip.ClipChoice;
 import rasterlab.app.clip.ClipLabState;
-import rasterlab.app.clip.ClipMode;
-import rasterlab.app.clip.ClipPoint;
-import rasterlab.app.clip.SpacePoint;
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.SpacePoint;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
 

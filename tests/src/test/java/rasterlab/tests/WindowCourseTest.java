@@ -10,7 +10,7 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.tests.grading.GraderClient;
 import rasterlab.tests.grading.ServerProcess;
 import rasterlab.tests.grading.Solutions;

@@ -14,12 +14,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
-import rasterlab.app.line.ArcFigure;
-import rasterlab.app.line.Dashes;
-import rasterlab.app.line.FigureState;
-import rasterlab.app.line.LineMode;
-import rasterlab.app.line.PenFigure;
-import rasterlab.app.line.SlopeFigure;
+import rasterlab.app.line.figure.ArcFigure;
+import rasterlab.app.line.figure.Dashes;
+import rasterlab.app.line.figure.FigureState;
+import rasterlab.app.line.figure.PenFigure;
+import rasterlab.app.line.figure.SlopeFigure;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.rooms.LabRooms;
 
 /** Circles, ellipses, pens and the chart of brightness under a real display. */

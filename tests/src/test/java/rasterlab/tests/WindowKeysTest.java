@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTabs;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.line.Segment;
 
 /** Where the keyboard goes: to the picture of the chosen tab. */

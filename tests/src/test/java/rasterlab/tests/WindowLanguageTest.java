@@ -14,7 +14,7 @@ import javax.swing.MenuSelectionManager;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** Another language chosen in the window. */
 class WindowLanguageTest extends WindowHarness {

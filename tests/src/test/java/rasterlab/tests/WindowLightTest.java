@@ -24,7 +24,7 @@ import org.assertj.swing.fixture.JFileChooserFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** The lighting lab's window under a real display, by mouse and keyboard. */
 class WindowLightTest extends WindowHarness {

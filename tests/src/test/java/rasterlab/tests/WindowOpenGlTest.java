@@ -31,7 +31,7 @@ import rasterlab.app.opengl.OpenGlLabState;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.Group;
 import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.raster.Raster;
 
 /** The OpenGL lab's window under a real display, by mouse and keyboard. */

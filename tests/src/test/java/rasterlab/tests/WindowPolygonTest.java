@@ -14,15 +14,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
-import rasterlab.app.polygon.BrushKind;
-import rasterlab.app.polygon.CutFigure;
-import rasterlab.app.polygon.FillFigure;
-import rasterlab.app.polygon.InsideFigure;
 import rasterlab.app.polygon.PolygonChoice;
 import rasterlab.app.polygon.PolygonLabState;
-import rasterlab.app.polygon.PolygonMode;
-import rasterlab.app.polygon.PolygonPoint;
-import rasterlab.app.polygon.SeedFigure;
+import rasterlab.app.polygon.figure.BrushKind;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.SeedFigure;
 import rasterlab.contract.FillRule;
 
 /** The lab of polygons under a real display, by mouse and keyboard. */

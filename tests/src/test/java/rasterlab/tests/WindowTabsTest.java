@@ -11,8 +11,8 @@ import java.util.List;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabLook;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** Tabs on their way into the window, which come in several events. */
 class WindowTabsTest extends WindowHarness {

@@ -26,11 +26,11 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
-import rasterlab.app.shell.LabLook;
-import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTabs;
-import rasterlab.app.shell.LabTheme;
-import rasterlab.app.shell.SettingsFile;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PictureDifference;
 

@@ -19,8 +19,8 @@ import rasterlab.app.language.Language;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
-import rasterlab.app.shell.FirstCase;
 import rasterlab.app.shell.WindowStart;
+import rasterlab.app.shell.labs.FirstCase;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.scene.MethodCase;
 

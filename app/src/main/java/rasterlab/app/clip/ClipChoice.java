@@ -1,5 +1,11 @@
 package rasterlab.app.clip;
 
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.VolumeScene;
+
 /**
  * What the user chose, and what undo brings back; each mode keeps its own scene.
  *

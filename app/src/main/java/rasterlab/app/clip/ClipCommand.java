@@ -4,6 +4,14 @@ import java.io.IOException;
 import java.util.List;
 import rasterlab.app.canvas.lab.CommandInput;
 import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PlaneFigures;
+import rasterlab.app.clip.scene.PlaneSegment;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.ShownWindow;
+import rasterlab.app.clip.scene.SpaceSegment;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.engine.format.ValueSink;
 
 /**

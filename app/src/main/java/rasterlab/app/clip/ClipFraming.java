@@ -3,6 +3,14 @@ package rasterlab.app.clip;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.VolumePicture;
+import rasterlab.app.clip.scene.VolumeScene;
+import rasterlab.app.clip.scene.VolumeSpace;
 import rasterlab.engine.clip.segment.ClipWindow;
 
 /** Chooses which part of the plane the stage shows when the user has not zoomed. */

@@ -10,6 +10,15 @@ import rasterlab.app.canvas.work.Arranged;
 import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Listeners;
+import rasterlab.app.clip.outcome.ClipResults;
+import rasterlab.app.clip.outcome.ClipTopics;
+import rasterlab.app.clip.scene.ClipGrip;
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 

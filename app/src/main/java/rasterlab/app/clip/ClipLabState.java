@@ -1,6 +1,9 @@
 package rasterlab.app.clip;
 
 import java.util.Optional;
+import rasterlab.app.clip.outcome.ClipResults;
+import rasterlab.app.clip.outcome.ClipStep;
+import rasterlab.app.clip.scene.ClipGrip;
 
 /**
  * What the lab shows at one moment.

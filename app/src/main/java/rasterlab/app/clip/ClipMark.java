@@ -1,6 +1,8 @@
 package rasterlab.app.clip;
 
 import java.util.List;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.PlaneFigures;
 
 /** One thing in the picture, in plane coordinates; {@link ClipPainter} knows how it looks. */
 sealed interface ClipMark {

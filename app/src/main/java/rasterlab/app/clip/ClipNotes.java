@@ -2,6 +2,13 @@ package rasterlab.app.clip;
 
 import java.util.List;
 import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.SegmentClipping;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 

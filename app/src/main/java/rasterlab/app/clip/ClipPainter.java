@@ -21,6 +21,7 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.clip.scene.ClipPoint;
 import rasterlab.engine.raster.PixelMark;
 
 /** Draws what {@link ClipMark} stands for. */

@@ -13,6 +13,7 @@ import rasterlab.app.canvas.lab.ModeRows;
 import rasterlab.app.canvas.lab.StageGuide;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.TopicChips;
+import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.signmap.SignMaps;

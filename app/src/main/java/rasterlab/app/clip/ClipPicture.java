@@ -11,6 +11,15 @@ import java.util.stream.Stream;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.clip.outcome.ClipResults;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.PolygonClipping;
+import rasterlab.app.clip.outcome.WrongParts;
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.VolumeScene;
 
 /**
  * What a stage shows of one method.

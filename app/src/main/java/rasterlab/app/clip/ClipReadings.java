@@ -3,6 +3,18 @@ package rasterlab.app.clip;
 import java.util.Arrays;
 import java.util.Locale;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.clip.outcome.ClipStep;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.Codes;
+import rasterlab.app.clip.outcome.SegmentClipping;
+import rasterlab.app.clip.scene.ClipGrip;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.ShownWindow;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.SpaceSegment;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.clip.volume.CohenSutherland6;
 

@@ -12,6 +12,8 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
+import rasterlab.app.clip.outcome.ClipTopics;
+import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.mine.OwnMethods;
 
 /** The lab of clipping: segments, a polygon, a view volume. */

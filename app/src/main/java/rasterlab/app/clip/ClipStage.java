@@ -16,6 +16,17 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.clip.outcome.ClipResults;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.Codes;
+import rasterlab.app.clip.outcome.SegmentClipping;
+import rasterlab.app.clip.scene.ClipGrip;
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.app.language.Texts;
 
 /** The picture of the chosen method, and beside it that of a second one. */

@@ -5,6 +5,7 @@ import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.clip.scene.ClipPoint;
 import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.polygon.SutherlandHodgman;
 import rasterlab.engine.clip.segment.BranchlessLiangBarsky;

@@ -3,6 +3,11 @@ package rasterlab.app.clip;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.widget.NumberField;
+import rasterlab.app.clip.scene.ClipGrip;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.app.language.Texts;
 
 /** The selected point's coordinates as number fields: x and y, and z in space. */

@@ -2,6 +2,13 @@ package rasterlab.app.clip;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.clip.outcome.ClipStep;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.Edges;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.PlaneFigures;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.ShownWindow;
 import rasterlab.engine.clip.polygon.ConvexWindow;
 
 /** The picture of a polygon in a window. */

@@ -3,6 +3,13 @@ package rasterlab.app.clip;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import rasterlab.app.clip.outcome.ClipStep;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.Codes;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.PlaneSegment;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.ShownWindow;
 import rasterlab.engine.clip.segment.ClipWindow;
 
 /** The picture of segments in a window. */

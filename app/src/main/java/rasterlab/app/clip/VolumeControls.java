@@ -10,6 +10,11 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.lab.Inspector;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberField;
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.clip.scene.Screen;
+import rasterlab.app.clip.scene.VolumeScene;
+import rasterlab.app.clip.scene.VolumeSpace;
+import rasterlab.app.clip.scene.VolumeViewpoint;
 import rasterlab.app.language.Texts;
 
 /** What only the view volume has: its space, its viewpoint, its nearest plane and its screen. */

@@ -4,6 +4,16 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import rasterlab.app.clip.outcome.Border;
+import rasterlab.app.clip.outcome.ClipStep;
+import rasterlab.app.clip.outcome.Clipping;
+import rasterlab.app.clip.outcome.Codes;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.SpaceSegment;
+import rasterlab.app.clip.scene.VolumePicture;
+import rasterlab.app.clip.scene.VolumeScene;
+import rasterlab.app.clip.scene.VolumeSpace;
 
 /** The wire picture of segments in the view volume. */
 final class VolumeDrawing {

@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Matrix4d;
 import org.joml.Vector4d;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.engine.transform.ProjectionMatrices;
 
 /**

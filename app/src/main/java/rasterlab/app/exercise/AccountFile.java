@@ -12,6 +12,7 @@ import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import java.util.Properties;
+import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;

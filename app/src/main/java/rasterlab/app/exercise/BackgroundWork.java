@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.util.List;
+import rasterlab.app.exercise.outcome.TriedCase;
 
 /**
  * What runs in the background.
@@ -11,8 +12,8 @@ import java.util.List;
  * @param cases those judged so far, without their verdicts: a mistake that all share is known only
  *     at the end, and is then paid for in the cases that ask for it alone
  */
-record BackgroundWork(Phase phase, int done, int of, List<TriedCase> cases) {
-    enum Phase {
+public record BackgroundWork(Phase phase, int done, int of, List<TriedCase> cases) {
+    public enum Phase {
         NONE,
         CHECKING,
         JOINING,
@@ -22,13 +23,13 @@ record BackgroundWork(Phase phase, int done, int of, List<TriedCase> cases) {
         GRADING
     }
 
-    BackgroundWork {
+    public BackgroundWork {
         cases = TriedCase.toldApart(cases.stream().map(TriedCase::withoutVerdict).toList());
     }
 
-    static final BackgroundWork NONE = of(Phase.NONE);
+    public static final BackgroundWork NONE = of(Phase.NONE);
 
-    static BackgroundWork of(Phase phase) {
+    public static BackgroundWork of(Phase phase) {
         return new BackgroundWork(phase, 0, 0, List.of());
     }
 
@@ -41,7 +42,7 @@ record BackgroundWork(Phase phase, int done, int of, List<TriedCase> cases) {
         };
     }
 
-    boolean running() {
+    public boolean running() {
         return phase != Phase.NONE;
     }
 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.work.Background;
+import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.CourseServer.Patience;
@@ -18,7 +19,7 @@ import rasterlab.exercises.predicting.SheetText;
  * The text that an exercise is begun with: its own, or a sheet of questions, which is the server's
  * where there is an account.
  */
-record Beginning(Exercise exercise, Optional<Account> account, Patience patience) {
+public record Beginning(Exercise exercise, Optional<Account> account, Patience patience) {
     /** The text that needs no server; of a sheet another one at each call. */
     static String here(Exercise exercise) {
         return exercise.form() == Form.PREDICT
@@ -45,7 +46,7 @@ record Beginning(Exercise exercise, Optional<Account> account, Patience patience
      *
      * @throws UnreadableSheet if the text is no sheet
      */
-    HandedAnswers sheet(String text) throws IOException, InterruptedException {
+    public HandedAnswers sheet(String text) throws IOException, InterruptedException {
         HandedAnswers begun = UnreadableSheet.read(exercise, text);
         boolean untouched =
                 begun.sheet().questions().stream()
@@ -70,7 +71,7 @@ record Beginning(Exercise exercise, Optional<Account> account, Patience patience
     }
 
     /** Tells why the server did not give it, or why a sheet cannot be read. */
-    Consumer<IOException> refused(Consumer<Notice> tell) {
+    public Consumer<IOException> refused(Consumer<Notice> tell) {
         return failure ->
                 tell.accept(
                         failure instanceof UnreadableSheet sheet

@@ -3,6 +3,8 @@ package rasterlab.app.exercise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.published.PublishedSpeed;

@@ -28,7 +28,7 @@ import rasterlab.app.outcome.WholeFile;
  * is handed in as JSON ends with {@code .json}; earlier versions of the window named that {@code
  * .java}, too, and such a file is renamed when it is taken.
  */
-final class DraftFile implements Closeable {
+public final class DraftFile implements Closeable {
     /** Windows at once, and the number of drafts kept of one exercise. */
     static final int MOST = 9;
 
@@ -36,7 +36,7 @@ final class DraftFile implements Closeable {
     private static final String EARLIER = "java";
 
     /** What another window wrote. */
-    record Other(String file, Instant changed, String text) {}
+    public record Other(String file, Instant changed, String text) {}
 
     private final Path folder;
     private final String exercise;

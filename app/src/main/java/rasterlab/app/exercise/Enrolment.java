@@ -6,12 +6,13 @@ import java.io.IOException;
 import java.net.URI;
 import java.util.Optional;
 import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.ServerRefusal;
 
 /** Makes the account that sources are handed in with: by a course's code, or by a token. */
-final class Enrolment {
+public final class Enrolment {
     /** How somebody comes to an account: by a course's code, or by a token. */
     private interface Joining {
         /**
@@ -29,7 +30,7 @@ final class Enrolment {
     }
 
     /** Forgets the answer to an earlier form. */
-    void askForCourse() {
+    public void askForCourse() {
         model.publish(model.changed().joining(JoinAnswer.NONE));
     }
 
@@ -40,13 +41,13 @@ final class Enrolment {
      * @param code of the course
      * @param name of the student
      */
-    void join(String address, String code, String name) {
+    public void join(String address, String code, String name) {
         String key = model.key(address + "\n" + code + "\n" + name);
         server(address).ifPresent(at -> join(at, course -> course.join(code, name, key)));
     }
 
     /** Submits with a token that the student has already, if the server knows it. */
-    void signIn(String address, String token) {
+    public void signIn(String address, String token) {
         server(address).ifPresent(server -> join(server, course -> course.known(token.strip())));
     }
 

@@ -6,7 +6,7 @@ package rasterlab.app.exercise;
  * @param exercise its id; "" before one was shown
  * @param typeSteps by how much the editor's type is larger than the window's, in points
  */
-record ExerciseChoice(String exercise, int typeSteps) {
+public record ExerciseChoice(String exercise, int typeSteps) {
     static final ExerciseChoice FIRST = new ExerciseChoice("", 0);
 
     /** Smaller type cannot be read, larger type leaves no room for a line. */
@@ -14,7 +14,7 @@ record ExerciseChoice(String exercise, int typeSteps) {
 
     private static final int LARGEST = 24;
 
-    ExerciseChoice {
+    public ExerciseChoice {
         if (typeSteps < SMALLEST || typeSteps > LARGEST)
             throw new IllegalArgumentException(
                     "typeSteps must be from %d to %d points, got %d"

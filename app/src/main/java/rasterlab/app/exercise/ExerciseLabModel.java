@@ -19,6 +19,10 @@ import rasterlab.app.canvas.file.ShellPath;
 import rasterlab.app.canvas.work.Background;
 import rasterlab.app.canvas.work.Listeners;
 import rasterlab.app.course.Standings;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.Outcomes;
+import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.server.CourseServer;
 import rasterlab.engine.naming.Named;
@@ -32,8 +36,8 @@ import rasterlab.exercises.formula.Formulas;
  * on the thread of the executor it is given. Nothing is read before the state is first asked for.
  */
 public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseable {
-    final Formulas formulas = new Formulas();
-    final Standings standings;
+    public final Formulas formulas = new Formulas();
+    public final Standings standings;
     final ExerciseList exercises;
     private final CourseServer.Patience patience;
     private final OwnMethods own;
@@ -109,7 +113,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         standings.readFrom(folder.resolve("drafts"));
     }
 
-    ExerciseState state() {
+    public ExerciseState state() {
         if (state == null) open();
         return state;
     }
@@ -139,7 +143,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         }
     }
 
-    void readAhead() {
+    public void readAhead() {
         exercises.readAhead();
     }
 
@@ -149,12 +153,12 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     /** The open cases of the chosen exercise, none of them tried. */
-    List<TriedCase> untried() {
+    public List<TriedCase> untried() {
         return TriedCase.untried(state().exercise());
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
-    Runnable listen(Consumer<ExerciseState> listener) {
+    public Runnable listen(Consumer<ExerciseState> listener) {
         return listeners.add(listener);
     }
 
@@ -179,7 +183,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         outcomes.read(next, outcome -> show(next, outcome));
     }
 
-    Beginning beginning() {
+    public Beginning beginning() {
         return new Beginning(state().exercise(), state.account(), patience);
     }
 
@@ -197,30 +201,30 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     /** Shows the next hint, or asks the server what it costs. */
-    void takeHint() {
+    public void takeHint() {
         hints.next(state().exercise(), state.account());
     }
 
     /** The part of the chosen exercise's hints that may be shown. */
-    HintView hints() {
+    public HintView hints() {
         return hints.of(state().exercise(), state.account());
     }
 
-    HintDesk hintDesk() {
+    public HintDesk hintDesk() {
         return hints;
     }
 
     /**
      * The shell command that checks the source as it is kept; empty where it is not on the disk.
      */
-    Optional<String> command() {
+    public Optional<String> command() {
         String id = state().exercise().id();
         if (!state.unsaved().isEmpty()) return Optional.empty();
         return sources.path(id).map(path -> "./lab check " + id + " " + ShellPath.quoted(path));
     }
 
     /** Lets the labs run a source as a program for the chosen exercise. */
-    void bringToLabs(String source) {
+    public void bringToLabs(String source) {
         own.bring(state().exercise(), source);
     }
 
@@ -272,7 +276,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     /** Joins courses and signs in, for a form. */
-    Enrolment enrolment() {
+    public Enrolment enrolment() {
         return enrolment;
     }
 
@@ -297,7 +301,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         submit(false);
     }
 
-    void submit(boolean late) {
+    public void submit(boolean late) {
         if (state().account().isEmpty()) {
             tell(Notice.of("noAccount"));
             return;
@@ -335,7 +339,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         return keys.computeIfAbsent(about, is -> UUID.randomUUID().toString());
     }
 
-    void begin(BackgroundWork first, Background.Task task, Consumer<IOException> failed) {
+    public void begin(BackgroundWork first, Background.Task task, Consumer<IOException> failed) {
         if (state().work().running()) return;
         publish(changed().work(first).notice(Notice.NONE).joining(JoinAnswer.NONE));
         background.begin(task, () -> publish(changed().work(BackgroundWork.NONE)), failed);
@@ -379,7 +383,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         sources.close();
     }
 
-    void tell(Notice notice) {
+    public void tell(Notice notice) {
         publish(changed().notice(notice));
     }
 

@@ -2,6 +2,8 @@ package rasterlab.app.exercise;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.server.Account;
 import rasterlab.exercises.Exercise;
 
@@ -16,7 +18,7 @@ import rasterlab.exercises.Exercise;
  * @param account where to submit; empty before a course is joined
  * @param joining what the last form to join a course was answered
  */
-record ExerciseState(
+public record ExerciseState(
         Exercise exercise,
         String source,
         List<DraftFile.Other> otherDrafts,
@@ -26,7 +28,7 @@ record ExerciseState(
         Notice unsaved,
         Optional<Account> account,
         JoinAnswer joining) {
-    ExerciseState {
+    public ExerciseState {
         otherDrafts = List.copyOf(otherDrafts);
     }
 
@@ -45,12 +47,12 @@ record ExerciseState(
     }
 
     /** Whether a server is asked to let a student join. */
-    boolean joins() {
+    public boolean joins() {
         return work.phase() == BackgroundWork.Phase.JOINING;
     }
 
     /** Whether the outcome speaks of the text as it is now. */
-    boolean upToDate() {
+    public boolean upToDate() {
         return outcome.filter(one -> one.source().equals(source)).isPresent();
     }
 }

@@ -2,6 +2,8 @@ package rasterlab.app.exercise;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.server.Account;
 import rasterlab.exercises.Exercise;
 

@@ -5,6 +5,7 @@ import static rasterlab.app.exercise.BackgroundWork.Phase.WAITING;
 
 import java.util.List;
 import java.util.function.Consumer;
+import rasterlab.app.exercise.outcome.TriedCase;
 
 /** Tells how a submission gets on as work that runs. */
 record GradingWork(Consumer<BackgroundWork> told) implements Submitting.Follower {

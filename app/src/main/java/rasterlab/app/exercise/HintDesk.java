@@ -12,6 +12,8 @@ import java.util.UUID;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.work.Background;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Said;
 import rasterlab.app.server.Account;
 import rasterlab.app.server.CourseServer;
 import rasterlab.exercises.Exercise;
@@ -20,7 +22,7 @@ import rasterlab.exercises.Exercise;
  * Gives hints step by step: from the server, which records them, where a course was joined; else
  * from the exercise, and then nobody counts.
  */
-final class HintDesk implements AutoCloseable {
+public final class HintDesk implements AutoCloseable {
     private final CourseServer.Patience patience;
     private final Background background;
     private final Runnable changed;
@@ -55,12 +57,12 @@ final class HintDesk implements AutoCloseable {
     }
 
     /** Why there is no hint; {@link Notice#NONE} where nothing went wrong. */
-    Notice notice() {
+    public Notice notice() {
         return notice;
     }
 
     /** Whether a server is asked. */
-    boolean asking() {
+    public boolean asking() {
         return asking;
     }
 

@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import java.util.List;
 import java.util.OptionalInt;
+import rasterlab.app.exercise.outcome.Said;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Hint;
 
@@ -13,9 +14,9 @@ import rasterlab.exercises.Hint;
  * @param cost points of the next step; empty where all are shown or nobody has said yet
  * @param origin who counts
  */
-record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
+public record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
     /** Who counts what hints cost. */
-    enum Origin {
+    public enum Origin {
         /** Nobody counts the hints: there is no server. */
         PRACTICE,
         /** A server that was not asked yet which ones were shown. */
@@ -24,7 +25,7 @@ record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
         SERVER
     }
 
-    HintView {
+    public HintView {
         shown = List.copyOf(shown);
     }
 
@@ -45,7 +46,7 @@ record HintView(int steps, List<Said> shown, OptionalInt cost, Origin origin) {
     }
 
     /** Whether something is left to ask for. */
-    boolean more() {
+    public boolean more() {
         return origin == Origin.UNASKED ? steps > 0 : shown.size() < steps;
     }
 }

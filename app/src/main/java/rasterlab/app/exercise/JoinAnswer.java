@@ -1,5 +1,7 @@
 package rasterlab.app.exercise;
 
+import rasterlab.app.exercise.outcome.Notice;
+
 /**
  * What came of asking to join a course.
  *
@@ -7,16 +9,16 @@ package rasterlab.app.exercise;
  * @param problem why not; {@link Notice#NONE} where it is, or where nothing was asked yet
  * @param field what of the form the problem is about
  */
-record JoinAnswer(boolean joined, Notice problem, Field field) {
+public record JoinAnswer(boolean joined, Notice problem, Field field) {
     /** What the form asks for. */
-    enum Field {
+    public enum Field {
         ADDRESS,
         CODE,
         NAME,
         TOKEN
     }
 
-    static final JoinAnswer NONE = refused(Field.ADDRESS, Notice.NONE);
+    public static final JoinAnswer NONE = refused(Field.ADDRESS, Notice.NONE);
     static final JoinAnswer JOINED = new JoinAnswer(true, Notice.NONE, Field.ADDRESS);
 
     static JoinAnswer refused(Field field, Notice problem) {

@@ -2,13 +2,14 @@ package rasterlab.app.exercise;
 
 import java.io.IOException;
 import java.util.List;
+import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.exercises.Exercise;
 
 /** Replaces the text of an exercise by one that was written elsewhere, and loses neither. */
 public record OtherTexts(ExerciseLabModel model) {
     /** Goes on with what another window wrote. */
-    void take(DraftFile.Other draft) {
+    public void take(DraftFile.Other draft) {
         model.type(draft.text());
         tellOthers();
     }

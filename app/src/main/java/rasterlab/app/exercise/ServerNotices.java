@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import java.io.IOException;
 import java.net.URI;
 import rasterlab.app.exercise.JoinAnswer.Field;
+import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.server.Breakdown;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.ServerRefusal;

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import rasterlab.app.exercise.outcome.Notice;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.exercises.Exercise;
 

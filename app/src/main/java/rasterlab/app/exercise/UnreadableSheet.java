@@ -1,6 +1,8 @@
 package rasterlab.app.exercise;
 
 import java.io.IOException;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Said;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Form;

@@ -21,7 +21,7 @@ import rasterlab.engine.study.NoAnswer;
  * @param pitch of the cube towards the eye, radians
  * @param outside whether the last number tried would have left the cube
  */
-record ColourChoice(
+public record ColourChoice(
         ColorModel model,
         List<Double> components,
         String method,
@@ -30,11 +30,11 @@ record ColourChoice(
         boolean outside) {
     private static final int HALVINGS = 40;
 
-    ColourChoice {
+    public ColourChoice {
         components = List.copyOf(components);
     }
 
-    static ColourChoice first() {
+    public static ColourChoice first() {
         return new ColourChoice(
                 ColorModel.RGB, List.of(0.85, 0.45, 0.2), "formula", 0.62, 0.42, false);
     }
@@ -44,7 +44,7 @@ record ColourChoice(
      *
      * @param in the model whose number it is
      */
-    ColourChoice with(ColorModel in, int index, double value) {
+    public ColourChoice with(ColorModel in, int index, double value) {
         double[] numbers = in(in);
         if (Double.isNaN(numbers[0])) numbers[0] = 0;
         numbers[index] = value;
@@ -97,24 +97,24 @@ record ColourChoice(
         numbers[last] = least;
     }
 
-    ColourChoice withMethod(String name) {
+    public ColourChoice withMethod(String name) {
         return new ColourChoice(model, components, name, yaw, pitch, outside);
     }
 
     /** The choice turned; the cube never stands on its head. */
-    ColourChoice turned(double right, double down) {
+    public ColourChoice turned(double right, double down) {
         double tilted = Math.max(-1.4, Math.min(1.4, pitch + down));
         return new ColourChoice(model, components, method, yaw + right, tilted, outside);
     }
 
     /** The numbers in a model; those it was written in as they were written. */
-    double[] in(ColorModel other) {
+    public double[] in(ColorModel other) {
         double[] own = components.stream().mapToDouble(Double::doubleValue).toArray();
         return other == model ? own : new FormulaColors().convert(model, own, other);
     }
 
     /** The colour as 0xRRGGBB. */
-    int rgb() {
+    public int rgb() {
         double[] rgb = in(ColorModel.RGB);
         int value = 0;
         for (double share : rgb) value = value << 8 | (int) Math.round(255 * share);
@@ -125,7 +125,7 @@ record ColourChoice(
      * How far red, green and blue come back from each model, by the chosen method: the largest
      * difference; NaN where it refuses or gives no number.
      */
-    Map<ColorModel, Double> roundTrips() {
+    public Map<ColorModel, Double> roundTrips() {
         return roundTrips(new ColorTopic().method(method).implementation());
     }
 

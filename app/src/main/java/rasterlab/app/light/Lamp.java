@@ -22,7 +22,7 @@ import rasterlab.engine.light.Light;
  * @param cutoff half the opening of a spot's cone in degrees, 1 to 90
  * @param exponent of the spot's cone, 0 to 128
  */
-record Lamp(
+public record Lamp(
         Kind kind,
         boolean on,
         double x,
@@ -35,14 +35,14 @@ record Lamp(
         double quadratic,
         double cutoff,
         double exponent) {
-    static final double FAINTEST = 0.05;
-    static final double STRONGEST = 20;
+    public static final double FAINTEST = 0.05;
+    public static final double STRONGEST = 20;
 
     /** World units that a distance of 1 in the attenuation stands for. */
     static final double UNIT = 100;
 
     /** What a light is. */
-    enum Kind {
+    public enum Kind {
         /** Shines from its place all around. */
         POINT,
         /** A sun, infinitely far in its direction. */
@@ -50,7 +50,7 @@ record Lamp(
         /** Shines from its place in a cone towards the scene's middle. */
         SPOT;
 
-        String code() {
+        public String code() {
             return name().toLowerCase(Locale.ROOT);
         }
     }
@@ -60,51 +60,51 @@ record Lamp(
         return new Lamp(Kind.POINT, true, x, y, z, 0xFFFFFF, 1, 1, 0, 0, 25, 8);
     }
 
-    Lamp withKind(Kind other) {
+    public Lamp withKind(Kind other) {
         return new Lamp(
                 other, on, x, y, z, rgb, strength, constant, linear, quadratic, cutoff, exponent);
     }
 
-    Lamp switched(boolean shining) {
+    public Lamp switched(boolean shining) {
         return new Lamp(
                 kind, shining, x, y, z, rgb, strength, constant, linear, quadratic, cutoff,
                 exponent);
     }
 
-    Lamp moved(double toX, double toY, double toZ) {
+    public Lamp moved(double toX, double toY, double toZ) {
         return new Lamp(
                 kind, on, toX, toY, toZ, rgb, strength, constant, linear, quadratic, cutoff,
                 exponent);
     }
 
-    Lamp coloured(int other) {
+    public Lamp coloured(int other) {
         return new Lamp(
                 kind, on, x, y, z, other, strength, constant, linear, quadratic, cutoff, exponent);
     }
 
-    Lamp withStrength(double other) {
+    public Lamp withStrength(double other) {
         return new Lamp(
                 kind, on, x, y, z, rgb, other, constant, linear, quadratic, cutoff, exponent);
     }
 
     /** Something stays of the divisor: it is never 0. */
-    Lamp attenuated(double c, double l, double q) {
+    public Lamp attenuated(double c, double l, double q) {
         boolean none = c == 0 && l == 0 && q == 0;
         return new Lamp(kind, on, x, y, z, rgb, strength, none ? 1 : c, l, q, cutoff, exponent);
     }
 
-    Lamp withCutoff(double degrees) {
+    public Lamp withCutoff(double degrees) {
         return new Lamp(
                 kind, on, x, y, z, rgb, strength, constant, linear, quadratic, degrees, exponent);
     }
 
-    Lamp withExponent(double other) {
+    public Lamp withExponent(double other) {
         return new Lamp(
                 kind, on, x, y, z, rgb, strength, constant, linear, quadratic, cutoff, other);
     }
 
     /** What it sends out. */
-    LightSource source() {
+    public LightSource source() {
         double[] light = {
             strength * (rgb >> 16 & 255) / 255,
             strength * (rgb >> 8 & 255) / 255,

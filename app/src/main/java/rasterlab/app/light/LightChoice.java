@@ -30,7 +30,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param line the profile's ends and the point
  * @param shaded the topic by whose program, the user's own, it is lit; "" for the three shadings
  */
-record LightChoice(
+public record LightChoice(
         LitBody body,
         SphericalView camera,
         double zoom,
@@ -58,9 +58,10 @@ record LightChoice(
      * @param toX of its other end
      * @param atX of the point
      */
-    record Marks(double fromX, double fromY, double toX, double toY, double atX, double atY) {}
+    public record Marks(
+            double fromX, double fromY, double toX, double toY, double atX, double atY) {}
 
-    LightChoice {
+    public LightChoice {
         lamps = List.copyOf(lamps);
         terms = Set.copyOf(terms);
         // What an earlier version kept does not have it.
@@ -68,7 +69,7 @@ record LightChoice(
     }
 
     /** A coarse brass sphere under a lamp and a dim second one. */
-    static LightChoice first() {
+    public static LightChoice first() {
         return new LightChoice(
                 new LitBody("sphere", 12, LitBody.OWN),
                 new SphericalView(Math.PI / 9, 1.2, 500),
@@ -89,7 +90,7 @@ record LightChoice(
                 "");
     }
 
-    LightChoice with(LitBody other) {
+    public LightChoice with(LitBody other) {
         var draft = new Draft(this);
         draft.body = other;
         return draft.choice();
@@ -101,7 +102,7 @@ record LightChoice(
         return draft.choice();
     }
 
-    LightChoice zoomed(double factor) {
+    public LightChoice zoomed(double factor) {
         return withZoom(Math.max(SMALLEST, Math.min(LARGEST, zoom * factor)));
     }
 
@@ -116,13 +117,13 @@ record LightChoice(
         return with(other, 0);
     }
 
-    LightChoice with(MaterialChoice other) {
+    public LightChoice with(MaterialChoice other) {
         var draft = new Draft(this);
         draft.material = other;
         return draft.choice();
     }
 
-    LightChoice selecting(int lamp) {
+    public LightChoice selecting(int lamp) {
         var draft = new Draft(this);
         draft.selected = lamp;
         return draft.choice();
@@ -135,56 +136,56 @@ record LightChoice(
         return draft.choice();
     }
 
-    LightChoice withAmbient(double share) {
+    public LightChoice withAmbient(double share) {
         var draft = new Draft(this);
         draft.ambient = share;
         return draft.choice();
     }
 
-    LightChoice withTerms(Set<LightTerm> other) {
+    public LightChoice withTerms(Set<LightTerm> other) {
         var draft = new Draft(this);
         draft.terms = other;
         return draft.choice();
     }
 
-    LightChoice with(Reflection other) {
+    public LightChoice with(Reflection other) {
         var draft = new Draft(this);
         draft.reflection = other;
         return draft.choice();
     }
 
-    LightChoice withLocalViewer(boolean local) {
+    public LightChoice withLocalViewer(boolean local) {
         var draft = new Draft(this);
         draft.localViewer = local;
         return draft.choice();
     }
 
-    LightChoice withTwoSides(boolean two) {
+    public LightChoice withTwoSides(boolean two) {
         var draft = new Draft(this);
         draft.twoSided = two;
         return draft.choice();
     }
 
-    LightChoice withArrows(boolean drawn) {
+    public LightChoice withArrows(boolean drawn) {
         var draft = new Draft(this);
         draft.arrows = drawn;
         return draft.choice();
     }
 
-    LightChoice withMach(boolean drawn) {
+    public LightChoice withMach(boolean drawn) {
         var draft = new Draft(this);
         draft.mach = drawn;
         return draft.choice();
     }
 
-    LightChoice with(Marks other) {
+    public LightChoice with(Marks other) {
         var draft = new Draft(this);
         draft.line = other;
         return draft.choice();
     }
 
     /** The choice lit by the user's own program on that topic; "" for the three shadings. */
-    LightChoice withShaded(String topic) {
+    public LightChoice withShaded(String topic) {
         var draft = new Draft(this);
         draft.shaded = topic;
         return draft.choice();
@@ -194,30 +195,30 @@ record LightChoice(
      * The choice lit by the user's own program on a topic about light: by its normals, drawn as
      * arrows, or by the light that it finds, whose mirrored term is Phong's.
      */
-    LightChoice byOwn(String topic) {
+    public LightChoice byOwn(String topic) {
         if (topic.equals(OwnNormals.TOPIC))
             return with(body.withNormals(OwnMethods.NAME)).withShaded("").withArrows(true);
         return withShaded(topic).with(Reflection.PHONG);
     }
 
     /** The lamp whose settings are shown. */
-    Lamp lamp() {
+    public Lamp lamp() {
         return lamps.get(selected);
     }
 
     /** That lamp in place of the selected one. */
-    LightChoice withLamp(Lamp other) {
+    public LightChoice withLamp(Lamp other) {
         return withLamp(selected, other);
     }
 
-    LightChoice withLamp(int index, Lamp other) {
+    public LightChoice withLamp(int index, Lamp other) {
         var next = new ArrayList<>(lamps);
         next.set(index, other);
         return with(next, index);
     }
 
     /** One lamp more, selected, unless there are {@value #MOST_LAMPS}. */
-    LightChoice grown() {
+    public LightChoice grown() {
         if (lamps.size() == MOST_LAMPS) return this;
         var next = new ArrayList<>(lamps);
         Lamp last = lamp();
@@ -226,7 +227,7 @@ record LightChoice(
     }
 
     /** The choice without the selected lamp, unless it is the only one. */
-    LightChoice shrunk() {
+    public LightChoice shrunk() {
         if (lamps.size() == 1) return this;
         var next = new ArrayList<>(lamps);
         next.remove(selected);
@@ -234,7 +235,7 @@ record LightChoice(
     }
 
     /** What all lamps that shine make of the scene. */
-    LightModel model() {
+    public LightModel model() {
         double[] everywhere = {ambient, ambient, ambient};
         return new LightModel(
                 everywhere,

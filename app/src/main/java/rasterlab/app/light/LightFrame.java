@@ -24,9 +24,9 @@ import rasterlab.engine.visibility.ViewedMesh;
  * @param width of each of the three pictures, in device pixels
  * @param height of each
  */
-record LightFrame(LightChoice choice, int width, int height) {
+public record LightFrame(LightChoice choice, int width, int height) {
     /** The shadings side by side. */
-    static final List<ShadingMethod> SHADINGS =
+    public static final List<ShadingMethod> SHADINGS =
             List.of(ShadingMethod.FLAT, ShadingMethod.GOURAUD, ShadingMethod.PHONG);
 
     /** Samples of a profile, and how many of them a place of the eye looks to each side. */
@@ -47,7 +47,7 @@ record LightFrame(LightChoice choice, int width, int height) {
      * @param brightness along the line; no numbers where there is no light in it
      * @param reported what the eye makes of it
      */
-    record Picture(String name, Raster raster, double[] brightness, double[] reported) {
+    public record Picture(String name, Raster raster, double[] brightness, double[] reported) {
         private Picture with(Raster other) {
             return new Picture(name, other, brightness, reported);
         }
@@ -64,7 +64,7 @@ record LightFrame(LightChoice choice, int width, int height) {
      * @param point the formula at the chosen point; empty where no face is
      * @param own what there is to say of the user's own program; empty where it does nothing
      */
-    record Drawn(
+    public record Drawn(
             LightChoice choice,
             int width,
             int height,
@@ -76,12 +76,12 @@ record LightFrame(LightChoice choice, int width, int height) {
             Optional<PointReading> point,
             Optional<OwnTold> own) {
         /** The answers of the user's own program; empty where there are none. */
-        Optional<OwnSteps> steps() {
+        public Optional<OwnSteps> steps() {
             return own.flatMap(OwnTold::steps);
         }
 
         /** The same with the program's answers up to a step alone. */
-        Drawn upTo(int step) {
+        public Drawn upTo(int step) {
             if (steps().isEmpty() || step >= steps().get().count()) return this;
             if (steps().get() instanceof LightSteps light) {
                 List<Raster> shown = OwnLight.upTo(step, light);

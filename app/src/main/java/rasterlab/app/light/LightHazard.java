@@ -6,7 +6,7 @@ import rasterlab.contract.Reflection;
 import rasterlab.engine.light.Substance;
 
 /** Views on which a shading, a normal or a sum fails. */
-enum LightHazard {
+public enum LightHazard {
     /** The highlight lies inside a face, where Gouraud's shading has no corner. */
     LOST_HIGHLIGHT(
             first ->
@@ -62,17 +62,17 @@ enum LightHazard {
     }
 
     /** Lower-case name with hyphens, part of keys and component names. */
-    String code() {
+    public String code() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /** Whether the methods of vertex normals fail here; elsewhere a shading or a sum does. */
-    boolean ofNormals() {
+    public boolean ofNormals() {
         return shown().body().name().equals("cube");
     }
 
     /** The choice that shows it. */
-    LightChoice shown() {
+    public LightChoice shown() {
         return view.apply(LightChoice.first());
     }
 }

@@ -47,7 +47,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final RowLabModel rows;
     private final OwnMethods own;
     private final OwnTrips ownTrips;
-    final OwnWalk walk = new OwnWalk(this::tellAll);
+    public final OwnWalk walk = new OwnWalk(this::tellAll);
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
     private int height;
@@ -68,7 +68,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         this(new OwnMethods(), events, onFailure);
     }
 
-    LightLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
+    public LightLabModel(OwnMethods own, Executor events, Consumer<Throwable> onFailure) {
         this(PictureMaker.by(new Renderer()), own, events, onFailure);
     }
 
@@ -100,7 +100,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Stands the lit model on another axis; its file is read again, and it can be undone. */
-    void stand(UpAxis up) {
+    public void stand(UpAxis up) {
         if (state.choice().body().up().filter(now -> now != up).isPresent())
             keptFile.open(LitSceneOpening.standing(state.choice(), up));
     }
@@ -128,7 +128,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Whether the user has brought a program that may light the scene. */
-    boolean hasOwnLight() {
+    public boolean hasOwnLight() {
         return own.of(LightOfPoints.TOPIC).isPresent() || own.of(LightOfFaces.TOPIC).isPresent();
     }
 
@@ -138,7 +138,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      * @param input another one than is shown
      * @param beside the method that its input is shown by
      */
-    void showOwn(String topic, Optional<Object> input, String beside) {
+    public void showOwn(String topic, Optional<Object> input, String beside) {
         rows.close();
         showColours(false);
         input.ifPresent(one -> show(topic, "", one, beside));
@@ -148,11 +148,11 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** The file that the scene was saved into last. */
-    Optional<LitSceneFile> saved() {
+    public Optional<LitSceneFile> saved() {
         return saved;
     }
 
-    void keep(LitSceneFile file) {
+    public void keep(LitSceneFile file) {
         saved = Optional.of(file);
         publish(state.choice(), state.drawn(), "");
     }
@@ -162,12 +162,12 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         return rows;
     }
 
-    LightLabState state() {
+    public LightLabState state() {
         return state;
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
-    Runnable listen(Consumer<LightLabState> listener) {
+    public Runnable listen(Consumer<LightLabState> listener) {
         return listeners.add(listener);
     }
 
@@ -175,7 +175,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      * The size of each of the three pictures, in device pixels, from 1 to {@link
      * Raster#LARGEST_SIDE}; before the first call nothing is drawn.
      */
-    void resize(int newWidth, int newHeight) {
+    public void resize(int newWidth, int newHeight) {
         if (newWidth == width && newHeight == height) return;
         Raster.checkSize(newWidth, newHeight);
         width = newWidth;
@@ -184,7 +184,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Changes the light and remembers how it was. */
-    void choose(UnaryOperator<LightChoice> change) {
+    public void choose(UnaryOperator<LightChoice> change) {
         LightChoice next = change.apply(state.choice());
         if (next.equals(state.choice())) {
             forgetProblem();
@@ -195,7 +195,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Changes the colour and remembers how it was. */
-    void colour(UnaryOperator<ColourChoice> change) {
+    public void colour(UnaryOperator<ColourChoice> change) {
         ColourChoice next = change.apply(state.colour());
         if (next.equals(state.colour())) return;
         history.remember();
@@ -203,12 +203,12 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** How a colour comes back by the user's program; empty until that is found. */
-    Optional<OwnTrips.Trips> ownTrips(ColourChoice colour) {
+    public Optional<OwnTrips.Trips> ownTrips(ColourChoice colour) {
         return ownTrips.of(colour);
     }
 
     /** Shows colour models and asks the user's program, which may be another by now, once more. */
-    void enterColours() {
+    public void enterColours() {
         rows.close();
         ownTrips.forget();
         showColours(true);
@@ -277,7 +277,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Turns the eye by angles in radians; it stays above one pole and below the other. */
-    void turn(double dTheta, double dPhi) {
+    public void turn(double dTheta, double dPhi) {
         choose(
                 choice -> {
                     SphericalView eye = choice.camera();
@@ -288,7 +288,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Moves the eye away by a factor. */
-    void dolly(double factor) {
+    public void dolly(double factor) {
         choose(
                 choice -> {
                     SphericalView eye = choice.camera();
@@ -298,11 +298,11 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                 });
     }
 
-    void beginDrag() {
+    public void beginDrag() {
         history.beginDrag();
     }
 
-    void endDrag() {
+    public void endDrag() {
         history.endDrag();
         publish(state.choice(), state.drawn(), state.problem());
     }
@@ -313,7 +313,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     /** Returns to the first light and colour; can be undone. */
-    void reset() {
+    public void reset() {
         var first = new Chosen(LightChoice.first(), state.colours(), ColourChoice.first());
         if (first.equals(chosen())) {
             forgetProblem();

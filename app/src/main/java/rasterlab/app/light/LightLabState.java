@@ -13,7 +13,7 @@ import rasterlab.app.canvas.method.HazardNote;
  *     else was chosen since
  * @param note in what the picture is other than the hazard that it was opened for
  */
-record LightLabState(
+public record LightLabState(
         LightChoice choice,
         boolean colours,
         Optional<LightFrame.Drawn> drawn,

@@ -19,9 +19,9 @@ import rasterlab.engine.visibility.SeenPoint;
  * Light by methods of topic {@code shade-face}, which are asked once for all points of a triangle
  * and each lamp.
  */
-record LightOfFaces(LightChoice choice, Mesh mesh, ViewTransform transform)
+public record LightOfFaces(LightChoice choice, Mesh mesh, ViewTransform transform)
         implements LightAtPoints {
-    static final String TOPIC = new FaceTopic().name();
+    public static final String TOPIC = new FaceTopic().name();
 
     private static final int MOST_POINTS = 6000;
 

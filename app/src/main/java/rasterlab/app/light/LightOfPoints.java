@@ -15,8 +15,8 @@ import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.SeenPoint;
 
 /** Light by methods of topic {@code shade}, which are asked for each point and lamp. */
-record LightOfPoints(LightChoice choice, ViewTransform transform) implements LightAtPoints {
-    static final String TOPIC = new ShadeTopic().name();
+public record LightOfPoints(LightChoice choice, ViewTransform transform) implements LightAtPoints {
+    public static final String TOPIC = new ShadeTopic().name();
 
     /** Each is a way to another process and back. */
     private static final int MOST_CALLS = 1600;

@@ -24,23 +24,25 @@ import rasterlab.engine.scene.obj.UpAxis;
  *     user's program
  * @param opened the scene of a file; kept as long as the program runs
  */
-record LitBody(String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
+public record LitBody(
+        String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
     /**
      * @param file where it was read from, an absolute path
      * @param up the axis of a model that points up; empty for a scene file
      */
-    record OpenedScene(Path file, Scene scene, Optional<UpAxis> up) {}
+    public record OpenedScene(Path file, Scene scene, Optional<UpAxis> up) {}
 
     /** Normals as the scene has them: those of its surface. */
-    static final String OWN = "own";
+    public static final String OWN = "own";
 
-    static final List<String> NAMES = List.of("sphere", "torus", "revolution", "vase", "cube");
-    static final List<String> NORMALS = List.of(OWN, "plain", "area", "angle");
-    static final int COARSEST = 4;
-    static final int FINEST = 64;
+    public static final List<String> NAMES =
+            List.of("sphere", "torus", "revolution", "vase", "cube");
+    public static final List<String> NORMALS = List.of(OWN, "plain", "area", "angle");
+    public static final int COARSEST = 4;
+    public static final int FINEST = 64;
 
     @JsonCreator
-    LitBody(
+    public LitBody(
             @JsonProperty("name") String name,
             @JsonProperty("detail") int detail,
             @JsonProperty("normals") String normals) {
@@ -61,11 +63,11 @@ record LitBody(String name, int detail, String normals, @JsonIgnore Optional<Ope
     }
 
     /** The axis of a model that points up; empty where no model is lit. */
-    Optional<UpAxis> up() {
+    public Optional<UpAxis> up() {
         return opened.flatMap(OpenedScene::up);
     }
 
-    LitBody withNormals(String other) {
+    public LitBody withNormals(String other) {
         return new LitBody(name, detail, other, opened);
     }
 
@@ -75,12 +77,12 @@ record LitBody(String name, int detail, String normals, @JsonIgnore Optional<Ope
     }
 
     /** The name without a file's ending. */
-    String stem() {
+    public String stem() {
         return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
                 .replaceAll("[^\\p{L}\\p{N}_-]", "-");
     }
 
-    boolean hasDetail() {
+    public boolean hasDetail() {
         return opened.isEmpty() && Scenes.namesWithDetail().contains(name);
     }
 
@@ -88,7 +90,7 @@ record LitBody(String name, int detail, String normals, @JsonIgnore Optional<Ope
      * The body's faces with their normals; takes long for many faces. Where the user's own program
      * is to find the normals, they are the scene's own: {@link #scene(VertexNormals)} asks it.
      */
-    Scene scene() {
+    public Scene scene() {
         Scene bare = bare();
         boolean known = !normals.equals(OWN) && !asksProgram();
         return known ? smoothed(bare, new NormalsTopic().method(normals).implementation()) : bare;

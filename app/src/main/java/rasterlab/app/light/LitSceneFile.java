@@ -24,13 +24,13 @@ import rasterlab.exercises.scene.Settings;
  *
  * @param choice what was saved
  */
-record LitSceneFile(Path file, LightChoice choice) {
+public record LitSceneFile(Path file, LightChoice choice) {
     /**
      * Writes the scene; takes long for many faces.
      *
      * @throws Complaint if the file cannot be written
      */
-    static LitSceneFile write(LightChoice choice, Path file) {
+    public static LitSceneFile write(LightChoice choice, Path file) {
         Settings said =
                 Settings.NONE
                         .with(SceneSetting.CAMERA, choice.camera())
@@ -46,7 +46,7 @@ record LitSceneFile(Path file, LightChoice choice) {
     }
 
     /** Whether the file holds what is shown now, from wherever it is seen. */
-    boolean holds(LightChoice now) {
+    public boolean holds(LightChoice now) {
         return choice.body().equals(now.body())
                 && choice.zoom() == now.zoom()
                 && choice.material().equals(now.material())
@@ -64,7 +64,7 @@ record LitSceneFile(Path file, LightChoice choice) {
      * @param width of a picture, in pixels
      * @param height of a picture, in pixels
      */
-    String commands(LightChoice now, int width, int height) {
+    public String commands(LightChoice now, int width, int height) {
         return LightFrame.SHADINGS.stream()
                 .map(shading -> command(now, shading, width, height))
                 .collect(Collectors.joining("\n"));

@@ -13,28 +13,28 @@ import rasterlab.engine.transform.PictureFit;
  * @param width of the picture
  * @param height of the picture, in the same unit
  */
-record MarkPlaces(int width, int height) {
+public record MarkPlaces(int width, int height) {
     private PictureFit frame() {
         return PictureFit.of(width, height, 1);
     }
 
     /** The mark's place across, from 0 to the picture's width. */
-    double x(double mark) {
+    public double x(double mark) {
         return within(frame().toPixelX((mark - 0.5) * PictureFit.NATURAL_WIDTH), width);
     }
 
     /** The mark's place down, from 0 to the picture's height. */
-    double y(double mark) {
+    public double y(double mark) {
         return within(frame().toPixelY((0.5 - mark) * PictureFit.NATURAL_HEIGHT), height);
     }
 
     /** Place of the mark that is shown there; one beside the picture is its edge. */
-    double markX(double x) {
+    public double markX(double x) {
         return 0.5 + frame().toPlaneX(within(x, width)) / PictureFit.NATURAL_WIDTH;
     }
 
     /** Place of the mark that is shown there; one beside the picture is its edge. */
-    double markY(double y) {
+    public double markY(double y) {
         return 0.5 - frame().toPlaneY(within(y, height)) / PictureFit.NATURAL_HEIGHT;
     }
 

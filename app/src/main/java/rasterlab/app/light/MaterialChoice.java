@@ -14,41 +14,41 @@ import rasterlab.engine.light.Substance;
  * @param emission light of its own, as a share of its diffuse colour, 0 to 1
  * @param shininess 0 to 200
  */
-record MaterialChoice(
+public record MaterialChoice(
         Substance substance,
         double ambient,
         double diffuse,
         double specular,
         double emission,
         double shininess) {
-    static final double MOST = 2;
-    static final double SHINIEST = 200;
+    public static final double MOST = 2;
+    public static final double SHINIEST = 200;
 
-    static MaterialChoice of(Substance substance) {
+    public static MaterialChoice of(Substance substance) {
         return new MaterialChoice(substance, 1, 1, 1, 0, substance.surface().shininess());
     }
 
-    MaterialChoice withAmbient(double factor) {
+    public MaterialChoice withAmbient(double factor) {
         return new MaterialChoice(substance, factor, diffuse, specular, emission, shininess);
     }
 
-    MaterialChoice withDiffuse(double factor) {
+    public MaterialChoice withDiffuse(double factor) {
         return new MaterialChoice(substance, ambient, factor, specular, emission, shininess);
     }
 
-    MaterialChoice withSpecular(double factor) {
+    public MaterialChoice withSpecular(double factor) {
         return new MaterialChoice(substance, ambient, diffuse, factor, emission, shininess);
     }
 
-    MaterialChoice withEmission(double share) {
+    public MaterialChoice withEmission(double share) {
         return new MaterialChoice(substance, ambient, diffuse, specular, share, shininess);
     }
 
-    MaterialChoice withShininess(double exponent) {
+    public MaterialChoice withShininess(double exponent) {
         return new MaterialChoice(substance, ambient, diffuse, specular, emission, exponent);
     }
 
-    Material material() {
+    public Material material() {
         SurfaceMaterial whole = substance.surface();
         return new Material(
                 new SurfaceMaterial(

@@ -38,7 +38,7 @@ import rasterlab.exercises.scene.Settings;
  * @param notes what of the file is not shown
  * @param whole whether {@code ./lab render} draws what is shown from the file
  */
-record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
+public record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     /**
      * A setting of a file.
      *
@@ -57,7 +57,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     private static final String MODEL = ".obj";
 
     /** What is opened by the ends of their names, lower-case. */
-    static final List<String> ENDINGS = List.of(MODEL, SceneText.EXTENSION);
+    public static final List<String> ENDINGS = List.of(MODEL, SceneText.EXTENSION);
 
     private static final List<Part<?>> PARTS =
             List.of(

@@ -21,7 +21,7 @@ import rasterlab.app.mine.OwnMethods;
  * @param light that it finds at the chosen point: red, green and blue; empty where it finds none
  * @param steps its answers one by one; empty where there are none
  */
-record OwnTold(
+public record OwnTold(
         String refusal,
         String key,
         long wrong,
@@ -50,7 +50,7 @@ record OwnTold(
     }
 
     /** The sentence in the language of the lab's texts. */
-    String in(Texts texts) {
+    public String in(Texts texts) {
         if (!refusal.isEmpty())
             return OwnWords.refusal(OwnMethods.NAME, refusal, texts.language()).orElseThrow();
         String all = Long.toString(of);

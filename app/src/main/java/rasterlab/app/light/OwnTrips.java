@@ -19,7 +19,7 @@ import rasterlab.engine.study.WrongLength;
  * How colours come back from all models by the user's own program, which is asked on a thread of
  * this class's own.
  */
-final class OwnTrips implements AutoCloseable {
+public final class OwnTrips implements AutoCloseable {
     /**
      * The answers to one colour.
      *
@@ -27,9 +27,9 @@ final class OwnTrips implements AutoCloseable {
      *     answer
      * @param refusal why there is none, in English; "" otherwise
      */
-    record Trips(ColourChoice colour, Map<ColorModel, Double> errors, String refusal) {
+    public record Trips(ColourChoice colour, Map<ColorModel, Double> errors, String refusal) {
         /** Why there is no answer, in words; "" where there is one. */
-        String refusalIn(Language language) {
+        public String refusalIn(Language language) {
             if (refusal.isEmpty()) return "";
             return OwnWords.refusal(OwnMethods.NAME, refusal, language).orElse("");
         }

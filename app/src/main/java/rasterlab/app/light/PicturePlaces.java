@@ -10,7 +10,7 @@ import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /** Maps the world to a picture of the lab and back: lamps and normals. */
-record PicturePlaces(ViewedMesh view) {
+public record PicturePlaces(ViewedMesh view) {
     /** Length of an arrow in world units. */
     private static final double ARROW = 16;
 
@@ -26,7 +26,7 @@ record PicturePlaces(ViewedMesh view) {
     }
 
     /** Pixel x, y and view depth z of a world point. */
-    double[] toPicture(double x, double y, double z) {
+    public double[] toPicture(double x, double y, double z) {
         ViewTransform transform = view.transform();
         double least = NEAREST * transform.distance();
         double depth = Math.max(least, transform.toEye(2, x, y, z));
@@ -39,7 +39,7 @@ record PicturePlaces(ViewedMesh view) {
     }
 
     /** The world point at a pixel and a view depth. */
-    double[] toWorld(double pixelX, double pixelY, double depth) {
+    public double[] toWorld(double pixelX, double pixelY, double depth) {
         ViewTransform transform = view.transform();
         double spread = depth / transform.distance();
         double x = view.fit().toPlaneX(pixelX) * spread;

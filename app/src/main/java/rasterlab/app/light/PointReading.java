@@ -26,7 +26,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  * @param sum of all, cut to 1
  * @param toEye from there to the eye
  */
-record PointReading(
+public record PointReading(
         int face,
         double[] position,
         double[] normal,
@@ -41,7 +41,8 @@ record PointReading(
      * @param factor attenuation times cone
      * @param added red, green, blue
      */
-    record OfLamp(int number, double diffuse, double mirrored, double factor, double[] added) {}
+    public record OfLamp(
+            int number, double diffuse, double mirrored, double factor, double[] added) {}
 
     static PointReading of(LightChoice choice, ViewedMesh view, SeenPoint seen) {
         Material material = LightTerm.only(choice.terms(), choice.material().material());
@@ -68,7 +69,7 @@ record PointReading(
     }
 
     /** The point in the light of the selected lamp; empty where the lamp is in the point. */
-    Optional<LitPoint> lit(LightChoice choice) {
+    public Optional<LitPoint> lit(LightChoice choice) {
         Material material = LightTerm.only(choice.terms(), choice.material().material());
         double[] everywhere = choice.model().globalAmbient();
         return lit(choice.lamp(), material, position, normal, toEye, everywhere);

@@ -31,7 +31,7 @@ import rasterlab.engine.transform.SphericalView;
  * Hazards of the topics about light as bodies, lamps and eyes of the lab; a body of theirs is named
  * {@code TOPIC/HAZARD}, or {@code TOPIC/HAZARD/METHOD} with that method's normals.
  */
-final class TopicBodies {
+public final class TopicBodies {
     /** Pixels from the middle to the farthest corner in a picture of 800×600. */
     private static final double SCALE = 190;
 
@@ -53,7 +53,7 @@ final class TopicBodies {
 
     private TopicBodies() {}
 
-    static boolean has(String body) {
+    public static boolean has(String body) {
         return body.indexOf('/') > 0;
     }
 
@@ -96,7 +96,7 @@ final class TopicBodies {
     }
 
     /** The input whose body it is; empty for a scene's. */
-    static Optional<Object> input(LitBody body) {
+    public static Optional<Object> input(LitBody body) {
         String[] words = body.name().split("/");
         return has(body.name()) ? Optional.of(input(words[0], words[1])) : Optional.empty();
     }
@@ -120,7 +120,7 @@ final class TopicBodies {
     }
 
     /** The choice that shows an input. */
-    static LightChoice shown(String body, Object input, String method) {
+    public static LightChoice shown(String body, Object input, String method) {
         LightChoice first =
                 LightChoice.first().with(new LitBody(body, LitBody.COARSEST, LitBody.OWN));
         if (input instanceof FacePoints points) return face(first, points.face());

@@ -21,7 +21,7 @@ import rasterlab.engine.transform.SphericalView;
  *
  * @param unlike in what it is other than the input's
  */
-record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
+public record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
     /** World units from the middle to the farthest corner of a body that has no lamp and eye. */
     private static final double REACH = 64;
 
@@ -182,13 +182,13 @@ record TopicMesh(Mesh mesh, List<ShownDifference> unlike) {
         return Arrays.stream(xyz).map(Math::abs).max().orElse(0);
     }
 
-    static double[] middle(double[] xyz) {
+    public static double[] middle(double[] xyz) {
         var middle = new double[3];
         for (int i = 0; i < xyz.length; i++) middle[i % 3] += xyz[i] / (xyz.length / 3);
         return middle;
     }
 
-    static double[] moved(double[] xyz, double[] middle) {
+    public static double[] moved(double[] xyz, double[] middle) {
         var moved = new double[xyz.length];
         for (int i = 0; i < xyz.length; i++) moved[i] = xyz[i] - middle[i % 3];
         return moved;

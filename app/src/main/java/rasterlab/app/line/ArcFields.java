@@ -5,6 +5,8 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.ArcFigure;
+import rasterlab.app.line.figure.FigureLabModel;
 
 /** Centre and half-axes as number fields. */
 final class ArcFields {

@@ -19,6 +19,18 @@ import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.ArcFigure;
+import rasterlab.app.line.figure.Dashes;
+import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.figure.FigureScene;
+import rasterlab.app.line.figure.FigureState;
+import rasterlab.app.line.figure.FigureTopics;
+import rasterlab.app.line.figure.PenFigure;
+import rasterlab.app.line.figure.SlopeFigure;
+import rasterlab.app.line.trace.AloneMark;
+import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineMode;
+import rasterlab.app.line.trace.LineTrace;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.raster.PixelMark;
 

@@ -16,6 +16,11 @@ import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.FigureCommand;
+import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.figure.FigureStage;
+import rasterlab.app.line.trace.LineColours;
+import rasterlab.app.line.trace.LineMode;
 
 /** Circles, ellipses, lines of a pen and the chart of brightness, in one language. */
 final class FigurePanel extends LabPanel {

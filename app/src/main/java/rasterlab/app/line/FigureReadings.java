@@ -4,16 +4,22 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.ArcFigure;
+import rasterlab.app.line.figure.FigureDrawing;
+import rasterlab.app.line.figure.FigureState;
+import rasterlab.app.line.figure.PenFigure;
+import rasterlab.app.line.figure.SlopeFigure;
+import rasterlab.app.line.trace.RasterPoint;
 
 /** The live numbers of a state as the inspector writes them. */
-final class FigureReadings {
+public final class FigureReadings {
     private static final String NONE = "–";
 
     private final FigureState state;
     private final FigureDrawing drawing;
     private final Texts texts;
 
-    FigureReadings(FigureState state, Texts texts) {
+    public FigureReadings(FigureState state, Texts texts) {
         this.state = state;
         this.texts = texts;
         drawing = state.drawing();
@@ -62,7 +68,7 @@ final class FigureReadings {
         return drawing.judged() && drawing.ending().answered();
     }
 
-    String missing() {
+    public String missing() {
         if (!compared()) return NONE;
         return state.finished()
                 ? texts.text("pixels", drawing.deviation().missing())
@@ -70,7 +76,7 @@ final class FigureReadings {
     }
 
     /** Counts those extra among the pixels that are lit so far. */
-    String extra() {
+    public String extra() {
         if (!compared()) return NONE;
         return texts.text("pixels", drawing.extra().among(state.step()));
     }
@@ -85,19 +91,19 @@ final class FigureReadings {
         return compared() && drawing.extra().againAmong(drawing.steps()) > 0;
     }
 
-    String worst() {
+    public String worst() {
         if (!compared()) return NONE;
         if (!state.finished()) return texts.text("missing.later");
         return texts.text("worst.pixels", Shown.number(drawing.deviation().worst(), locale()));
     }
 
     /** How many pixels only one of two methods lights; "" where no two are compared. */
-    String apart() {
+    public String apart() {
         return LineReadings.apart(state.drawings().apart(), state.finished(), texts);
     }
 
     /** The second method beside the exact figure in one line; "" when none is compared. */
-    String other() {
+    public String other() {
         return state.other().map(this::other).orElse("");
     }
 

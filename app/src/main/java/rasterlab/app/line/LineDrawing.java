@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.line.trace.LineTrace;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.Segment;

@@ -9,6 +9,8 @@ import rasterlab.app.canvas.player.Steps;
 import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Listeners;
+import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;

@@ -11,6 +11,8 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.line.trace.AloneMark;
+import rasterlab.app.line.trace.LineColours;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;

@@ -7,6 +7,7 @@ import rasterlab.app.canvas.lab.LabCards;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.trace.LineMode;
 
 /** The lab of lines as the window shows it, in one language: segments or other figures. */
 public final class LinePanel extends LabPanel {

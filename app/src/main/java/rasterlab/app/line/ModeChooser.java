@@ -3,6 +3,7 @@ package rasterlab.app.line;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.trace.LineMode;
 
 /** The list of what the lab draws. */
 final class ModeChooser {

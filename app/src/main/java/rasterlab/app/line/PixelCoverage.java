@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
+import rasterlab.app.line.trace.RasterPoint;
 import rasterlab.contract.CoveragePixels;
 import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.LineWalk;

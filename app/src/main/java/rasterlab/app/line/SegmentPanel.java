@@ -14,6 +14,7 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.trace.LineColours;
 import rasterlab.engine.study.Method;
 
 /** The lab of segments as the window shows it, in one language. */

@@ -15,8 +15,11 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
-import rasterlab.app.polygon.CutAnswer.Cut;
-import rasterlab.app.polygon.CutAnswer.Fault;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.outcome.CutAnswer;
+import rasterlab.app.polygon.outcome.CutAnswer.Cut;
+import rasterlab.app.polygon.outcome.CutAnswer.Fault;
 import rasterlab.engine.raster.PixelMark;
 
 /**

@@ -7,6 +7,11 @@ import rasterlab.app.canvas.lab.Inspector;
 import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.BrushKind;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.SeedFigure;
 import rasterlab.contract.FillRule;
 
 /** What only the figure of one mode has: whole numbers, fill rule, brush, neighbours, colour. */

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.polygon.figure.PolygonPoint;
 
 /** Lines of a figure on the stage. */
 final class FigureLines {

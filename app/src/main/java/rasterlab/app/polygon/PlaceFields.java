@@ -5,6 +5,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.widget.NumberField;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.PolygonPoint;
 
 /** The selected point's coordinates as number fields. */
 final class PlaceFields extends JPanel {

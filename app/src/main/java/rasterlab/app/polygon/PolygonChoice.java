@@ -2,6 +2,8 @@ package rasterlab.app.polygon;
 
 import java.util.EnumMap;
 import java.util.Map;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonScene;
 
 /**
  * What the user chose, and what undo brings back; each mode keeps its own scene.

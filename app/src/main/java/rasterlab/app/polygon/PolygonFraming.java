@@ -2,6 +2,12 @@ package rasterlab.app.polygon;
 
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.SeedFigure;
 
 /** Chooses which part of the plane the stage shows when the user has not zoomed. */
 final class PolygonFraming {

@@ -23,6 +23,14 @@ import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.SeedFigure;
+import rasterlab.app.polygon.outcome.MethodOutcome;
+import rasterlab.app.polygon.outcome.PixelAnswer;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
 

@@ -11,6 +11,16 @@ import rasterlab.app.canvas.work.Arranged;
 import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Listeners;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.figure.SeedFigure;
+import rasterlab.app.polygon.outcome.PolygonResults;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 

@@ -1,5 +1,8 @@
 package rasterlab.app.polygon;
 
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.outcome.PolygonResults;
+
 /**
  * The lab at one moment: what its window shows.
  *

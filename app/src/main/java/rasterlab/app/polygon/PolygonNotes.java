@@ -3,6 +3,13 @@ package rasterlab.app.polygon;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.SeedFigure;
+import rasterlab.app.polygon.outcome.MethodOutcome;
+import rasterlab.app.polygon.outcome.PixelAnswer;
 
 /** One sentence over a stage where the picture alone would mislead. */
 final class PolygonNotes {

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.TopicChips;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.signmap.SignMaps;
 import rasterlab.app.signmap.SignWindow;
 

@@ -3,6 +3,17 @@ package rasterlab.app.polygon;
 import java.util.List;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.outcome.CutAnswer;
+import rasterlab.app.polygon.outcome.InsideAnswer;
+import rasterlab.app.polygon.outcome.MethodOutcome;
+import rasterlab.app.polygon.outcome.PixelAnswer;
+import rasterlab.app.polygon.outcome.PolygonResults;
+import rasterlab.app.polygon.outcome.PolygonTopics;
+import rasterlab.app.polygon.outcome.Runs;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 

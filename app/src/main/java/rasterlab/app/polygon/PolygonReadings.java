@@ -10,9 +10,20 @@ import rasterlab.app.canvas.widget.Formula;
 import rasterlab.app.canvas.widget.Formula.Matrix;
 import rasterlab.app.canvas.widget.Formula.Words;
 import rasterlab.app.language.Texts;
-import rasterlab.app.polygon.CutAnswer.Cut;
-import rasterlab.app.polygon.CutAnswer.Fault;
-import rasterlab.app.polygon.InsideAnswer.AskedSide;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.figure.InsideFigure;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.outcome.CutAnswer;
+import rasterlab.app.polygon.outcome.CutAnswer.Cut;
+import rasterlab.app.polygon.outcome.CutAnswer.Fault;
+import rasterlab.app.polygon.outcome.InsideAnswer;
+import rasterlab.app.polygon.outcome.InsideAnswer.AskedSide;
+import rasterlab.app.polygon.outcome.MethodOutcome;
+import rasterlab.app.polygon.outcome.PixelAnswer;
+import rasterlab.app.polygon.outcome.Runs;
 import rasterlab.engine.polygon.scan.RowCrossing;
 
 /** The live numbers of a state as the inspector writes them. */

@@ -12,6 +12,8 @@ import rasterlab.app.card.LabShot;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 
 /** The lab of polygons: what is inside, triangulation, filling. */
 public final class PolygonRoom implements LabRoom<PolygonLabModel> {

@@ -17,6 +17,13 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.figure.PolygonFigure;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.outcome.MethodOutcome;
+import rasterlab.app.polygon.outcome.PolygonResults;
 
 /** The picture of the chosen method, and beside it that of a second one. */
 final class PolygonStage extends JPanel implements AutoCloseable {

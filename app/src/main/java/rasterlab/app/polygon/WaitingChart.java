@@ -16,6 +16,7 @@ import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.outcome.Runs;
 
 /** How many places wait on a method's stack, step after step, and the present step. */
 final class WaitingChart extends SelfDrawn {

@@ -6,7 +6,7 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.card.TopicCard;
 import rasterlab.app.clip.ClipRoom;
 import rasterlab.app.coordinates.CoordinatesRoom;
-import rasterlab.app.light.LightRoom;
+import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.LineRoom;
 import rasterlab.app.opengl.OpenGlRoom;
 import rasterlab.app.polygon.PolygonRoom;

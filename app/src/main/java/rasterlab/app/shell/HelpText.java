@@ -5,6 +5,7 @@ import java.util.List;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.PracticeCards;
+import rasterlab.app.shell.labs.TabRooms;
 
 /**
  * Lists what can be done in a tab, and by which keys.

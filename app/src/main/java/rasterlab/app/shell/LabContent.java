@@ -20,6 +20,13 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnProgram;
+import rasterlab.app.shell.labs.LabOpening;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.tab.LabTab;
+import rasterlab.app.shell.tab.OwnStrip;
+import rasterlab.app.shell.tab.PlayerKeys;
+import rasterlab.app.shell.tab.TabbedLabs;
+import rasterlab.app.shell.tab.WindowKeys;
 import rasterlab.exercises.Exercise;
 
 /**

@@ -22,9 +22,16 @@ import javax.swing.WindowConstants;
 import rasterlab.app.canvas.file.LastChosen;
 import rasterlab.app.canvas.lab.LabLayout;
 import rasterlab.app.exercise.Closing;
-import rasterlab.app.exercise.ClosingDialog;
+import rasterlab.app.exercise.panel.ClosingDialog;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.labs.FirstCase;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabsFile;
+import rasterlab.app.shell.labs.StateKeeper;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.SettingsFile;
 
 /** The window: the labs' tabs, with theme and language switched while it is open. */
 public final class LabFrame extends JFrame {

@@ -4,6 +4,9 @@ import java.awt.image.BufferedImage;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** Pictures of the window's content made without a window, with or without a display. */
 public final class LabSnapshot {

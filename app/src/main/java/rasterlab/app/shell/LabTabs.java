@@ -11,6 +11,11 @@ import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.PracticeCards;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabOpening;
+import rasterlab.app.shell.labs.TabRooms;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.tab.LabTab;
 import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */

@@ -68,7 +68,7 @@ public final class OffscreenPainter {
     }
 
     /** Runs on the event thread and waits; what it throws is thrown here. */
-    static void onEventThread(Runnable work) throws InterruptedException {
+    public static void onEventThread(Runnable work) throws InterruptedException {
         try {
             EventQueue.invokeAndWait(work);
         } catch (InvocationTargetException e) {

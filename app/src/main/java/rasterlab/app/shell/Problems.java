@@ -14,6 +14,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.settings.Problem;
 
 /**
  * Tells what is wrong with the files of the user's: on the error stream at once, and in the window

@@ -8,6 +8,7 @@ import java.awt.geom.Area;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** A sun, a moon or a projector's screen: the theme that is worn. */
 final class ThemeIcon extends FlatAbstractIcon {

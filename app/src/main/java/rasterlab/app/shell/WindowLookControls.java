@@ -15,6 +15,9 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.tab.WindowKeys;
 
 /** The choice of language, theme and size of type, at the end of the strip of tabs. */
 final class WindowLookControls extends JPanel {

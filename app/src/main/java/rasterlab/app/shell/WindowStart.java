@@ -15,6 +15,14 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.labs.FirstCase;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabsFile;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.OneWindow;
+import rasterlab.app.shell.settings.Problem;
+import rasterlab.app.shell.settings.SettingsFile;
+import rasterlab.app.shell.tab.LayoutParts;
 
 /**
  * Opens the window as it was left.
@@ -136,7 +144,7 @@ public final class WindowStart {
      * Saves the settings at once too, so that whoever cannot write them learns so now, not when the
      * window is gone; but not over what another window may have changed since they were read.
      */
-    static void keep(
+    public static void keep(
             LabSettings settings, SettingsFile file, Path place, Consumer<Problem> problem) {
         boolean first = true;
         try {

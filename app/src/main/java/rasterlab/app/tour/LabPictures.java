@@ -13,10 +13,10 @@ import java.util.stream.Stream;
 import rasterlab.app.card.LabRoom;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
-import rasterlab.app.shell.LabTheme;
-import rasterlab.app.shell.TabRooms;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.TabRooms;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.study.Study;
 
 /** Every tab of the window in each look, painted without a display. */

@@ -9,7 +9,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.tour.LabPictures.Look;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.StudySettings;

@@ -14,6 +14,7 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Language;
 import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.app.visibility.scene.StageView;
 
 /**
  * Charts counted in the background, with progress; what was counted is kept.

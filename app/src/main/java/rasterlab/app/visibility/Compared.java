@@ -36,7 +36,8 @@ public record Compared(
     /**
      * @throws IllegalArgumentException if the method refuses the scene
      */
-    static Compared of(RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
+    public static Compared of(
+            RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
         Raster exact = maker.picture(request.withVisibility(Renderer.REFERENCE), cancelled);
         Raster actual = maker.picture(request, cancelled);
         int background = background(request);

@@ -6,6 +6,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
+import rasterlab.app.visibility.scene.StageView;
 
 /** How far a chart is that is being counted, and the button that gives it up. */
 final class CountingPanel extends JPanel {

@@ -19,6 +19,8 @@ import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.NameChooser;
 import rasterlab.app.canvas.widget.NumberSlider;
 import rasterlab.app.language.Texts;
+import rasterlab.app.visibility.scene.LookChoice;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.Stereo;

@@ -4,6 +4,11 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.file.KeptFile;
+import rasterlab.app.visibility.scene.ComingBack;
+import rasterlab.app.visibility.scene.OpenedFiles;
+import rasterlab.app.visibility.scene.SceneChoice;
+import rasterlab.app.visibility.scene.SceneFiles;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /** Shows the user's scenes, models and pictures in the lab. */

@@ -10,6 +10,7 @@ import rasterlab.app.canvas.lab.Actions;
 import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.visibility.scene.SceneFiles;
 
 /** The buttons that open and save scenes; a file may also be dropped on the lab. */
 final class SceneRow extends JPanel {

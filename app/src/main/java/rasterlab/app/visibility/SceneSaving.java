@@ -6,6 +6,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import rasterlab.app.canvas.file.SceneWriting;
 import rasterlab.app.language.Texts;
+import rasterlab.app.visibility.scene.SavedScene;
+import rasterlab.app.visibility.scene.SceneFiles;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 
 /** Saves the scene as it is shown when that is asked for, for its own sake or for a command. */
 final class SceneSaving {

@@ -2,6 +2,8 @@ package rasterlab.app.visibility;
 
 import java.util.Optional;
 import rasterlab.app.canvas.method.HazardNote;
+import rasterlab.app.visibility.scene.StageView;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 
 /**
  * What the lab shows at one moment.

@@ -23,6 +23,8 @@ import rasterlab.app.row.RowCard;
 import rasterlab.app.row.RowPanel;
 import rasterlab.app.signmap.SignMaps;
 import rasterlab.app.signmap.SignWindow;
+import rasterlab.app.visibility.scene.HazardView;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.pipeline.RenderRequest;
 
 /** The hidden-surface lab as the window shows it, in one language. */

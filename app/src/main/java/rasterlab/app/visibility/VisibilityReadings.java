@@ -10,6 +10,7 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /** The live numbers of a state as the inspector writes them. */

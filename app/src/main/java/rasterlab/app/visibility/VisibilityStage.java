@@ -33,6 +33,8 @@ import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
+import rasterlab.app.visibility.scene.StageView;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.scene.Vase;
 
 /** Shows the finished picture and turns the eye by keys, drag and wheel. */

@@ -9,7 +9,7 @@ import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 
 class PictureTypeTest {
     @AfterEach

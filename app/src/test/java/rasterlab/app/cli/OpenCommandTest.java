@@ -23,7 +23,7 @@ import picocli.CommandLine;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.FirstCase;
+import rasterlab.app.shell.labs.FirstCase;
 
 /** The command that opens the window with a case, up to the window. */
 class OpenCommandTest {

@@ -6,6 +6,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.GoldenCommands;
 import rasterlab.app.canvas.work.ModelThread;
+import rasterlab.app.clip.outcome.ClipTopics;
+import rasterlab.app.clip.scene.ClipGrip;
+import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.engine.study.Hazard;
 
 class ClipCommandTest {

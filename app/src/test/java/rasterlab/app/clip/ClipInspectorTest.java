@@ -11,6 +11,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.canvas.work.ModelThread;
+import rasterlab.app.clip.outcome.ClipTopics;
+import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 

@@ -19,6 +19,18 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.clip.outcome.ClipResults;
+import rasterlab.app.clip.outcome.ClipTopics;
+import rasterlab.app.clip.scene.ClipPoint;
+import rasterlab.app.clip.scene.ClipScene;
+import rasterlab.app.clip.scene.PlaneSegment;
+import rasterlab.app.clip.scene.PolygonClipScene;
+import rasterlab.app.clip.scene.SegmentScene;
+import rasterlab.app.clip.scene.ShownWindow;
+import rasterlab.app.clip.scene.SpacePoint;
+import rasterlab.app.clip.scene.VolumeScene;
+import rasterlab.app.clip.scene.VolumeSpace;
+import rasterlab.app.clip.scene.VolumeViewpoint;
 import rasterlab.engine.clip.segment.ClipWindow;
 
 /** What the picture shows, told without painting it. */

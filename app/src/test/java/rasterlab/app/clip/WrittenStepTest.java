@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import org.junit.jupiter.api.Test;
+import rasterlab.app.clip.outcome.ClipRecord;
+import rasterlab.app.clip.outcome.ClipStep;
 
 /** Steps of methods that tell nothing but what they sent. */
 class WrittenStepTest {

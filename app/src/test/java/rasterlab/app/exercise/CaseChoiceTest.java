@@ -27,9 +27,17 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.OutcomeFile;
+import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.panel.CaseCanvas;
+import rasterlab.app.exercise.panel.ExercisePanesKept;
+import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Which case of a result is chosen and in sight. */

@@ -21,9 +21,11 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.panel.ExercisePanel;
+import rasterlab.app.exercise.panel.WindowEditor;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Exercises after a check of the starter, which draws nearly every case wrong. */

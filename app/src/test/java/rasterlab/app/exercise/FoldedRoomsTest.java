@@ -19,11 +19,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rasterlab.app.exercise.panel.ExercisePanel;
+import rasterlab.app.exercise.panel.ExercisePanes;
+import rasterlab.app.exercise.panel.WindowEditor;
 import rasterlab.app.language.Language;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.FakeServer;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Work beside a server that takes everything and says nothing, in a window without much room. */

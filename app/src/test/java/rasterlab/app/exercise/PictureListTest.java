@@ -22,9 +22,18 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.widget.NameChooser;
+import rasterlab.app.exercise.outcome.FittedPicture;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.outcome.TriedPicture;
+import rasterlab.app.exercise.panel.CaseCanvas;
+import rasterlab.app.exercise.panel.CaseTable;
+import rasterlab.app.exercise.panel.PlacedCase;
+import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Cases whose pictures are others than three grids of pixels. */

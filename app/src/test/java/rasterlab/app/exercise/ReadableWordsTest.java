@@ -14,9 +14,13 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.method.MethodColours;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.panel.CaseTable;
+import rasterlab.app.exercise.panel.ResultPane;
+import rasterlab.app.exercise.panel.SourceEditor;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Words stand out from what is behind them as much as WCAG 2.1 asks for, 1.4.3. */

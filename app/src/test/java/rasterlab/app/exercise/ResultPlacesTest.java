@@ -22,9 +22,16 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.panel.CaseCanvas;
+import rasterlab.app.exercise.panel.CaseTable;
+import rasterlab.app.exercise.panel.PlacedCase;
+import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 

@@ -8,9 +8,15 @@ import java.util.function.Consumer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.lab.NotShown;
 import rasterlab.app.canvas.lab.OpenInLab;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.TriedCase;
+import rasterlab.app.exercise.panel.ExercisePanesKept;
+import rasterlab.app.exercise.panel.ResultPane;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -19,7 +25,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.ScorePoints;
 
 /** The place of the first exercise's result without a window. On the event thread. */
-final class ShownResult {
+public final class ShownResult {
     /** Opens nothing. */
     static final OpenInLab NOWHERE =
             new OpenInLab() {
@@ -65,20 +71,20 @@ final class ShownResult {
                         String topic, String json, String method, Optional<Plotted> drawn) {}
             };
 
-    static final Exercise EXERCISE = Catalogue.builtIn().all().get(0);
+    public static final Exercise EXERCISE = Catalogue.builtIn().all().get(0);
 
     private ShownResult() {}
 
     /**
      * @param type in pixels; a machine without a display has smaller type than a desktop
      */
-    static void install(LabTheme theme, double type) {
+    public static void install(LabTheme theme, double type) {
         theme.install();
         double usual = UIManager.getFont("defaultFont").getSize2D();
         theme.install((int) Math.round(100 * type / usual));
     }
 
-    static ResultPane pane(Language language, Consumer<Throwable> onFailure) {
+    public static ResultPane pane(Language language, Consumer<Throwable> onFailure) {
         return pane(language, new ExercisePanesKept(), onFailure);
     }
 
@@ -97,7 +103,7 @@ final class ShownResult {
                 onFailure);
     }
 
-    static void show(ResultPane pane, BackgroundWork work, Optional<Outcome> outcome) {
+    public static void show(ResultPane pane, BackgroundWork work, Optional<Outcome> outcome) {
         show(pane, EXERCISE, work, outcome);
     }
 
@@ -118,7 +124,7 @@ final class ShownResult {
     }
 
     /** No points, every case judged alike. */
-    static Outcome outcome(GradingVerdict verdict) {
+    public static Outcome outcome(GradingVerdict verdict) {
         return new Outcome(
                 "",
                 0,
@@ -144,7 +150,7 @@ final class ShownResult {
      * The component of that name, also where another part of the tab is in sight; null where there
      * is none.
      */
-    static Component named(Container within, String name) {
+    public static Component named(Container within, String name) {
         for (Component each : within.getComponents()) {
             if (name.equals(each.getName())) return each;
             Component found = each instanceof Container inner ? named(inner, name) : null;

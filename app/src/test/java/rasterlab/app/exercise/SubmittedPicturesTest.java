@@ -13,6 +13,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.TriedPicture;
 import rasterlab.app.server.FakeServer;
 import rasterlab.exercises.score.SpeedFigures;
 

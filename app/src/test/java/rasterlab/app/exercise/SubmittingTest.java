@@ -21,6 +21,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.exercise.outcome.Notice;
+import rasterlab.app.exercise.outcome.Outcome;
+import rasterlab.app.exercise.outcome.Said;
+import rasterlab.app.exercise.outcome.TriedCase;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.server.Account;
@@ -51,21 +55,13 @@ class SubmittingTest {
     @TempDir Path folder;
 
     static FakeServer server() throws IOException {
+        String judged = "event: case\nid: 0\ndata: " + CASE + "\n\n";
+        String all = POSITION + judged + "event: done\ndata: " + DONE + "\n\n";
         return new FakeServer()
                 .on("POST /api/v1/join", 201, "{\"student\":\"x\",\"token\":\"secret\"}")
                 .on(SUBMIT, 202, "{\"id\":\"s1\",\"state\":\"queued\",\"position\":2}")
                 .on(RESULT, 200, DONE)
-                .on(
-                        EVENTS,
-                        exchange ->
-                                events(
-                                        exchange,
-                                        POSITION
-                                                + "event: case\nid: 0\ndata: "
-                                                + CASE
-                                                + "\n\nevent: done\ndata: "
-                                                + DONE
-                                                + "\n\n"));
+                .on(EVENTS, exchange -> events(exchange, all));
     }
 
     private static void events(HttpExchange exchange, String text) throws IOException {

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.panel.LightStage;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.engine.scene.obj.UpAxis;
 

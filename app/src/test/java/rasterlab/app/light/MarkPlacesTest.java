@@ -14,6 +14,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.work.ModelThread;
+import rasterlab.app.light.panel.LightGrip;
+import rasterlab.app.light.panel.LightGrips;
+import rasterlab.app.light.panel.StagePlan;
 
 /** Line and point that were marked in a picture whose size changes. */
 @Timeout(300)

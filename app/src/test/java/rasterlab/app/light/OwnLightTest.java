@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.panel.LampOrbit;
 import rasterlab.app.light.step.NormalSteps;
 import rasterlab.app.light.step.OwnSteps;
 import rasterlab.app.light.step.OwnTimeline;

@@ -10,6 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.figure.FigureStage;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.shell.OffscreenPainter;
 
 class BrightnessAxesTest {

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.engine.line.LineTopic;
 
 class FigureInspectorTest {

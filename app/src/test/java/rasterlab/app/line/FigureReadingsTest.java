@@ -24,6 +24,11 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.ArcFigure;
+import rasterlab.app.line.figure.ArcPicture;
+import rasterlab.app.line.figure.FigureDrawing;
+import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.study.Hazard;
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.trace.LineTrace;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 

@@ -36,6 +36,7 @@ import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.trace.LineColours;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;

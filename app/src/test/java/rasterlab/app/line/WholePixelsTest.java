@@ -12,6 +12,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.line.figure.FigureLabModel;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.engine.line.LineTopic;
 
 class WholePixelsTest {

@@ -18,7 +18,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.state.Setting;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 
 class CallLogTest {
     private static final String LONG = "glLightfv(GL_LIGHT0, GL_AMBIENT, {0.15, 0.15, 0.15, 1})";

@@ -10,8 +10,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 
 class OpenGlStageTest {
     private final OpenGlLabModel model = new OpenGlLabModel(EventQueue::invokeLater, this::fail);

@@ -12,8 +12,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 
 class PicturePaneTest {
     /** View units. */

@@ -11,6 +11,8 @@ import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;

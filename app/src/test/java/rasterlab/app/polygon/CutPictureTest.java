@@ -13,8 +13,11 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
-import rasterlab.app.polygon.CutAnswer.Cut;
-import rasterlab.app.polygon.CutAnswer.Fault;
+import rasterlab.app.polygon.figure.CornerList;
+import rasterlab.app.polygon.figure.CutFigure;
+import rasterlab.app.polygon.outcome.CutAnswer;
+import rasterlab.app.polygon.outcome.CutAnswer.Cut;
+import rasterlab.app.polygon.outcome.CutAnswer.Fault;
 
 class CutPictureTest {
     private static final int SIZE = 400;

@@ -5,6 +5,11 @@ import java.util.ArrayList;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.GoldenCommands;
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 import rasterlab.engine.study.Hazard;
 
 class PolygonCommandBytesTest {

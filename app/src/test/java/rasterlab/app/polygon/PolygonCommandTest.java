@@ -15,6 +15,15 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.figure.SeedFigure;
+import rasterlab.app.polygon.outcome.CutAnswer;
+import rasterlab.app.polygon.outcome.InsideAnswer;
+import rasterlab.app.polygon.outcome.PixelAnswer;
+import rasterlab.app.polygon.outcome.PolygonResults;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 import rasterlab.contract.FillRule;
 
 /** The copied command computes what the lab shows. */

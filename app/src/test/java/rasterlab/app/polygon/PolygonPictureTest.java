@@ -27,6 +27,16 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.figure.BrushKind;
+import rasterlab.app.polygon.figure.FillFigure;
+import rasterlab.app.polygon.figure.Grip;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonPoint;
+import rasterlab.app.polygon.figure.PolygonScene;
+import rasterlab.app.polygon.outcome.MethodOutcome;
+import rasterlab.app.polygon.outcome.PixelAnswer;
+import rasterlab.app.polygon.outcome.PolygonResults;
+import rasterlab.app.polygon.outcome.PolygonTopics;
 import rasterlab.engine.study.Hazard;
 
 @Tag("slow")

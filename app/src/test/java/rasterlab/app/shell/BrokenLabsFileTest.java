@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabsFile;
 
 /** People may write the labs' file: what is wrong in it is told by its place. */
 class BrokenLabsFileTest {

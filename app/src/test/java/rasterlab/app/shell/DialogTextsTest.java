@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.settings.LabTheme;
 
 class DialogTextsTest {
     private static final Pattern ENGLISH = Pattern.compile("[A-Za-z]{2}");

@@ -19,6 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.lab.GivenInput;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;

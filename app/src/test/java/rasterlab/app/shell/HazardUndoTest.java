@@ -14,6 +14,8 @@ import rasterlab.app.canvas.work.History;
 import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.row.RowLabModel;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;

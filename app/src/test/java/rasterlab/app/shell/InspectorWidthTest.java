@@ -15,6 +15,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.tab.LabTab;
 
 @Tag("slow")
 class InspectorWidthTest {

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.rooms.LabRooms;
+import rasterlab.app.shell.settings.LabTheme;
 
 @Tag("slow")
 class LabSnapshotTest {

@@ -27,6 +27,7 @@ import org.junit.platform.launcher.core.LauncherFactory;
 import org.junit.platform.launcher.listeners.SummaryGeneratingListener;
 import org.junit.platform.launcher.listeners.TestExecutionSummary;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.shell.settings.LabTheme;
 
 class LeftoversTest {
     static Stream<Arguments> leaving() {

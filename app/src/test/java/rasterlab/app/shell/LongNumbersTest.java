@@ -16,6 +16,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabStates;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.contract.SplineEnds;
 

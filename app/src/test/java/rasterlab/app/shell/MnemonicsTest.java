@@ -28,6 +28,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.tab.LabTab;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineMode;
 

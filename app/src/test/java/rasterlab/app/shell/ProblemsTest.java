@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.settings.Problem;
 
 class ProblemsTest {
     private static final Font FONT = new Font(Font.DIALOG, Font.PLAIN, 12);

@@ -24,11 +24,14 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.History;
-import rasterlab.app.clip.ClipMode;
+import rasterlab.app.clip.scene.ClipMode;
 import rasterlab.app.language.Language;
-import rasterlab.app.line.LineMode;
+import rasterlab.app.line.trace.LineMode;
 import rasterlab.app.opengl.GlView;
-import rasterlab.app.polygon.PolygonMode;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.tab.LabTab;
 import rasterlab.app.spline.CurveForm;
 
 /** What each lab's redo brings back. */

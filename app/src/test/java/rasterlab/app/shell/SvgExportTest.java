@@ -11,6 +11,9 @@ import javax.swing.JButton;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.tab.LabTab;
 
 class SvgExportTest {
     @Test

@@ -16,6 +16,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.lab.LabPanel;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** Tells what is said over and on a stage, in another language too. */
 class ToldHazardTest {

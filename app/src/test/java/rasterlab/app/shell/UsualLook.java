@@ -11,6 +11,7 @@ import java.util.stream.Collectors;
 import javax.swing.ActionMap;
 import javax.swing.InputMap;
 import javax.swing.UIManager;
+import rasterlab.app.shell.settings.LabTheme;
 
 /**
  * The look that every class of tests begins with and leaves: light, in type of usual size, and

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.StageView;
 import rasterlab.engine.pipeline.Renderer;
 
 class CountingPanelTest {

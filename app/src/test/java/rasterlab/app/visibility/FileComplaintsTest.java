@@ -29,6 +29,8 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.Pipe;
+import rasterlab.app.visibility.scene.SceneFiles;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 
 /** What the lab says in Russian of files that are broken. */
 @Tag("slow")

@@ -17,6 +17,7 @@ import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.StageView;
 import rasterlab.engine.pipeline.Renderer;
 
 /** The depths of one method while another is chosen. */

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.visibility.scene.SceneFiles;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 
 /** What the lab tells of a model that it shows. */
 class ModelNotesTest {

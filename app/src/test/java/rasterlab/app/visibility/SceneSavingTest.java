@@ -20,6 +20,8 @@ import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.SavedScene;
+import rasterlab.app.visibility.scene.TopicView;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 

@@ -21,6 +21,7 @@ import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.pipeline.Renderer;
 
 /** Files of any kind that are opened or dropped: what is wrong is told, and nothing is lost. */

@@ -2,7 +2,6 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -24,6 +23,10 @@ import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.chart.ChartSize;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.HazardView;
+import rasterlab.app.visibility.scene.SceneFiles;
+import rasterlab.app.visibility.scene.StageView;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -148,7 +151,7 @@ class VisibilityLabModelTest {
         model.resize(4, 4);
         model.dolly(1000);
         settle();
-        assertInstanceOf(IllegalStateException.class, failures.get(0));
+        assertEquals(IllegalStateException.class, failures.get(0).getClass());
     }
 
     @Test
@@ -377,8 +380,7 @@ class VisibilityLabModelTest {
     @Test
     @DisplayName("a chart keeps the colours of the theme before")
     void chartStandsOnTheGroundOfItsTheme() {
-        for (StageColours colours :
-                List.of(StageColours.DARK, StageColours.LIGHT, StageColours.PROJECTOR)) {
+        for (var colours : List.of(StageColours.DARK, StageColours.LIGHT, StageColours.PROJECTOR)) {
             model.charts().ask(asked(StageView.PRECISION, colours));
             settle();
             var image = model.charts().chart().orElseThrow().image();

@@ -26,6 +26,8 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.visibility.scene.StageView;
+import rasterlab.app.visibility.scene.VisibilityChoice;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 

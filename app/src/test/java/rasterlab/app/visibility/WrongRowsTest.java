@@ -24,6 +24,7 @@ import rasterlab.app.canvas.work.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.visibility.scene.HazardView;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.PixelMark;

@@ -26,14 +26,6 @@ class PackageSizesTest {
             Map.ofEntries(
                     // What students import stays together: one line imports all of it.
                     Map.entry("engine/src/main/java/rasterlab/contract", 56),
-                    Map.entry("app/src/main/java/rasterlab/app/clip", 56),
-                    Map.entry("app/src/main/java/rasterlab/app/exercise", 69),
-                    Map.entry("app/src/main/java/rasterlab/app/light", 58),
-                    Map.entry("app/src/main/java/rasterlab/app/line", 55),
-                    Map.entry("app/src/main/java/rasterlab/app/polygon", 49),
-                    Map.entry("app/src/main/java/rasterlab/app/shell", 49),
-                    Map.entry("app/src/main/java/rasterlab/app/visibility", 55),
-                    Map.entry("app/src/test/java/rasterlab/app/shell", 45),
                     Map.entry("exercises/src/main/java/rasterlab/exercises/runner", 52));
 
     @Test

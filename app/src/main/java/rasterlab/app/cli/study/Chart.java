@@ -10,7 +10,7 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.cli.console.TextTable;
 import rasterlab.app.language.Language;
 import rasterlab.app.light.MachBandsChart;
-import rasterlab.app.line.BrightnessChart;
+import rasterlab.app.line.figure.BrightnessChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.precision.DepthPrecisionChart;

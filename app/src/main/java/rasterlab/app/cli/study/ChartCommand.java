@@ -10,7 +10,7 @@ import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.NameList;
 import rasterlab.app.cli.console.TextTable;
-import rasterlab.app.line.BrightnessChart;
+import rasterlab.app.line.figure.BrightnessChart;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;

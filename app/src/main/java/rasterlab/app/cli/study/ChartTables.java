@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import rasterlab.app.cli.console.TextTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.MachBandsChart;
-import rasterlab.app.line.BrightnessChart;
+import rasterlab.app.line.figure.BrightnessChart;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
 import rasterlab.app.precision.DepthPrecisionChart;

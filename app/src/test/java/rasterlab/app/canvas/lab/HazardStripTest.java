@@ -22,7 +22,7 @@ import rasterlab.app.canvas.method.TopicColours;
 import rasterlab.app.canvas.widget.WrappedText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.study.Verdict;
 
 class HazardStripTest {

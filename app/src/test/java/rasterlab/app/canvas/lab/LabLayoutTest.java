@@ -25,8 +25,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.UsualLook;
+import rasterlab.app.shell.settings.LabTheme;
 
 /** A lab's inspector; that all labs of a window hide theirs at once takes a window. */
 class LabLayoutTest {

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.file.DroppedFiles;
 import rasterlab.app.canvas.file.FileDrop;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.settings.LabTheme;
 
 class NumberEntryTest {
     @BeforeEach

@@ -10,8 +10,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.app.shell.settings.LabTheme;
 
 class NumberTableTest {
     private final AtomicReference<NumberTable> made = new AtomicReference<>();

@@ -24,12 +24,12 @@ import javax.swing.SwingUtilities;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
-import rasterlab.app.shell.LabLook;
-import rasterlab.app.shell.LabModels;
-import rasterlab.app.shell.LabSettings;
-import rasterlab.app.shell.LabTheme;
-import rasterlab.app.shell.LabsFile;
-import rasterlab.app.shell.SettingsFile;
+import rasterlab.app.shell.labs.LabModels;
+import rasterlab.app.shell.labs.LabsFile;
+import rasterlab.app.shell.settings.LabLook;
+import rasterlab.app.shell.settings.LabSettings;
+import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.engine.line.Segment;
 import rasterlab.tests.bench.BenchWords;
 

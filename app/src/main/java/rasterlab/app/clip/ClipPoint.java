@@ -1,8 +1,0 @@
-package rasterlab.app.clip;
-
-/** A place in the plane, x to the right and y up; any doubles. */
-public record ClipPoint(double x, double y) {
-    boolean isFinite() {
-        return Double.isFinite(x) && Double.isFinite(y);
-    }
-}

@@ -1,0 +1,167 @@
+package rasterlab.app.exercise.outcome;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.published.PublishedSpeed;
+import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.ScorePoints;
+
+/**
+ * What a check or a server answered to one source.
+ *
+ * @param source the text that was tried
+ * @param attempt the server's number of the submission; 0 for a check on this machine
+ * @param verdict a code, as in the HTTP API
+ * @param isolation how the method was shut in
+ * @param nanosPerItem 0 where not measured or not told
+ * @param earlier whether it was graded against an earlier revision of the exercise than the one
+ *     that the server gives now
+ * @param hints points that hints cost, which are still in {@code points}
+ * @param speed the program's point on the topic's chart; empty where none was measured
+ */
+public record Outcome(
+        String source,
+        int attempt,
+        String verdict,
+        ScorePoints points,
+        List<TriedCase> cases,
+        List<Remark> remarks,
+        Said isolation,
+        double nanosPerItem,
+        boolean earlier,
+        int hints,
+        Optional<PublishedSpeed> speed) {
+    /**
+     * A message about a place in the source.
+     *
+     * @param line from 1; 0 where none is known
+     * @param column from 1; 0 where none is known
+     */
+    public record Remark(int line, int column, Said said) {}
+
+    public Outcome {
+        cases = TriedCase.toldApart(cases);
+        remarks = List.copyOf(remarks);
+    }
+
+    /** An answer without a chart. */
+    Outcome(
+            String source,
+            int attempt,
+            String verdict,
+            ScorePoints points,
+            List<TriedCase> cases,
+            List<Remark> remarks,
+            Said isolation,
+            double nanosPerItem,
+            boolean earlier,
+            int hints) {
+        this(
+                source,
+                attempt,
+                verdict,
+                points,
+                cases,
+                remarks,
+                isolation,
+                nanosPerItem,
+                earlier,
+                hints,
+                Optional.empty());
+    }
+
+    /** The same with a point on the topic's chart. */
+    public Outcome with(Optional<PublishedSpeed> measured) {
+        return new Outcome(
+                source,
+                attempt,
+                verdict,
+                points,
+                cases,
+                remarks,
+                isolation,
+                nanosPerItem,
+                earlier,
+                hints,
+                measured);
+    }
+
+    /** An answer that pays for no hints. */
+    public Outcome(
+            String source,
+            int attempt,
+            String verdict,
+            ScorePoints points,
+            List<TriedCase> cases,
+            List<Remark> remarks,
+            Said isolation,
+            double nanosPerItem,
+            boolean earlier) {
+        this(source, attempt, verdict, points, cases, remarks, isolation, nanosPerItem, earlier, 0);
+    }
+
+    /** The points that are left when hints are paid for. */
+    public int total() {
+        return Math.max(0, points.total() - hints);
+    }
+
+    /** A report of this machine. */
+    public static Outcome checked(Exercise exercise, String source, Report report) {
+        return checked(
+                source,
+                report,
+                report.cases().stream().map(one -> TriedCase.of(exercise, one)).toList());
+    }
+
+    /** The same where it is not known which exercise it is of. */
+    static Outcome checked(String source, Report report) {
+        return checked(source, report, report.cases().stream().map(TriedCase::of).toList());
+    }
+
+    private static Outcome checked(String source, Report report, List<TriedCase> cases) {
+        return new Outcome(
+                source,
+                0,
+                report.verdict().code(),
+                report.points(),
+                cases,
+                report.diagnostics().stream()
+                        .map(one -> new Remark(one.line(), one.column(), Said.of(one::message)))
+                        .toList(),
+                Said.of(report::isolation),
+                report.nanosPerItem(),
+                false);
+    }
+
+    /**
+     * Whether this one and that were said to the same text, and judge the case of that name alike.
+     */
+    public boolean agrees(Outcome other, String name) {
+        return source.equals(other.source) && verdictOf(name).equals(other.verdictOf(name));
+    }
+
+    private Optional<String> verdictOf(String name) {
+        return cases.stream()
+                .filter(one -> one.name().equals(name))
+                .map(TriedCase::verdict)
+                .findFirst();
+    }
+
+    /** The case with the smallest picture of those that went wrong and can be drawn. */
+    public Optional<TriedCase> smallestCounterexample() {
+        return cases.stream()
+                .filter(one -> !one.right() && !one.pictures().isEmpty())
+                .min(Comparator.comparingInt(TriedCase::pixels));
+    }
+
+    /**
+     * The case that tells most of what went wrong: the smallest counterexample; where nothing can
+     * be drawn, the first that went wrong, since those after a method was stopped were not run.
+     */
+    public Optional<TriedCase> mostTelling() {
+        return smallestCounterexample()
+                .or(() -> cases.stream().filter(one -> !one.right()).findFirst());
+    }
+}

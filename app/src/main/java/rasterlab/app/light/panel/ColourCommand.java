@@ -1,0 +1,20 @@
+package rasterlab.app.light.panel;
+
+import rasterlab.app.canvas.lab.CommandInput;
+import rasterlab.app.canvas.method.OwnWords;
+import rasterlab.app.light.ColourChoice;
+import rasterlab.engine.color.ColorTopic;
+import rasterlab.engine.color.Colors;
+
+/** The shell command that writes the colour in all models. */
+final class ColourCommand {
+    private ColourCommand() {}
+
+    static String of(ColourChoice choice) {
+        Colors colour = Colors.of(choice.model(), choice.in(choice.model()));
+        return "echo '%s' | ./lab run color %s"
+                .formatted(
+                        CommandInput.of(new ColorTopic().format(), colour),
+                        OwnWords.known(choice.method(), "formula", "color"));
+    }
+}

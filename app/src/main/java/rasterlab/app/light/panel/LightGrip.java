@@ -1,0 +1,17 @@
+package rasterlab.app.light.panel;
+
+/**
+ * Something on the pictures that can be dragged.
+ *
+ * @param kind what it is
+ * @param index of the lamp; 0 for the others
+ */
+public record LightGrip(Kind kind, int index) {
+    /** What can be dragged. */
+    public enum Kind {
+        LAMP,
+        FROM,
+        TO,
+        POINT
+    }
+}

@@ -1,4 +1,0 @@
-package rasterlab.app.line;
-
-/** A place on the raster, y down; whole numbers are pixel centres. */
-public record RasterPoint(double x, double y) {}

@@ -1,0 +1,37 @@
+package rasterlab.app.polygon.figure;
+
+/**
+ * A point of the figure that can be moved.
+ *
+ * @param index of a corner, counted from 0; 0 for the others, of which there is one
+ */
+public record Grip(Kind kind, int index) {
+    /** What a grip belongs to. */
+    public enum Kind {
+        CORNER,
+        /** The point that is judged step by step. */
+        POINT,
+        /** The pixel that a fill begins with. */
+        SEED,
+        /** The pixel where a wall is put up or taken away. */
+        PEN
+    }
+
+    public static final Grip POINT = new Grip(Kind.POINT, 0);
+    public static final Grip SEED = new Grip(Kind.SEED, 0);
+    public static final Grip PEN = new Grip(Kind.PEN, 0);
+
+    public static Grip corner(int index) {
+        return new Grip(Kind.CORNER, index);
+    }
+
+    /** Name of the component that moves it. */
+    public String componentName() {
+        return switch (kind) {
+            case CORNER -> "corner." + index;
+            case POINT -> "point";
+            case SEED -> "seed";
+            case PEN -> "pen";
+        };
+    }
+}

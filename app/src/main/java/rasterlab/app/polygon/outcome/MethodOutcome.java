@@ -1,0 +1,31 @@
+package rasterlab.app.polygon.outcome;
+
+import rasterlab.engine.study.Deviation;
+
+/**
+ * What one method made of a figure.
+ *
+ * @param message what it said when it refused or crashed, in English; "" otherwise
+ * @param deviation from the exact answer
+ */
+public record MethodOutcome(
+        String method, Ending ending, String message, Deviation deviation, PolygonAnswer answer) {
+    /** How it came to its end. */
+    public enum Ending {
+        ENDED,
+        /** The method threw for what it cannot do. */
+        REFUSED,
+        CRASHED,
+        /** The method went on beyond all bounds and was stopped. */
+        ENDLESS
+    }
+
+    /** Whether it is what the exact answer is. */
+    public boolean isRight() {
+        return ending == Ending.ENDED && deviation.exact();
+    }
+
+    public int steps() {
+        return answer.steps();
+    }
+}

@@ -1,0 +1,116 @@
+package rasterlab.app.shell.labs;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.scene.ClipMode;
+import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.list.Example;
+import rasterlab.app.coordinates.stack.StackProgram;
+import rasterlab.app.coordinates.view.ViewKind;
+import rasterlab.app.line.trace.LineMode;
+import rasterlab.app.opengl.state.Group;
+import rasterlab.app.polygon.PolygonLabModel;
+import rasterlab.app.polygon.figure.PolygonMode;
+import rasterlab.app.spline.CurveForm;
+import rasterlab.app.spline.SplineLabModel;
+import rasterlab.app.spline.SplineMode;
+import rasterlab.app.spline.curve.Sampling;
+import rasterlab.contract.SplineEnds;
+
+/** What the tabs show besides what they open with. */
+public final class LabStates {
+    /** What else the tab of splines shows, each with texts of its own. */
+    private static final List<Consumer<SplineLabModel>> OTHER_SPLINES =
+            List.of(
+                    model -> model.curve().chooseForm(CurveForm.PIECES),
+                    model -> model.curve().compareWith("adaptive-naive"),
+                    model -> model.curve().chooseForm(CurveForm.B_SPLINE),
+                    model -> model.curve().sample(Sampling.equal(9)),
+                    model -> model.curve().show(model.curve().hazards().get(4).input()),
+                    model -> model.show(SplineMode.FUNCTION),
+                    model -> model.function().chooseEnds(SplineEnds.slopes(-1.25, 3)),
+                    model -> model.function().chooseMethod("monotone"),
+                    model -> model.function().show(model.function().hazards().get(0).input()));
+
+    /** What else the tab of coordinates shows, each with texts of its own. */
+    private static final List<Consumer<CoordinatesLabModel>> OTHER_COORDINATES =
+            List.of(
+                    model -> model.views().goTo(model.views().last()),
+                    model -> model.views().goTo(2),
+                    model -> model.views().choose(ViewKind.SPHERICAL_LEFT),
+                    model -> model.views().choose(ViewKind.LOOK_AT),
+                    model -> model.show(CoordinatesMode.TRANSFORMATIONS),
+                    model -> model.transformations().show(Example.AXIS),
+                    model -> model.transformations().show(Example.PROJECTIVE),
+                    model -> tried(model, "rotate-axis", "axis-along-x", "seven-steps-textbook"),
+                    model -> tried(model, "transform", "beyond-float", "float"),
+                    model -> model.show(CoordinatesMode.STACK),
+                    model -> model.stack().show(StackProgram.LOADED),
+                    model -> model.stack().goTo(1),
+                    model -> model.show(CoordinatesMode.ROTATION),
+                    model -> model.rotation().chooseMethod("buneman-textbook"),
+                    model -> model.show(CoordinatesMode.MEETING));
+
+    /** What else a tab shows, with texts of its own. */
+    public record Other(String tab, String name, Consumer<LabModels> change) {}
+
+    public static List<Other> others() {
+        var others = new ArrayList<Other>();
+        for (Consumer<SplineLabModel> each : OTHER_SPLINES)
+            others.add(new Other("spline", "curve", models -> each.accept(models.spline())));
+        for (Consumer<CoordinatesLabModel> each : OTHER_COORDINATES)
+            others.add(new Other("coordinates", "", models -> each.accept(models.coordinates())));
+        for (Group each : Group.values())
+            others.add(
+                    new Other(
+                            "opengl",
+                            each.name(),
+                            models -> models.opengl().touch(each.settings().get(0))));
+        for (ClipMode each : ClipMode.values())
+            others.add(new Other("clip", each.name(), m -> showComparison(m.clip(), each)));
+        for (LineMode each : LineMode.values())
+            others.add(new Other("line", each.name(), m -> m.line().chooseMode(each)));
+        for (PolygonMode each : PolygonMode.values())
+            others.add(new Other("polygon", each.name(), m -> showComparison(m.polygon(), each)));
+        others.add(
+                new Other(
+                        "visibility",
+                        "everything",
+                        models -> {
+                            models.visibility().compare("globe", "newell", "z24");
+                            models.visibility().watchSteps(true);
+                        }));
+        others.add(new Other("light", "colours", models -> models.light().showColours(true)));
+        others.add(
+                new Other(
+                        "visibility",
+                        "rows",
+                        m -> m.visibility().rows().show("depth-buffer", "drift-8192", "z16")));
+        for (String topic : List.of("texture-mapping", "texture-filter"))
+            others.add(new Other("light", topic, models -> models.light().rows().open(topic)));
+        return others;
+    }
+
+    private LabStates() {}
+
+    private static void tried(
+            CoordinatesLabModel model, String topic, String hazard, String method) {
+        model.transformations().show(topic, hazard, method);
+    }
+
+    /** Shows as many rows in the inspector as there can be. */
+    private static void showComparison(ClipLabModel clip, ClipMode mode) {
+        clip.chooseMode(mode);
+        clip.compareWith(clip.state().choice().scene().method());
+        clip.goTo(1);
+    }
+
+    private static void showComparison(PolygonLabModel polygon, PolygonMode mode) {
+        polygon.chooseMode(mode);
+        polygon.compareWith(polygon.state().choice().scene().method());
+        polygon.goTo(1);
+    }
+}
