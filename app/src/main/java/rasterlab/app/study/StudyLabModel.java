@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.Background;
 import rasterlab.app.canvas.work.Listeners;
@@ -25,6 +26,7 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 /**
  * The tab of speed and accuracy without its window: which topic, what was measured, what is chosen.
@@ -38,6 +40,9 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
      * time.
      */
     private static final Duration BETWEEN_NEWS = Duration.ofMillis(50);
+
+    /** The time between two charts of what was measured so far. */
+    private static final Duration BETWEEN_POINTS = Duration.ofMillis(700);
 
     private final List<Topic<?, ?, ?>> topics;
     private final OwnMethods own;
@@ -208,8 +213,14 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         begin(
                 StudyWork.Kind.STUDY,
                 tell -> {
-                    var news = new Rare<Progress>(tell, this::tell);
-                    Study study = measured(topic, settings, news::accept);
+                    var news = new Rare<Progress>(tell, BETWEEN_NEWS, this::tell);
+                    var points = new Rare<Study>(tell, BETWEEN_POINTS, this::tellSoFar);
+                    Study study =
+                            measured(
+                                    topic,
+                                    settings,
+                                    step -> news.accept(() -> step),
+                                    points::accept);
                     return () -> {
                         studies.put(topic.name(), study);
                         publish(state.with(study));
@@ -218,15 +229,38 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     }
 
     private Study measured(
-            Topic<?, ?, ?> topic, StudySettings settings, Consumer<Progress> progress)
+            Topic<?, ?, ?> topic,
+            StudySettings settings,
+            Consumer<Progress> progress,
+            Consumer<Supplier<Study>> points)
             throws InterruptedException {
         Topic<?, ?, ?> plain = Named.find("topic", topic.name(), topics, Topic::name);
         Optional<OwnProgram> program = own.of(topic.name());
         return program.isPresent()
                 ? new OwnStudy<>(plain, program.get(), own)
                         .measure(settings, progress, Thread.currentThread()::isInterrupted)
-                : StudyRunner.measure(
-                        plain, settings, progress, Thread.currentThread()::isInterrupted);
+                : StudyRunner.follow(
+                        plain,
+                        settings,
+                        (step, soFar) -> {
+                            progress.accept(step);
+                            points.accept(soFar);
+                        },
+                        Thread.currentThread()::isInterrupted);
+    }
+
+    /** Shows the points as they come, once each method has one; they stay if it is cancelled. */
+    private void tellSoFar(Study soFar) {
+        List<Measurement> points = soFar.measurements();
+        boolean begun = !points.isEmpty() && points.stream().allMatch(StudyLabModel::isPlaced);
+        if (!begun || !soFar.topic().equals(state.topic().name())) return;
+        studies.put(soFar.topic(), soFar);
+        StudyWork work = state.work();
+        publish(state.with(soFar).with(work));
+    }
+
+    private static boolean isPlaced(Measurement one) {
+        return one.cost().timed() || one.kind().compareTo(Verdict.Kind.REFUSED) >= 0;
     }
 
     private void tell(Progress progress) {
@@ -250,13 +284,13 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 StudyWork.Kind.HAZARDS,
                 tell -> {
                     var judged = new ArrayList<Cell>();
-                    var news = new Rare<List<Cell>>(tell, cells -> tell(cells, of));
+                    var news = new Rare<List<Cell>>(tell, BETWEEN_NEWS, cells -> tell(cells, of));
                     List<Cell> all =
                             tried(
                                     topic.name(),
                                     cell -> {
                                         judged.add(cell);
-                                        news.accept(List.copyOf(judged));
+                                        news.accept(() -> List.copyOf(judged));
                                     });
                     return () -> {
                         verdicts.put(topic.name(), all);
@@ -296,7 +330,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 });
     }
 
-    /** Gives up what is being measured; what was measured before stays. */
+    /** Gives up what is being measured; what was measured so far, or before, stays. */
     public void cancel() {
         if (!state.work().running()) return;
         background.cancel();
@@ -320,18 +354,21 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     /** Passes news on, but not more often than the eye follows. */
     private static final class Rare<T> {
         private final Consumer<Runnable> tell;
+        private final Duration between;
         private final Consumer<T> heard;
         private long next = System.nanoTime();
 
-        Rare(Consumer<Runnable> tell, Consumer<T> heard) {
+        Rare(Consumer<Runnable> tell, Duration between, Consumer<T> heard) {
             this.tell = tell;
+            this.between = between;
             this.heard = heard;
         }
 
-        void accept(T news) {
+        void accept(Supplier<T> news) {
             if (System.nanoTime() < next) return;
-            next = System.nanoTime() + BETWEEN_NEWS.toNanos();
-            tell.accept(() -> heard.accept(news));
+            next = System.nanoTime() + between.toNanos();
+            T now = news.get();
+            tell.accept(() -> heard.accept(now));
         }
     }
 }

@@ -87,6 +87,17 @@ class StudyLabModelTest {
     }
 
     @Test
+    void pointsComeWhileItIsMeasuredAndStayWhenItIsCancelled() throws Exception {
+        model.takeTime(true);
+        model.measure();
+        StudyLabState shown =
+                await(state -> state.work().running() && state.study().isPresent());
+        assertFalse(shown.study().orElseThrow().isWhole());
+        model.cancel();
+        assertEquals(shown.study(), model.state().study());
+    }
+
+    @Test
     @DisplayName("a measurement that was given up counts as measured, or as still running")
     void tellsThatAMeasurementWasGivenUp() throws Exception {
         model.takeTime(true);

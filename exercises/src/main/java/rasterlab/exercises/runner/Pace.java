@@ -1,11 +1,12 @@
 package rasterlab.exercises.runner;
 
+import rasterlab.engine.study.measuring.Samples;
 import rasterlab.exercises.score.SpeedPoints;
 
 /**
  * Nanoseconds per pixel of a method in its quickest round, since what else the machine does only
  * ever adds time; as the child tells it, whose clock leaves out the way there and back, and by the
- * clock of this process, which the child cannot move.
+ * clock of this process, which the child cannot move. Every round is kept.
  */
 final class Pace {
     /**
@@ -21,24 +22,25 @@ final class Pace {
      */
     private static final double WIDER = 2;
 
-    private double own = Double.MAX_VALUE;
-    private double nextOwn = Double.MAX_VALUE;
-    private double wall = Double.MAX_VALUE;
+    /** Stands for no time at all, which a clock may tell that cannot be believed. */
+    private static final double LEAST = 1e-9;
+
+    private final Samples own = new Samples();
+    private final Samples wall = new Samples();
 
     void add(StudentRun.Timed round, long pixels) {
-        double nanos = (double) round.nanos() / pixels;
-        double told = Math.max(0, Math.min(nanos, (double) round.own() / pixels));
-        wall = Math.min(wall, nanos);
-        nextOwn = Math.min(nextOwn, Math.max(own, told));
-        own = Math.min(own, told);
+        double nanos = Math.max(LEAST, (double) round.nanos() / pixels);
+        wall.add(nanos);
+        own.add(Math.max(LEAST, Math.min(nanos, (double) round.own() / pixels)));
     }
 
+    /** Nanoseconds per pixel as the child tells them; 0 where it tells that no time passed. */
     double own() {
-        return own;
+        return own.least() <= LEAST ? 0 : own.least();
     }
 
     double wall() {
-        return wall;
+        return wall.least();
     }
 
     /** Whether further rounds would hardly tell more. */
@@ -48,12 +50,12 @@ final class Pace {
 
     /** Whether there was a round at all. */
     boolean isMeasured() {
-        return wall < Double.MAX_VALUE;
+        return !wall.isEmpty();
     }
 
     /** Whether another round was about as quick as the quickest. */
     boolean isRepeated() {
-        return isMeasured() && nextOwn <= ALIKE * own;
+        return isMeasured() && own.nextToLeast() <= ALIKE * own.least();
     }
 
     /**
@@ -61,6 +63,6 @@ final class Pace {
      * what keeps the reference's child from its work too.
      */
     boolean isCredibleBeside(Pace reference) {
-        return own > 0 && wall / own <= WIDER * reference.wall / reference.own;
+        return own() > 0 && wall() / own() <= WIDER * reference.wall() / reference.own();
     }
 }
