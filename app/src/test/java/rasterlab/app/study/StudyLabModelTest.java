@@ -90,8 +90,7 @@ class StudyLabModelTest {
     void pointsComeWhileItIsMeasuredAndStayWhenItIsCancelled() throws Exception {
         model.takeTime(true);
         model.measure();
-        StudyLabState shown =
-                await(state -> state.work().running() && state.study().isPresent());
+        StudyLabState shown = await(state -> state.work().running() && state.study().isPresent());
         assertFalse(shown.study().orElseThrow().isWhole());
         model.cancel();
         assertEquals(shown.study(), model.state().study());
