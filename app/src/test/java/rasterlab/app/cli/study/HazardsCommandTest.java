@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -18,8 +19,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.Ran;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
 @Tag("slow")
@@ -79,6 +83,21 @@ class HazardsCommandTest {
         assertTrue(found.out().startsWith("line naive-textbook: wrong: "), found.out());
         assertTrue(found.err().contains("made simpler"), found.err());
         Ran.lab("run", "--scene", file.toString()).assertDone();
+    }
+
+    @Test
+    void pageHasEveryVerdictWithTheCommandThatRepeatsIt(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("rotate.html");
+        Ran.lab("hazards", "rotate", "--html", file.toString(), "--lang", "ru").assertDone();
+        String page = Files.readString(file);
+        assertTrue(page.contains("<html lang=\"ru\">"), "its language");
+        for (Hazard<?> hazard : Topics.named("rotate").hazards())
+            for (Method<?> method : Topics.named("rotate").methods()) {
+                String typed =
+                        "./lab run rotate %s --hazard %s".formatted(method.name(), hazard.name());
+                assertTrue(page.contains(typed), typed);
+            }
+        assertTrue(page.contains("<img alt="), "a picture of what is wrong");
     }
 
     @Test
