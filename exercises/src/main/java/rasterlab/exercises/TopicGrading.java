@@ -15,6 +15,7 @@ import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.Message;
 
@@ -160,6 +161,22 @@ public interface TopicGrading {
          */
         default boolean isRightWith(String mistake) {
             return true;
+        }
+
+        /**
+         * The mistake of a method that does nothing, where the answer may be one of such: nothing
+         * sent or changed, nothing but zeros. Empty for any other answer.
+         */
+        default Optional<Cause> idle(Answer answer) {
+            return Optional.empty();
+        }
+
+        /**
+         * The whole finding on an answer of a program that does nothing on any input, of which no
+         * other mistake is told.
+         */
+        default Finding judgeIdle(Answer answer, Cause idle) {
+            return judge(answer);
         }
 
         /** Whether the answer breaks the property that is asked for; false where none is. */

@@ -28,6 +28,7 @@ final class PlaneComparison {
     private final List<PlaneFigure> agreeing = new ArrayList<>();
     private final List<PlaneFigure> missing = new ArrayList<>();
     private final List<PlaneFigure> extra;
+    private final List<PlaneFigure> turned = new ArrayList<>();
 
     /**
      * @param tolerance the most by which a coordinate may differ
@@ -39,6 +40,7 @@ final class PlaneComparison {
             Optional<PlaneFigure> same =
                     extra.stream().filter(each -> agree(figure, each)).findFirst();
             (same.isPresent() ? agreeing : missing).add(figure);
+            same.filter(each -> !agreeForwards(figure, each)).ifPresent(any -> turned.add(figure));
             same.ifPresent(extra::remove);
         }
     }
@@ -46,6 +48,11 @@ final class PlaneComparison {
     /** The expected figures that are there. */
     List<PlaneFigure> agreeing() {
         return agreeing;
+    }
+
+    /** Those of them that run the other way. */
+    List<PlaneFigure> turned() {
+        return turned;
     }
 
     /** The expected figures that are not there. */
@@ -92,6 +99,14 @@ final class PlaneComparison {
                 && one.points().size() == other.points().size()
                 && (one.points().isEmpty()
                         || orders(other).stream().anyMatch(order -> near(one.points(), order)));
+    }
+
+    /** Whether figures that agree do so as they run. */
+    private boolean agreeForwards(PlaneFigure one, PlaneFigure other) {
+        return one.points().size() < 2
+                || orders(other).stream()
+                        .filter(order -> order instanceof Turned ring && ring.step > 0)
+                        .anyMatch(order -> near(one.points(), order));
     }
 
     private boolean near(List<CasePoint> one, List<CasePoint> other) {

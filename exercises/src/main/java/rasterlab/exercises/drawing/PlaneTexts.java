@@ -42,15 +42,32 @@ final class PlaneTexts {
     }
 
     Message difference(PlaneComparison figures) {
+        Message turned = turned(figures.turned());
         if (figures.missing().isEmpty() && figures.extra().isEmpty())
-            return Message.of("drawing.same");
+            return turned.isEmpty() ? Message.of("drawing.same") : turned;
         Message counts =
                 Message.of(
                         "drawing.plane.counts",
                         figures.agreeing().size(),
                         figures.missing().size(),
                         figures.extra().size());
-        return counts.and(first(figures));
+        return counts.and(first(figures)).and(turned);
+    }
+
+    /** The figures that are there but run the other way; nothing where none does. */
+    private Message turned(List<PlaneFigure> figures) {
+        List<PlaneFigure> segments =
+                figures.stream().filter(one -> one.form() == PlaneFigure.Form.SEGMENT).toList();
+        int others = figures.size() - segments.size();
+        Message said =
+                segments.isEmpty()
+                        ? Message.NONE
+                        : Message.of(
+                                "drawing.plane.exchanged",
+                                segments.size(),
+                                usual(segments.get(0).points().get(0)),
+                                usual(segments.get(0).points().get(1)));
+        return others > 0 ? said.and(Message.of("drawing.plane.turned", others)) : said;
     }
 
     /** What part of the plane is shown, and how. */

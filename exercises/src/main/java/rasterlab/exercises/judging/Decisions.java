@@ -21,6 +21,7 @@ final class Decisions {
             Stream.of(
                             LineDecision.BY_TOPIC,
                             ArcDecision.BY_TOPIC,
+                            ClipDecision.BY_TOPIC,
                             AreaDecision.BY_TOPIC,
                             DepthDecision.BY_TOPIC,
                             TruthDecision.BY_TOPIC)
@@ -52,7 +53,11 @@ final class Decisions {
 
     /** A value as people are told it, with the few digits that they need. */
     static String number(JsonNode value) {
-        BigDecimal rounded = value.decimalValue().round(TOLD).stripTrailingZeros();
+        return number(value.decimalValue());
+    }
+
+    static String number(BigDecimal value) {
+        BigDecimal rounded = value.round(TOLD).stripTrailingZeros();
         return rounded.signum() == 0 ? "0" : rounded.toPlainString();
     }
 }

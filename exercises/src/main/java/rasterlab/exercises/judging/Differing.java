@@ -8,13 +8,18 @@ import java.util.regex.Pattern;
 import rasterlab.engine.raster.Pixel;
 
 /**
- * The first item in which an answer differs from the right one.
+ * The first item in which an answer differs from the right one; neither pixel nor index where that
+ * is the answer as a whole.
  *
  * @param pixel where pixels are asked for
  * @param index in the list that is asked for, from 0
  */
 public record Differing(Optional<Pixel> pixel, OptionalInt index) {
-    private static final Pattern IN_A_LIST = Pattern.compile("(inside|visible|pixels)\\[(\\d+)].*");
+    private static final Pattern IN_A_LIST =
+            Pattern.compile("(inside|visible|pixels|segments)\\[(\\d+)].*");
+
+    /** The answer as a whole. */
+    static final Differing WHOLE = new Differing(Optional.empty(), OptionalInt.empty());
 
     public static Differing at(Pixel pixel) {
         return new Differing(Optional.of(pixel), OptionalInt.empty());

@@ -64,16 +64,28 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public Finding judge(Answer answer) {
-        return judged(answer, true);
+        return judged(answer, true, Optional.empty());
     }
 
     @Override
     public Finding check(Answer answer) {
-        return judged(answer, false);
+        return judged(answer, false, Optional.empty());
+    }
+
+    @Override
+    public Finding judgeIdle(Answer answer, Cause idle) {
+        return judged(answer, true, Optional.of(idle));
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // recorded by this class
+    public Optional<Cause> idle(Answer answer) {
+        if (answer.ending() != Answer.Ending.RETURNED) return Optional.empty();
+        return answer.output().flatMap(output -> Idle.cause(grading, input, (O) output));
     }
 
     @SuppressWarnings("unchecked") // recorded by this class
-    private Finding judged(Answer answer, boolean whole) {
+    private Finding judged(Answer answer, boolean whole, Optional<Cause> idle) {
         if (answer.output().isEmpty()) return Failure.of(answer, demand.mayRefuse());
         if (answer.ending() == Answer.Ending.CUT && !demand.cut())
             return grading.endless(input, answer, demand, whole);
@@ -81,14 +93,20 @@ final class InputCall<C, I, O> implements Call {
         O right = right(actual);
         if (grading.isRight(input, right, actual, demand.tolerance())) return Finding.OK;
         List<List<Cause>> own = grading.explanations(input, actual, demand);
-        List<List<Cause>> causes = own.isEmpty() ? known().of(actual) : own;
+        List<List<Cause>> causes =
+                idle.map(one -> List.of(List.of(one)))
+                        .orElseGet(() -> own.isEmpty() ? known().of(actual) : own);
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
         O beside = grading.beside(input, right, actual, demand, causes);
         Message differs = grading.difference(input, beside, actual);
         Message said = differs.and(decided(beside, actual, differs));
         // where several mistakes that are known give this answer, none of them is told
-        List<Cause> told = !own.isEmpty() || known().areOne(causes) ? causes.get(0) : List.of();
+        boolean sure = idle.isPresent() || !own.isEmpty() || known().areOne(causes);
+        List<Cause> told = sure ? causes.get(0) : List.of();
         for (Cause one : told) said = said.and(one.said());
+        if (idle.isPresent())
+            return new Finding(
+                    GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
         Optional<String> further = grading.further(input, actual, demand);
         if (further.isPresent() && !Cause.codes(told).contains(further.get()))
             said = said.and(alike(further.get(), told));
@@ -98,9 +116,8 @@ final class InputCall<C, I, O> implements Call {
 
     /** Tells the value by which a right method decides on the item that is told to differ. */
     private Message decided(O right, O actual, Message differs) {
-        return grading.differing(input, right, actual, differs)
-                .map(at -> Decisions.of(topic().name(), input(), grading.json(input, right), at))
-                .orElse(Message.NONE);
+        Differing at = grading.differing(input, right, actual, differs).orElse(Differing.WHOLE);
+        return Decisions.of(topic().name(), input(), grading.json(input, right), at);
     }
 
     /** A method that gives the same answer; its faults too, where they alone explain it. */

@@ -12,6 +12,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Format;
 import rasterlab.engine.study.Topic;
@@ -22,6 +23,8 @@ import rasterlab.exercises.score.Message;
 /** The numbers and truth values of an answer, each by its place, such as {@code inside[3]}. */
 final class Leaves {
     private static final String NONE = "–";
+
+    private static final Pattern ZERO = Pattern.compile("-?[#0.]+");
 
     /** A smaller part of the largest difference is passed over, as rounding is. */
     private static final double SEEN = 0.01;
@@ -152,6 +155,20 @@ final class Leaves {
                             return Message.of(key, place, two[0], two[1], topic.name());
                         })
                 .orElse(Message.NONE);
+    }
+
+    /** Whether there is no number or truth value at all. */
+    boolean areNone() {
+        return values.values().stream().allMatch(NONE::equals);
+    }
+
+    boolean areFalse() {
+        return values.values().stream().allMatch("false"::equals);
+    }
+
+    /** Whether there is nothing but zeros, as of numbers or of colours. */
+    boolean areZeros() {
+        return values.values().stream().allMatch(one -> ZERO.matcher(one).matches());
     }
 
     /** Whether nothing is missing, more or different but for rounding. */

@@ -18,6 +18,7 @@ import rasterlab.exercises.property.Relation.Broken;
 import rasterlab.exercises.property.SmallerInputs;
 import rasterlab.exercises.property.SmallerInputs.Smaller;
 import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -106,15 +107,38 @@ final class PropertyCall<C, I, O> implements Call {
 
     @Override
     public Finding judge(Answer answer) {
-        return judged(answer, true);
+        return judged(answer, Optional.of(InputCall::judge));
     }
 
     @Override
     public Finding check(Answer answer) {
-        return judged(answer, false);
+        return judged(answer, Optional.empty());
     }
 
-    private Finding judged(Answer answer, boolean whole) {
+    @Override
+    public Finding judgeIdle(Answer answer, Cause idle) {
+        return judged(answer, Optional.of((alone, its) -> alone.judgeIdle(its, idle)));
+    }
+
+    /** {@inheritDoc} Each of its answers is one of such. */
+    @Override
+    public Optional<Cause> idle(Answer answer) {
+        Optional<Answers<I, O>> got = answers(answer);
+        if (got.isEmpty()) return Optional.empty();
+        List<Optional<Cause>> causes =
+                got.get().all().map(one -> alone(one.input()).idle(answer(one))).toList();
+        return causes.stream().allMatch(Optional::isPresent) ? causes.get(0) : Optional.empty();
+    }
+
+    /** Judges the one answer that is wrong. */
+    private interface Alone<C, I, O> {
+        Finding of(InputCall<C, I, O> alone, Answer its);
+    }
+
+    /**
+     * @param whole tells all of the answer that is wrong; empty where its causes are enough
+     */
+    private Finding judged(Answer answer, Optional<Alone<C, I, O>> whole) {
         Optional<Answers<I, O>> got = answers(answer);
         if (got.isEmpty()) return Failure.of(answer, false);
         Optional<Broken<I, O>> broken = broken(got.get());
@@ -122,9 +146,9 @@ final class PropertyCall<C, I, O> implements Call {
         if (wrong.isEmpty()) return Finding.OK;
         InputCall<C, I, O> alone = alone(wrong.get().input());
         Answer its = answer(wrong.get());
-        return whole
-                ? told(got.get(), broken, wrong.get().input(), alone.judge(its))
-                : alone.check(its);
+        return whole.map(
+                        judge -> told(got.get(), broken, wrong.get().input(), judge.of(alone, its)))
+                .orElseGet(() -> alone.check(its));
     }
 
     /** What was recorded here; empty where the method did not get so far. */

@@ -9,6 +9,7 @@ import java.util.Set;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Cause;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -29,6 +30,8 @@ public final class Marking {
     private final Map<TriedCall, Finding> shown = new IdentityHashMap<>();
     private Worth byAll;
     private Worth byOpen;
+    private final IdleProgram program = new IdleProgram();
+    private Optional<Cause> idle = Optional.empty();
 
     public Marking(Exercise exercise) {
         this.exercise = exercise;
@@ -39,6 +42,9 @@ public final class Marking {
         List<CaseTrial> open = cases.stream().filter(CaseTrial::open).toList();
         byAll = new Worth(cases, Charges.wherever(exercise, cases));
         byOpen = new Worth(open, Charges.once(exercise, open));
+        Optional<Cause> now = program.mistake(cases);
+        if (!now.equals(idle)) shown.clear();
+        idle = now;
     }
 
     /** Adds a case and gives its line by what is known now, which later cases may change. */
@@ -109,20 +115,25 @@ public final class Marking {
 
     /** One mistake that explains all that is wrong, if there is one; else nothing. */
     public Message shared() {
-        return new SharedCause(cases).said();
+        return idle.map(one -> Message.of("cause.shared").and(one.said()))
+                .orElseGet(() -> new SharedCause(cases).said());
     }
 
     private CaseReport report(CaseTrial tried) {
         if (tried.untried().isPresent()) return report(tried.one(), tried.untried().get(), "");
         Optional<TriedCall> wrong = worth(tried).charges().first(tried);
         if (wrong.isPresent()) {
-            Finding finding = shown.computeIfAbsent(wrong.get(), TriedCall::shown);
+            Finding finding = shown.computeIfAbsent(wrong.get(), this::shown);
             return report(tried.one(), finding, wrong.get().scene());
         }
         return report(
                 tried.one(),
                 worth(tried).unearned(tried).orElseGet(() -> held(tried)),
                 scene(tried));
+    }
+
+    private Finding shown(TriedCall wrong) {
+        return idle.map(wrong::shown).orElseGet(wrong::shown);
     }
 
     /** Nothing is told of a case whose mistakes are paid for elsewhere. */

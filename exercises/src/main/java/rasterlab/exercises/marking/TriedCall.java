@@ -88,6 +88,23 @@ public record TriedCall(Call call, Optional<Answer> answer, Finding finding) {
         return call.scene(answer.filter(one -> !right()));
     }
 
+    /** The mistake of a method that does nothing, where the answer may be one of such. */
+    Optional<Cause> idle() {
+        return answer.flatMap(call::idle);
+    }
+
+    /** Whether an output came: no exception, no end from outside. */
+    boolean answered() {
+        return answer.flatMap(Answer::output).isPresent();
+    }
+
+    /** The finding with pictures on an answer of a program that does nothing. */
+    Finding shown(Cause idle) {
+        return answer.filter(one -> one.output().isPresent())
+                .map(one -> call.judgeIdle(one, idle))
+                .orElseGet(this::shown);
+    }
+
     /** The finding with pictures. */
     public Finding shown() {
         return answer.map(call::judge).orElse(finding);

@@ -26,7 +26,7 @@ class PlanePicturesTest {
     @Test
     void anAgreeingFigureIsDarkAndNothingIsMarked() {
         List<PlaneFigure> expected = List.of(segment(1, 2, 9, 2), polygon(1, 4, 5, 4, 5, 7));
-        Seen seen = seen(expected, List.of(polygon(5, 7, 5, 4, 1, 4), segment(9, 2, 1, 2)));
+        Seen seen = seen(expected, List.of(polygon(5, 4, 5, 7, 1, 4), segment(1, 2, 9, 2)));
         seen.assertComplete("the same figures in another order");
         assertEquals(0, Seen.count(seen.difference(), Ink.MISSING));
         assertEquals(0, Seen.count(seen.difference(), Ink.EXTRA));
@@ -35,6 +35,18 @@ class PlanePicturesTest {
                 Seen.count(seen.difference(), Ink.EXPECTED));
         assertEquals("there is no difference", seen.differenceText("en"));
         assertEquals("различий нет", seen.differenceText("ru"));
+    }
+
+    @Test
+    void figuresThatRunTheOtherWayAreTold() {
+        List<PlaneFigure> expected = List.of(segment(1, 2, 9, 2), polygon(1, 4, 5, 4, 5, 7));
+        Seen seen = seen(expected, List.of(polygon(5, 7, 5, 4, 1, 4), segment(9, 2, 1, 2)));
+        assertEquals(0, Seen.count(seen.difference(), Ink.MISSING));
+        assertEquals(
+                "segments whose start and end are exchanged: 1; the first must go from (1, 2) to"
+                        + " (9, 2); polygons that go round the other way: 1",
+                seen.differenceText("en"));
+        assertTrue(seen.differenceText("ru").startsWith("отрезков, у которых начало и конец"));
     }
 
     @Test

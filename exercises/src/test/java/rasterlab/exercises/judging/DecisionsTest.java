@@ -85,6 +85,46 @@ class DecisionsTest {
         assertEquals(told, Decisions.of(topic, json(input), json(right), at).in("en"));
     }
 
+    @ParameterizedTest(name = "the codes that decide on {0}, {1}, are others")
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            clip-segment | {"window":[0,0,8,8],"segments":[[1,1,7,2]]} | {"segments":[[1,1,7,2]]} | the ends of segment 1 have the codes 0000 and 0000 (bits: left, right, below, above), so all of it is left
+            clip-segment | {"window":[0,0,8,8],"segments":[[-1,1,-7,9]]} | {"segments":[null]} | the ends of segment 1 have the codes 1000 and 1001 (bits: left, right, below, above), which share a bit, so nothing is left
+            clip-segment | {"window":[0,0,8,8],"segments":[[-4,2,12,-2]]} | {"segments":[[0,1,4,0]]} | the ends of segment 1 have the codes 1000 and 0110 (bits: left, right, below, above), which share no bit; it comes in at t = 0.25 and goes out at t = 0.5
+            clip-segment | {"window":[0,0,8,8],"segments":[[-4,2,4,-6]]} | {"segments":[null]} | the ends of segment 1 have the codes 1000 and 0010 (bits: left, right, below, above), which share no bit; but it comes in at t = 0.5 only, after going out at t = 0.25, so nothing is left
+            clip-segment | {"window":[0,0,8,8],"segments":[[-4,2,4,-6]]} | {"segments":[[0,0,0,0]]} | ''
+            clip-segment | {"window":[0,0,8,8],"segments":[[-1e308,1,1e308,1]]} | {"segments":[[0,1,8,1]]} | ''
+            clip-volume  | {"zmin":0.25,"segments":[[0,0,0.5,0,0,1.5]]} | {"segments":[[0,0,0.5,0,0,1]]} | the ends of segment 1 have the codes 000000 and 000010 (bits: y > z, y < −z, x > z, x < −z, z > 1, z < zmin), which share no bit; it comes in at t = 0 and goes out at t = 0.5
+            clip-volume  | {"zmin":0.25,"segments":[[1,2,0.5,0,3,0.5]]} | {"segments":[null]} | the ends of segment 1 have the codes 101000 and 100000 (bits: y > z, y < −z, x > z, x < −z, z > 1, z < zmin), which share a bit, so nothing is left
+            """)
+    void theCodesOfASegmentAreTold(String topic, String input, String right, String told)
+            throws JsonProcessingException {
+        var at = new Differing(Optional.empty(), OptionalInt.of(0));
+        Message said = Decisions.of(topic, json(input), json(right), at);
+        assertEquals(told, said.in("en"));
+        assertTrue(said.isEmpty() || said.in("ru").matches("(?s)код.*"), said.in("ru"));
+    }
+
+    @ParameterizedTest(name = "the vertices beyond the sides of the window are others for {0}")
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            [[1,1],[7,1],[4,6]]       | no vertex of the polygon lies beyond a side of the window, so all of it is left
+            [[9,1],[12,1],[9,6]]      | all vertices of the polygon lie beyond side 2 of the window, so nothing is left
+            [[1,1],[12,-1],[4,12]]    | vertices of the polygon that lie beyond each side of the window, from side 1 on: 2; 2; 3; –
+            """)
+    void theVerticesBeyondTheWindowAreTold(String polygon, String told)
+            throws JsonProcessingException {
+        String input = "{\"window\":[[0,0],[8,0],[8,8],[0,8]],\"polygon\":" + polygon + "}";
+        JsonNode none = json("{}");
+        Message said = Decisions.of("clip-polygon", json(input), none, Differing.WHOLE);
+        assertEquals(told, said.in("en"));
+        assertTrue(said.in("ru").matches("(?s).*[а-я].*"), said.in("ru"));
+    }
+
     @ParameterizedTest(name = "the depths that decide on pixel ({0}, {1}) are others")
     @CsvSource(
             delimiter = '|',

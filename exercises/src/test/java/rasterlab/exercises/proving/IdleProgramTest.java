@@ -1,0 +1,91 @@
+package rasterlab.exercises.proving;
+
+import static java.util.stream.Collectors.joining;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.Message;
+import rasterlab.exercises.topic.TopicGradings;
+
+/** A program that does nothing is told so, and no other mistake is invented for it. */
+class IdleProgramTest {
+    private static final Catalogue CATALOGUE = Catalogue.builtIn();
+
+    /** Starters that do something, or return what is no answer. */
+    private static final List<String> BUSY =
+            List.of("flatten-curve", "line-bresenham", "visible-faces");
+
+    static Stream<String> idle() {
+        return CATALOGUE.all().stream()
+                .filter(one -> one.form() == Exercise.Form.WRITE)
+                .map(Exercise::id)
+                .filter(id -> !BUSY.contains(id));
+    }
+
+    private static TriedMethod tried(String id, Object program) {
+        Exercise exercise = CATALOGUE.named(id);
+        List<Case> open =
+                exercise.cases().stream()
+                        .filter(one -> one.visibility() == Disclosure.OPEN)
+                        .toList();
+        return TriedMethod.on(exercise, open, TopicGradings.of(exercise), program, 1);
+    }
+
+    private static String told(TriedMethod tried, String language) {
+        return tried.marking().reports().stream()
+                .map(CaseReport::said)
+                .map(said -> said.in(language))
+                .collect(joining("\n"));
+    }
+
+    @ParameterizedTest(name = "the starter of {0} is told a mistake that it does not make")
+    @MethodSource("idle")
+    void aProgramThatDoesNothingIsToldNoOtherMistake(String id) throws Exception {
+        TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
+        List<Message.Sentence> shared = tried.marking().shared().sentences();
+        assertEquals(2, shared.size(), shared.toString());
+        assertTrue(shared.get(1).key().startsWith("mistake.nothing-"), shared.toString());
+        assertFalse(told(tried, "en").contains("the same comes out if"), told(tried, "en"));
+        assertFalse(told(tried, "en").contains("answers the same"), told(tried, "en"));
+        assertFalse(told(tried, "ru").contains("тот же ответ"), told(tried, "ru"));
+    }
+
+    @ParameterizedTest(name = "the starter of {0} is told otherwise what it does")
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            polygon-fill     | One mistake explains all that is wrong – the program sends nothing.
+            seed-fill        | One mistake explains all that is wrong – the program leaves what it is given as it is.
+            triangulate      | One mistake explains all that is wrong – what the program returns is empty.
+            color            | One mistake explains all that is wrong – the program answers nothing but zeros.
+            point-in-polygon | One mistake explains all that is wrong – the program answers false to everything.
+            """)
+    void whatTheProgramDoesIsTold(String id, String said) throws Exception {
+        TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
+        assertEquals(said, tried.marking().shared().in("en"));
+    }
+
+    @Test
+    void aMethodThatSendsNothingOnSomeInputsKeepsItsMistake() {
+        Object mutant =
+                rasterlab.engine.Topics.named("clip-polygon").allMutants().stream()
+                        .filter(one -> one.name().equals("inside-is-lost"))
+                        .findFirst()
+                        .orElseThrow()
+                        .implementation();
+        assertTrue(told(tried("clip-polygon", mutant), "en").contains("is left out"));
+    }
+}
