@@ -157,7 +157,8 @@ class ExercisesCommandTest {
         String table = ran.out().substring(ran.out().indexOf("\nExercise ") + 1);
         assertTrue(
                 table.matches(
-                        "(?s).*\nbreak-polygon-fill +9 +9 +9 +–\npolygon-fill +(\\d+) +\\1 +\\1 +–\n.*"),
+                        "(?s).*\nbreak-polygon-fill +(\\d+) +\\1 +\\1 +–\n"
+                                + "polygon-fill +(\\d+) +\\2 +\\2 +–\n.*"),
                 table);
         assertTrue(ran.out().endsWith("2 of 2 exercises are proved\n"), ran.out());
         assertEquals(2, ran.err().lines().filter(one -> one.startsWith("proving ")).count());
