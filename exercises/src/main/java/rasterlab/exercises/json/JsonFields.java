@@ -103,6 +103,11 @@ public final class JsonFields {
                 .toList();
     }
 
+    /** The object at a place of an array that is long enough. */
+    public JsonFields object(String field, int index, String... known) {
+        return new JsonFields(required(field).members().get(index), unknown, known);
+    }
+
     public String text(String field) {
         return required(field).text();
     }

@@ -1,7 +1,5 @@
 package rasterlab.exercises.judging;
 
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -23,6 +21,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.json.Faults;
+import rasterlab.exercises.json.FieldFaults;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.json.StrictJson;
 import rasterlab.exercises.score.Message;
@@ -83,27 +82,15 @@ public final class MethodsOnInput<C, I, O> {
         }
     }
 
-    /** Reads each field alone, so that all that are wrong are told. */
+    /** Reads each field alone, so that all that is wrong is told. */
     private static void checkFields(Format<?, ?, ?> format, Phrase place, String json) {
         JsonFields fields = JsonFields.parse(place, json);
         var faults = new Faults();
         faults.checkKnown(fields, format.input().stream().map(Field::name).toArray(String[]::new));
         for (Field<?> one : format.input())
             if (one.required() || fields.has(one.name()))
-                faults.checked(() -> checkField(fields, place, one));
+                FieldFaults.check(fields, place, one, faults);
         faults.requireNoneOfAll();
-    }
-
-    private static void checkField(JsonFields fields, Phrase place, Field<?> field) {
-        try {
-            fields.get(field);
-        } catch (Misfit misfit) {
-            ObjectNode alone = JsonNodeFactory.instance.objectNode();
-            alone.set(field.name(), fields.tree(field.name()));
-            String said = placed(misfit, List.of(field), false, alone.toString());
-            throw new CatalogueException(
-                    Phrase.of("field.wrong", place, Phrase.ofTheEngine(said)), misfit);
-        }
     }
 
     /** The message of a misfit with its place in the JSON. */

@@ -76,19 +76,17 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
                     Stream.concat(Stream.of(NUMBER), rules.asked().stream().map(Asked::field))
                             .toArray(String[]::new);
             List<JsonNode> answers = new ArrayList<>();
-            for (JsonFields one : given(fields, known)) {
+            for (Optional<JsonFields> one : given(fields, known)) {
                 int number = answers.size() + 1;
-                if (one.has(NUMBER)) faults.checked(() -> one.integer(NUMBER, number, number));
-                for (Asked asked : rules.asked())
-                    if (one.has(asked.field())) faults.checked(() -> check(one, asked, number));
-                answers.add(one.tree());
+                one.ifPresent(answer -> check(answer, number));
+                answers.add(one.map(JsonFields::tree).orElse(MissingNode.getInstance()));
             }
             while (answers.size() < rules.steps()) answers.add(MissingNode.getInstance());
             return answers;
         }
 
-        /** The answers that are objects; none where there are too many. */
-        private List<JsonFields> given(JsonFields fields, String... known) {
+        /** The answers, each empty where it is no object; none where there are too many. */
+        private List<Optional<JsonFields>> given(JsonFields fields, String... known) {
             JsonNode given = fields.has(ANSWERS) ? fields.tree(ANSWERS) : MissingNode.getInstance();
             if (given.size() > rules.steps()) {
                 faults.keep(
@@ -96,7 +94,19 @@ public record HandedAnswers(Sheet sheet, List<JsonNode> answers) {
                                 ANSWERS, Phrase.of("predict.count", given.size(), rules.steps())));
                 return List.of();
             }
-            return faults.tried(() -> fields.objects(ANSWERS, known)).orElse(List.of());
+            if (!given.isArray()) faults.checked(() -> fields.objects(ANSWERS, known));
+            List<Optional<JsonFields>> objects = new ArrayList<>();
+            for (int i = 0; given.isArray() && i < given.size(); i++) {
+                int index = i;
+                objects.add(faults.tried(() -> fields.object(ANSWERS, index, known)));
+            }
+            return objects;
+        }
+
+        private void check(JsonFields answer, int number) {
+            if (answer.has(NUMBER)) faults.checked(() -> answer.integer(NUMBER, number, number));
+            for (Asked asked : rules.asked())
+                if (answer.has(asked.field())) faults.checked(() -> check(answer, asked, number));
         }
 
         private void check(JsonFields answer, Asked asked, int number) {

@@ -73,6 +73,36 @@ class MethodsOnInputTest {
                     refused.getMessage());
     }
 
+    @Test
+    void allFaultsWithinAnArrayAreToldEachWithItsPlace() {
+        String json =
+                "{\"polygon\":[[0,\"a\"],[1,2],[null,3],4,[5,6,7]],\"rule\":\"evenodd\",\"size\":[3,0]}";
+        var refused =
+                assertThrows(
+                        CatalogueException.class,
+                        () -> MethodsOnInput.of("polygon-fill", Phrase.quoted("input"), json));
+        assertEquals(5, refused.all().size(), refused.getMessage());
+        for (String place :
+                List.of("polygon[0][1]", "polygon[2][0]", "polygon[3]", "/polygon/4", "size[1]"))
+            assertEquals(
+                    1,
+                    refused.all().stream().filter(one -> one.in("en").contains(place)).count(),
+                    refused.getMessage());
+    }
+
+    @Test
+    void ofVeryManyFaultsInAnArrayTheirNumberIsTold() {
+        String json =
+                "{\"polygon\":["
+                        + "[true,false],".repeat(15)
+                        + "[1,2]],\"rule\":\"evenodd\",\"size\":[3,3]}";
+        var refused =
+                assertThrows(
+                        CatalogueException.class,
+                        () -> MethodsOnInput.of("polygon-fill", Phrase.quoted("input"), json));
+        assertTrue(refused.getMessage().endsWith("and 18 more mistakes"), refused.getMessage());
+    }
+
     /** What is spoilt: a field, in the first input among a topic's hazards. */
     static Stream<Arguments> spoilt() {
         return Topics.all().stream()

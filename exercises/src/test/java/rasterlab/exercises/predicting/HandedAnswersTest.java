@@ -120,6 +120,16 @@ class HandedAnswersTest {
     }
 
     @Test
+    void eachAnswerThatIsNoObjectIsTold() {
+        String json = "{\"seed\":7,\"answers\":[3,{\"x\":\"a\"},[],{\"x\":1,\"y\":2}]}";
+        CatalogueException refused =
+                assertThrows(CatalogueException.class, () -> read("predict-line", json));
+        assertEquals(3, refused.all().size(), refused.getMessage());
+        for (String place : List.of("'answers[0]'", "'answers[1]'", "'answers[2]'"))
+            assertTrue(refused.getMessage().contains(place), refused.getMessage());
+    }
+
+    @Test
     void ofVeryManyMistakesTheirNumberIsTold() {
         String json =
                 "{\"seed\":7,\"answers\":[" + "{\"x\":\"a\",\"y\":\"b\"},".repeat(15) + "{}]}";
