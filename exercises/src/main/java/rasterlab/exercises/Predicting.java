@@ -15,7 +15,9 @@ import java.util.Optional;
  * @param most steps asked for in one walk; the rest of a longer one is left out
  * @param told fields of a step that stand in its question
  * @param asked fields of a step that are the answer
- * @param tolerance the largest error of a number in an answer that is right, in its own unit
+ * @param tolerance the largest error of a number in an answer that is right
+ * @param unit of that error, as it is said behind the number, by language code; none where the
+ *     numbers asked for have none
  * @param inputs how inputs are drawn, as JSON
  */
 public record Predicting(
@@ -28,6 +30,7 @@ public record Predicting(
         List<String> told,
         List<Asked> asked,
         double tolerance,
+        Map<String, String> unit,
         Reason reason,
         String inputs) {
     /** The bounds of {@link #steps}. */
@@ -38,6 +41,7 @@ public record Predicting(
     public Predicting {
         question = Map.copyOf(question);
         told = List.copyOf(told);
+        unit = Map.copyOf(unit);
         asked = List.copyOf(asked);
     }
 

@@ -106,6 +106,7 @@ final class PredictingReader {
                                         "told",
                                         "ask",
                                         "tolerance",
+                                        "unit",
                                         "reason",
                                         "let",
                                         "given"));

@@ -53,6 +53,7 @@ final class RulesReader {
         var told = faults.tried(() -> data.has("told") ? data.texts("told") : List.<String>of());
         List<Asked> asked = asked();
         var tolerance = faults.tried(() -> data.has("tolerance") ? data.get(TOLERANCE) : 0.0);
+        var unit = data.has("unit") ? texts("unit") : Optional.of(Map.<String, String>of());
         var reason = reason();
         var inputs = faults.tried(this::inputs);
         if (before < faults.all().size() || method.isEmpty()) return Optional.empty();
@@ -67,6 +68,7 @@ final class RulesReader {
                         told.orElseThrow(),
                         asked,
                         tolerance.orElseThrow(),
+                        unit.orElseThrow(),
                         reason.orElseThrow(),
                         inputs.orElseThrow()));
     }

@@ -43,7 +43,7 @@ public record Message(List<Sentence> sentences) {
      */
     private static final Pattern NUMBERS =
             Pattern.compile(
-                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|property\\.areas|answer\\.(?:at.*|worst.*)|drawing\\..*|decided\\..*|compared\\.(?:within|steps)");
+                    "pixel\\..*|line\\.example|mistake\\.shifted|picture\\.part|child\\.time.*|not-run\\.time|complex\\.time|formula\\.large|speed\\..*|property\\.areas|answer\\.(?:at.*|worst.*)|drawing\\..*|decided\\..*|compared\\.(?:within|steps.*)");
 
     /** The texts whose places hold values of steps. */
     private static final Pattern STEPS = Pattern.compile("predict\\.(?:right|wrong|open|why)");
@@ -67,6 +67,8 @@ public record Message(List<Sentence> sentences) {
                     "compared.within",
                     "known-answer.told",
                     "case.break.method",
+                    "why.hazard",
+                    "why.property",
                     "why.mistake",
                     "why.mistakes",
                     "property.broken",

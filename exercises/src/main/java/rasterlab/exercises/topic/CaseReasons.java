@@ -11,7 +11,6 @@ import java.util.TreeSet;
 import rasterlab.engine.study.Guard;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.score.Message;
@@ -79,13 +78,8 @@ public final class CaseReasons {
         return exercise.cases().stream()
                 .filter(one -> one.name().equals(name))
                 .findFirst()
-                .map(one -> inputs(one).and(mistakes(name)))
+                .map(one -> CaseInputs.of(exercise.topic(), one).and(mistakes(name)))
                 .orElse(Message.NONE);
-    }
-
-    private static Message inputs(Case one) {
-        String key = one.generated() ? "drawn" : one.kind() == Kind.STABILITY ? "rare" : "fixed";
-        return Message.of("why." + key);
     }
 
     private Message mistakes(String name) {

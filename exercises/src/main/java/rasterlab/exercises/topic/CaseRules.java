@@ -8,6 +8,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Form;
+import rasterlab.exercises.Predicting;
 import rasterlab.exercises.drawing.NumberText;
 import rasterlab.exercises.score.Message;
 
@@ -37,7 +38,7 @@ public final class CaseRules {
 
     private static CaseRule of(Exercise exercise, Case one) {
         if (exercise.predicting().isPresent())
-            return new CaseRule(predicted(exercise.predicting().get().tolerance()), Message.NONE);
+            return new CaseRule(predicted(exercise.predicting().get()), Message.NONE);
         boolean strict = exercise.form() == Form.BREAK || OwnBound.isAskedFor(one);
         var held = strict ? exercise.tolerance().strict() : exercise.tolerance();
         Message tolerance = tolerance(exercise, held.worst());
@@ -51,10 +52,16 @@ public final class CaseRules {
                         held.eitherPixelOnTies() ? Optional.of("either") : exercise.contract()));
     }
 
-    private static Message predicted(double tolerance) {
-        return tolerance > 0
-                ? Message.of("compared.steps", NumberText.of(tolerance))
-                : Message.of("compared.exactly");
+    private static Message predicted(Predicting rules) {
+        if (rules.tolerance() == 0) return Message.of("compared.exactly");
+        String number = NumberText.of(rules.tolerance());
+        return rules.unit().isEmpty()
+                ? Message.of("compared.steps", number)
+                : Message.of(
+                        "compared.steps.unit",
+                        number,
+                        rules.unit().get("en"),
+                        rules.unit().get("ru"));
     }
 
     private static Message tolerance(Exercise exercise, OptionalDouble stated) {

@@ -4,7 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -36,20 +38,29 @@ class CaseReasonsTest {
                         .toList();
         assertFalse(hidden.isEmpty());
         int naming = 0;
+        Set<String> told = new HashSet<>();
         for (Exercise.Case one : hidden) {
             Message why = reasons.of(one.name());
             assertTrue(why.in("ru").matches("[а-яё].*"), one.name() + ": " + why.in("ru"));
             assertFalse(why.in("ru").contains("mutant."), why.in("ru"));
             if (why.sentences().size() > 1) naming++;
+            assertTrue(told.add(why.in("en")), "told twice: " + why.in("en"));
         }
         assertTrue(naming > 0, "no case names a mistake");
     }
 
     @ParameterizedTest(name = "the reason of {1} does not name its mistake")
-    @CsvSource({
-        "triangulate, random-clockwise, it draws its inputs anew",
-        "triangulate, small-units, an area below an absolute ε counts as none",
-    })
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+            triangulate  | random-clockwise  | it draws its inputs anew
+            triangulate  | small-units       | an area below an absolute ε counts as none
+            polygon-fill | random-on-centres | (12 of the form polygon: 6 × [0..9, 0..7]; rule: evenodd; size: [12, 10])
+            polygon-fill | random-rules      | polygon: 9 × [0..30, 0..20]; rule: nonzero
+            polygon-fill | no-area           | ordinary inputs do not show (2 of the form polygon: [[1, 1], [9, 9], [5, 5]]
+            clip-segment | far-window        | its input is made for one difficulty: Coordinates are large against the window
+            """)
     void caseNamesTheMistakeThatFewOthersCatch(String id, String name, String said) {
         String why = new CaseReasons(CATALOGUE.named(id)).of(name).in("en");
         assertTrue(why.contains(said), why);

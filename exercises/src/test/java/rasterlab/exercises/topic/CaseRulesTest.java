@@ -48,8 +48,9 @@ class CaseRulesTest {
             clip-segment     | to within 1·10⁻⁹ of the window's size      | с точностью до 1·10⁻⁹ размера окна
             circle           | exactly                                    | точно
             point-in-polygon | exactly                                    | точно
-            flatten-curve    | to within the given flatness               | с точностью до заданной плоскостности
-            hermite          | to within rounding                         | с точностью до округления
+            flatten-curve    | to within the given flatness in pixels     | с точностью до заданной плоскостности в пикселях
+            hermite          | to within 2⁻³⁰ of the largest coordinate   | с точностью до 2⁻³⁰ наибольшей координаты
+            predict-curve    | to within 0.02 units of the coordinates    | с точностью до 0,02 единицы координат
             """)
     void theToleranceIsTheExercises(String id, String english, String russian) {
         Exercise exercise = CATALOGUE.named(id);
@@ -84,7 +85,7 @@ class CaseRulesTest {
             break-polygon-fill  | exactly
             break-depth-order   | to within 1·10⁻⁷ % of what is covered
             predict-line        | exactly
-            predict-depth-triangle | to within 0.001
+            predict-depth-triangle | to within 0.001 of the depth, which goes from 0 to 1
             """)
     void whatIsNotWrittenIsComparedByTheTopic(String id, String told) {
         Exercise exercise = CATALOGUE.named(id);
