@@ -13,10 +13,12 @@ import rasterlab.exercises.score.PicturePart;
 /**
  * Shows a difference of pixels by three grids: the exact pixels, those that were drawn, and
  * missing, extra and right ones told apart by shape and color. The text of each has a character for
- * each pixel: {@code #} lit, {@code .} empty; in the difference {@code #} right, {@code +} extra,
- * {@code -} missing.
+ * each pixel: {@code #} lit, {@code .} empty; in the difference {@code #} right, {@code *} right
+ * but drawn again or out of turn, {@code +} extra, {@code -} missing.
  */
 public final class PixelPictures {
+    private static final char AMISS = '*';
+
     private final PixelDifference difference;
     private final PicturePart part;
 
@@ -51,7 +53,24 @@ public final class PixelPictures {
                         CasePicture.ACTUAL,
                         grid.lit(difference.right(), difference.extra()),
                         withRows(text, '+', '-')),
-                picture(CasePicture.DIFFERENCE, grid.difference(difference, amiss), text));
+                picture(
+                        CasePicture.DIFFERENCE,
+                        grid.difference(difference, amiss),
+                        marked(text, amiss)));
+    }
+
+    /** The difference's text with a sign of their own for pixels that are right, but amiss. */
+    private String marked(String text, PixelSet amiss) {
+        var marked = new StringBuilder(text);
+        PixelWindow shown = part.shown();
+        int columns = shown.xmax() - shown.xmin() + 1;
+        int rows = part.isWhole() ? 0 : text.indexOf('\n') + 1;
+        PixelSet seen = amiss.filter(shown::contains);
+        for (int i = 0; i < seen.size(); i++) {
+            int row = rows + (seen.y(i) - shown.ymin()) * (columns + 1);
+            marked.setCharAt(row + seen.x(i) - shown.xmin(), AMISS);
+        }
+        return marked.toString();
     }
 
     /** The difference's text, its rows with one of the two kinds lit and the other one empty. */

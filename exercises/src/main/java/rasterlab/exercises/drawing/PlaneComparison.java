@@ -50,7 +50,7 @@ final class PlaneComparison {
         return agreeing;
     }
 
-    /** Those of them that run the other way. */
+    /** The agreeing figures that run the other way. */
     List<PlaneFigure> turned() {
         return turned;
     }

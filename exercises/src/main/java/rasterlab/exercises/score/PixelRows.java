@@ -6,7 +6,7 @@ import java.util.regex.Pattern;
 
 /** Reads the text of a picture of pixels, a character for each of them. */
 public final class PixelRows {
-    private static final Pattern ROW = Pattern.compile("[#.+-]+");
+    private static final Pattern ROW = Pattern.compile("[#.*+-]+");
 
     /** The beginning of the line on the part, above the rows. */
     private static final String PART = "columns ";

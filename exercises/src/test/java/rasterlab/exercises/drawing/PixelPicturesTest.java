@@ -40,6 +40,8 @@ class PixelPicturesTest {
         BufferedImage picture = picture(pictures);
         assertEquals(PixelMark.ARGB, picture.getRGB(32 + 16, 16));
         assertNotEquals(PixelMark.ARGB, picture.getRGB(16, 16), "drawn once");
+        assertEquals(List.of("#*#"), of(pictures, CasePicture.DIFFERENCE).rows());
+        assertEquals(List.of("###"), of(pictures, CasePicture.ACTUAL).rows());
     }
 
     private static BufferedImage picture(List<CasePicture> pictures) throws IOException {

@@ -31,7 +31,7 @@ import rasterlab.exercises.score.Report;
         mixinStandardHelpOptions = true,
         description = {
             "Says what the grading server would say to a solution: public cases only.",
-            "A failed case is drawn as text: # right, + extra, - missing pixels.",
+            "A failed case is drawn as text: # right, + extra, - missing, * repeated pixels.",
             "An exercise of kind break takes JSON inputs, on which it tries the faulty methods.",
             "Of an exercise of kind predict it prints a sheet of questions; answered, it is the FILE."
         },
@@ -136,14 +136,20 @@ public final class CheckCommand implements Callable<Integer> {
 
     private Report graded(Exercise chosen, String source) {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
-            String isolation = Report.isolationIn(language(), judge.isolation().name());
-            console.err().println(console.language().texts().text("here", isolation));
+            console.err().println(where(chosen, judge.isolation().name()));
             return judge.grade(
                     chosen, source, CaseSelection.open(), done -> showProgress(chosen, done));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw Complaint.gaveUp("interrupted");
         }
+    }
+
+    /** Where it is checked; how a program is shut in, where one of the student's runs. */
+    private String where(Exercise chosen, String isolation) {
+        return chosen.form() == Form.WRITE
+                ? console.language().texts().text("here", Report.isolationIn(language(), isolation))
+                : console.language().texts().text("here.none");
     }
 
     /** Tells no verdict: a mistake that all cases share is known, and paid for once, at the end. */

@@ -43,6 +43,7 @@ final class ReportText {
                 exercise.title(language()),
                 exercise.points().total(),
                 PublishedReport.of(exercise, report, language(), (judged, picture) -> ""),
+                exercise.form() == Exercise.Form.WRITE,
                 () -> {
                     if (report.nanosPerItem() > 0)
                         say(cost(exercise), texts.text("cost-nanos", report.nanosPerItem()));
@@ -57,16 +58,26 @@ final class ReportText {
      * Prints a server's report.
      *
      * @param exercise as the server has it
+     * @param late whether it was handed in after the deadline
      */
-    void print(JsonNode exercise, PublishedReport report) {
+    void print(JsonNode exercise, PublishedReport report, boolean late) {
         print(
                 exercise.path("title").asText(),
                 exercise.path("points").path("total").asInt(),
                 report,
-                () -> say("revision", report.revision()));
+                exercise.path("kind")
+                        .asText(Exercise.Form.WRITE.code())
+                        .equals(Exercise.Form.WRITE.code()),
+                () -> {
+                    if (late) out.println(texts.text("late"));
+                    say("revision", report.revision());
+                });
     }
 
-    private void print(String title, int all, PublishedReport report, Runnable more) {
+    /**
+     * @param runs whether a program of the student ran
+     */
+    private void print(String title, int all, PublishedReport report, boolean runs, Runnable more) {
         PublishedPoints points = report.points();
         say("exercise", title);
         say("verdict", GradingVerdict.word(report.verdict(), language()));
@@ -85,7 +96,7 @@ final class ReportText {
         if (hidden > 0)
             say("hidden", String.format(Locale.ROOT, texts.text("hidden-line"), hidden, all));
         more.run();
-        say("isolation", Report.isolationIn(language(), report.isolation()));
+        if (runs) say("isolation", Report.isolationIn(language(), report.isolation()));
         report.diagnostics().forEach(this::printDiagnostic);
         printCases(report.cases());
     }
@@ -120,6 +131,7 @@ final class ReportText {
         for (PublishedCase judged : cases) table.add(row(judged));
         table.lines().forEach(out::println);
         printRules(cases);
+        printReasons(cases);
         for (PublishedCase judged : cases) printPicture(judged);
     }
 
@@ -138,6 +150,13 @@ final class ReportText {
                         say(
                                 "rule",
                                 titles.size() == 1 ? rule : String.join(", ", of) + " – " + rule));
+    }
+
+    /** Why hidden cases are there, as far as that may be told. */
+    private void printReasons(List<PublishedCase> cases) {
+        if (cases.stream().anyMatch(judged -> judged.why().isPresent())) out.println();
+        for (PublishedCase judged : cases)
+            judged.why().ifPresent(why -> say("why", judged.title() + " – " + why));
     }
 
     private List<String> row(PublishedCase judged) {

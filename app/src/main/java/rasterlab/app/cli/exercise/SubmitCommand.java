@@ -126,7 +126,7 @@ public final class SubmitCommand implements Callable<Integer> {
         new Following(to, secret).toItsEnd(id, progress(catalogue));
         JsonNode result = to.submission(secret, id, language());
         if (json) print(result);
-        else report().print(asked, ServerReport.read(result));
+        else report().print(asked, ServerReport.read(result), result.path("late").asBoolean());
         return GradingVerdict.OK.code().equals(result.path("verdict").asText())
                 ? ExitCode.DONE
                 : ExitCode.FOUND_WRONG;

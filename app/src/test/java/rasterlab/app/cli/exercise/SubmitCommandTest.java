@@ -101,6 +101,30 @@ class SubmitCommandTest {
     }
 
     @Test
+    void afterTheDeadlineTheMarkAndTheReasonsAreTold() throws IOException {
+        String late =
+                DOCUMENT.formatted("wrong", PART)
+                        .replace("\"scene\":null", "\"scene\":null,\"why\":\"it asks for ties\"")
+                        .replaceFirst("\\{", "{\"late\":true,");
+        try (var server = server("write", "wrong").on(RESULT, 200, late)) {
+            Ran ran = submit(server.address(), "--late");
+            assertTrue(
+                    ran.out().contains("\nHanded in after the deadline: marked as late"),
+                    ran.out());
+            assertTrue(
+                    ran.out().contains("\nWhy this case is there: ties – it asks for ties\n"),
+                    ran.out());
+        }
+    }
+
+    @Test
+    void ofJsonNoProgramRunsSoThatNoIsolationIsTold() throws IOException {
+        try (var server = server("break", "wrong")) {
+            assertFalse(submit(server.address()).out().contains("Run in"));
+        }
+    }
+
+    @Test
     void whatIsRightEndsWithZeroAndTheLanguageIsAskedFor() throws IOException {
         try (var server = server("write", "ok")) {
             Ran ran = submit(server.address(), "--lang", "ru");
