@@ -42,6 +42,17 @@ final class CircleMutants {
                         (x, y, r, out) -> RIGHT.draw(0, 0, r, out)),
                 new Mutant<>("columns-only", "crowded-columns", CircleMutants::columnsOnly),
                 new Mutant<>("four-octants-only", "crowded-columns", CircleMutants::fourOctants),
+                new Mutant<>(
+                        "quarter-only",
+                        "off-the-diagonal",
+                        (x, y, r, out) ->
+                                RIGHT.draw(
+                                        x,
+                                        y,
+                                        r,
+                                        (px, py) -> {
+                                            if (px >= x && py >= y) out.plot(px, py);
+                                        })),
                 new Mutant<>("steps-of-one-degree", "crowded-columns", CircleMutants::byDegrees),
                 new Mutant<>(
                         "decided-after-the-step", "off-the-diagonal", CircleMutants::afterTheStep));

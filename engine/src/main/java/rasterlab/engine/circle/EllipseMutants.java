@@ -51,6 +51,18 @@ final class EllipseMutants {
                         "center-ignored",
                         "flat-line",
                         (x, y, a, b, out) -> RIGHT.draw(0, 0, a, b, out)),
+                new Mutant<>(
+                        "quarter-only",
+                        "corner",
+                        (x, y, a, b, out) ->
+                                RIGHT.draw(
+                                        x,
+                                        y,
+                                        a,
+                                        b,
+                                        (px, py) -> {
+                                            if (px >= x && py >= y) out.plot(px, py);
+                                        })),
                 new Mutant<>("axes-twice", "very-flat", EllipseMutants::axesTwice),
                 new Mutant<>("root-rounded-down", "corner", EllipseMutants::roundedDown),
                 new Mutant<>(

@@ -49,6 +49,7 @@ final class ColorMutants {
                         "saturation-not-divided", "between-levels", ColorMutants::wholeSaturation),
                 new Mutant<>("inks-not-divided", "between-levels", ColorMutants::wholeInks),
                 new Mutant<>("value-is-the-mean", "pure-colours", ColorMutants::meanValue),
+                new Mutant<>("hue-in-sixths", "pure-colours", ColorMutants::sixths),
                 new Mutant<>("hue-in-radians", "pure-colours", ColorMutants::radians));
     }
 
@@ -115,6 +116,13 @@ final class ColorMutants {
             double[] rgb = RIGHT.convert(from, components, ColorModel.RGB);
             answer[2] = (rgb[0] + rgb[1] + rgb[2]) / 3;
         }
+        return answer;
+    }
+
+    /** Answers the side of the hexagon, from 0 to 6, in place of degrees. */
+    private static double[] sixths(ColorModel from, double[] components, ColorModel to) {
+        double[] answer = RIGHT.convert(from, components, to);
+        if (to == ColorModel.HSV) answer[0] /= 60;
         return answer;
     }
 

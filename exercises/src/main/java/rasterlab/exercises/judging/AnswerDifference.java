@@ -25,6 +25,15 @@ final class AnswerDifference {
                 : Leaves.difference(topic, input, exact, actual);
     }
 
+    /** Says of an answer whose mistake has no name what its kind alone tells; else nothing. */
+    static Message kind(Object right, Object actual) {
+        return right instanceof PixelRecording wanted
+                        && actual instanceof PixelRecording drawn
+                        && new PixelsAmiss(wanted, drawn).isAgainAlone()
+                ? Message.of("mistake.again")
+                : Message.NONE;
+    }
+
     /**
      * The first part of an answer that differs from what it would be if it fitted the others.
      *

@@ -127,7 +127,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return within || topic.correct(deviation);
     }
 
-    /** Which outputs tell of the same mistake as that one: up to rounding, or to the letter. */
+    /** Which outputs tell of the same mistake as that one, where they are not alike in worth. */
     protected Predicate<O> sameAs(I input, O actual) {
         Leaves[] asked = new Leaves[1];
         return known -> {
@@ -136,8 +136,6 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
             if (known instanceof Triangles one
                     && actual instanceof Triangles other
                     && SameTriangles.areTurnedOver(topic, input, one, other)) return true;
-            // a comparison may look at the input beside both
-            if (topic.correct(topic.compare(input, known, actual))) return true;
             if (asked[0] == null) asked[0] = Leaves.of(topic.format(), input, actual);
             return Leaves.of(topic.format(), input, known).equals(asked[0]);
         };

@@ -140,7 +140,7 @@ final class ClipDecision {
         return corners.stream().map(String::valueOf).collect(joining(", "));
     }
 
-    /** Above 0 where the point lies to the left of the line, where the window is. */
+    /** The value is above 0 where the point lies to the left of the line, where the window is. */
     private static double side(double[] from, double[] to, double[] point) {
         return (to[0] - from[0]) * (point[1] - from[1]) - (to[1] - from[1]) * (point[0] - from[0]);
     }

@@ -31,10 +31,14 @@ final class InputCall<C, I, O> implements Call {
      */
     private O truth;
 
+    /** The known mistakes, whose answers to this input are worked out once. */
+    private final KnownMistakes<C, I, O> known;
+
     InputCall(ByTopic<C, I, O> grading, I input, Demand demand) {
         this.grading = grading;
         this.input = input;
         this.demand = demand;
+        this.known = new KnownMistakes<>(grading, input, demand, this::right);
     }
 
     private Topic<C, I, O> topic() {
@@ -95,15 +99,16 @@ final class InputCall<C, I, O> implements Call {
         List<List<Cause>> own = grading.explanations(input, actual, demand);
         List<List<Cause>> causes =
                 idle.map(one -> List.of(List.of(one)))
-                        .orElseGet(() -> own.isEmpty() ? known().of(actual) : own);
+                        .orElseGet(() -> own.isEmpty() ? known.of(actual) : own);
         if (!whole) return Finding.of(GradingVerdict.WRONG, Message.NONE, causes);
         O beside = grading.beside(input, right, actual, demand, causes);
         Message differs = grading.difference(input, beside, actual);
         Message said = differs.and(decided(beside, actual, differs));
         // where several mistakes that are known give this answer, none of them is told
-        boolean sure = idle.isPresent() || !own.isEmpty() || known().areOne(causes);
+        boolean sure = idle.isPresent() || !own.isEmpty() || known.areOne(causes);
         List<Cause> told = sure ? causes.get(0) : List.of();
         for (Cause one : told) said = said.and(one.said());
+        if (told.isEmpty()) said = said.and(AnswerDifference.kind(beside, actual));
         if (idle.isPresent())
             return new Finding(
                     GradingVerdict.WRONG, said, grading.pictures(input, beside, actual), causes);
@@ -133,10 +138,6 @@ final class InputCall<C, I, O> implements Call {
     @Override
     public JsonNode exact() {
         return grading.json(input, truth(demand.items()));
-    }
-
-    private KnownMistakes<C, I, O> known() {
-        return new KnownMistakes<>(grading, input, demand, this::right);
     }
 
     private O right(O actual) {
@@ -171,7 +172,7 @@ final class InputCall<C, I, O> implements Call {
 
     @Override
     public boolean isRightWith(String mistake) {
-        return known().isRightWith(mistake);
+        return known.isRightWith(mistake);
     }
 
     @Override

@@ -1,8 +1,11 @@
 package rasterlab.exercises.judging;
 
+import java.lang.ref.SoftReference;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -25,6 +28,10 @@ final class KnownMistakes<C, I, O> {
     private final Demand demand;
     private final UnaryOperator<O> right;
 
+    /** What each gives, worked out once, as long as there is place for it. */
+    private SoftReference<Map<String, Optional<O>>> outputs =
+            new SoftReference<>(new ConcurrentHashMap<>());
+
     /**
      * @param right the right answer that is nearest to one
      */
@@ -41,12 +48,13 @@ final class KnownMistakes<C, I, O> {
         List<List<Cause>> found = new ArrayList<>();
         Predicate<O> same = sameAs(actual);
         for (Mutant<C> one : mutants())
-            if (output(one.implementation()).filter(same).isPresent()) {
+            if (kept("mutant " + one.name(), one.implementation()).filter(same).isPresent()) {
                 String text = "mutant." + topic.name() + "." + one.name();
                 found.add(List.of(new Cause(one.name(), Message.of("known-mistake", text))));
             }
         for (Method<C> one : topic.methods())
-            if (one.faulty() && output(one.implementation()).filter(same).isPresent())
+            if (one.faulty()
+                    && kept("method " + one.name(), one.implementation()).filter(same).isPresent())
                 found.add(List.of(new Cause(one.name(), grading.told(one.name()))));
         return found;
     }
@@ -85,17 +93,33 @@ final class KnownMistakes<C, I, O> {
 
     /** Whether the mistake of that name does not show on this input; so does one not known here. */
     boolean isRightWith(String name) {
-        return named(name).allMatch(method -> output(method).filter(this::isRight).isPresent());
+        return Stream.concat(
+                        mutants().stream()
+                                .filter(one -> one.name().equals(name))
+                                .map(one -> kept("mutant " + name, one.implementation())),
+                        topic.methods().stream()
+                                .filter(one -> one.name().equals(name))
+                                .map(one -> kept("method " + name, one.implementation())))
+                .allMatch(given -> given.filter(this::isRight).isPresent());
     }
 
     /** What the exercise's tolerance takes for right does not tell one mistake from another. */
     private Predicate<O> sameAs(O actual) {
-        return grading.sameAs(input, actual)
-                .or(known -> grading.isRight(input, known, actual, demand.tolerance()));
+        Predicate<O> right = known -> grading.isRight(input, known, actual, demand.tolerance());
+        return right.or(grading.sameAs(input, actual));
     }
 
     private boolean isRight(O output) {
         return sameAs(output).test(right.apply(output));
+    }
+
+    private Optional<O> kept(String name, C method) {
+        Map<String, Optional<O>> known = outputs.get();
+        if (known == null) {
+            known = new ConcurrentHashMap<>();
+            outputs = new SoftReference<>(known);
+        }
+        return known.computeIfAbsent(name, none -> output(method));
     }
 
     /**

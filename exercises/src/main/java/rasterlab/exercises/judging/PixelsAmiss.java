@@ -43,6 +43,13 @@ final class PixelsAmiss {
         return Optional.empty();
     }
 
+    /** Whether the pixels are the right ones, but some are drawn again. */
+    boolean isAgainAlone() {
+        return difference.missing().isEmpty()
+                && difference.extra().isEmpty()
+                && PixelSet.of(actual).size() < actual.size();
+    }
+
     /** What does not fit the other answers of a method, where {@code right} would. */
     Message unfit() {
         if (!difference.missing().isEmpty())

@@ -50,7 +50,7 @@ public final class Marking {
     /** Adds a case and gives its line by what is known now, which later cases may change. */
     public CaseReport add(CaseTrial tried) {
         put(tried);
-        return report(tried);
+        return report(tried, Optional.empty());
     }
 
     /** Adds a case, or what more is known of one. */
@@ -109,22 +109,36 @@ public final class Marking {
     /** One line for each case, in their order. */
     public List<CaseReport> reports() {
         List<CaseReport> reports = new ArrayList<>();
-        for (CaseTrial tried : cases) reports.add(report(tried));
+        var open = new Suspects(cases.stream().filter(CaseTrial::open).toList());
+        var all = new Suspects(cases);
+        for (CaseTrial tried : cases)
+            reports.add(report(tried, Optional.of(tried.open() ? open : all)));
         return reports;
     }
 
-    /** One mistake that explains all that is wrong, if there is one; else nothing. */
+    /**
+     * One mistake that explains all that is wrong, if there is one; else nothing. Of a program that
+     * does nothing, that, and the one known mistake by which that comes, if there is one.
+     */
     public Message shared() {
-        return idle.map(one -> Message.of("cause.shared").and(one.said()))
-                .orElseGet(() -> new SharedCause(cases).said());
+        var cause = new SharedCause(cases);
+        return idle.map(one -> Message.of("cause.shared").and(one.said()).and(cause.only()))
+                .orElseGet(cause::said);
     }
 
-    private CaseReport report(CaseTrial tried) {
+    /**
+     * @param suspects tells which of several mistakes was made; empty where that is not asked yet
+     */
+    private CaseReport report(CaseTrial tried, Optional<Suspects> suspects) {
         if (tried.untried().isPresent()) return report(tried.one(), tried.untried().get(), "");
         Optional<TriedCall> wrong = worth(tried).charges().first(tried);
         if (wrong.isPresent()) {
             Finding finding = shown.computeIfAbsent(wrong.get(), this::shown);
-            return report(tried.one(), finding, wrong.get().scene());
+            Message only =
+                    suspects.filter(any -> idle.isEmpty())
+                            .map(one -> one.only(wrong.get(), finding.said()))
+                            .orElse(Message.NONE);
+            return report(tried.one(), finding.and(only), wrong.get().scene());
         }
         return report(
                 tried.one(),

@@ -40,13 +40,14 @@ final class SharedCause {
     }
 
     /**
-     * The sentence on a shared mistake; nothing where the failures share none, or where there is
-     * but one failure.
+     * The sentence on a shared mistake; nothing where the failures share none, or where the one
+     * failure tells its mistake itself.
      */
     Message said() {
-        if (wrong.size() < 2) return Message.NONE;
+        if (wrong.isEmpty()) return Message.NONE;
         List<Cause> known = known();
         List<Cause> alone = known.stream().filter(one -> explainAll(List.of(one))).toList();
+        if (wrong.size() < 2 && !isLeftAlone(alone)) return Message.NONE;
         if (!alone.isEmpty() && !areGuesses(alone))
             return said("cause.shared", List.of(alone.get(0)));
         if (!alone.isEmpty()) return Message.NONE;
@@ -61,10 +62,26 @@ final class SharedCause {
         return Message.NONE;
     }
 
+    /** The one known mistake that explains every wrong call and leaves every right one right. */
+    Message only() {
+        List<Cause> alone = known().stream().filter(one -> explainAll(List.of(one))).toList();
+        return alone.size() == 1 && isKnown(alone.get(0)) ? alone.get(0).said() : Message.NONE;
+    }
+
+    /** Whether one known mistake is left of several that explain the one wrong answer. */
+    private boolean isLeftAlone(List<Cause> left) {
+        return left.size() == 1
+                && isKnown(left.get(0))
+                && wrong.get(0).finding().explanations().size() > 1;
+    }
+
+    private static boolean isKnown(Cause cause) {
+        return cause.said().sentences().get(0).key().startsWith("known-");
+    }
+
     /** Whether they are several known mistakes, of which it cannot be told which was made. */
     private static boolean areGuesses(List<Cause> causes) {
-        return causes.size() > 1
-                && causes.get(0).said().sentences().get(0).key().startsWith("known-");
+        return causes.size() > 1 && isKnown(causes.get(0));
     }
 
     /** The causes of all explanations, those of the first wrong call first. */

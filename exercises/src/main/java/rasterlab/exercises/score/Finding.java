@@ -32,6 +32,11 @@ public record Finding(
         return new Finding(verdict, said, List.of(), explanations);
     }
 
+    /** The same with more to be said. */
+    public Finding and(Message more) {
+        return more.isEmpty() ? this : new Finding(verdict, said.and(more), pictures, explanations);
+    }
+
     public boolean right() {
         return verdict == GradingVerdict.OK;
     }

@@ -11,7 +11,8 @@ import rasterlab.exercises.words.TopicWords;
 /**
  * The texts of reports in one language. Those on a topic, such as {@code mutant.line.MUTANT}, are
  * {@code mutant.MUTANT} of the topic's own words; {@code faults.line.METHOD} are those that {@code
- * METHOD.failures} there lists, and {@code fault.line.METHOD} is the first of them.
+ * METHOD.failures} there lists, or {@code METHOD.told} where some of them show on no input of an
+ * exercise, and {@code fault.line.METHOD} is the first of them.
  *
  * @param general beside this class
  */
@@ -19,7 +20,7 @@ record ReportTexts(ResourceBundle general) {
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
     private static final Pattern ON_A_TOPIC =
             Pattern.compile(
-                    "(mutant|property|place|faults?|decided|rule|bound)\\.([a-z-]+)\\.(.+)");
+                    "(mutant|property|hazard|place|faults?|decided|rule|bound)\\.([a-z-]+)\\.(.+)");
 
     /** The beginning of the keys of texts that no new report has. */
     private static final String WAS = "was.";
@@ -61,7 +62,9 @@ record ReportTexts(ResourceBundle general) {
         if (place.key.equals(key)) return text;
         if (key.startsWith("faults.")) return first(text, "; ", LONG_FAULTS);
         if (key.startsWith("fault.")) return first(first(text, "; ", 0), ", ", LONG_FAULT);
-        return text;
+        return key.startsWith("hazard.") && text.endsWith(".")
+                ? text.substring(0, text.length() - 1)
+                : text;
     }
 
     /** The first parts of a text that make no more than that many characters, but one at least. */
@@ -84,8 +87,9 @@ record ReportTexts(ResourceBundle general) {
         if (!parts.matches() || !Topics.names().contains(parts.group(2)))
             return new Place(general, key);
         ResourceBundle own = TopicWords.of(parts.group(2), locale());
-        return parts.group(1).startsWith("fault")
-                ? new Place(own, parts.group(3) + ".failures")
-                : new Place(own, parts.group(1) + "." + parts.group(3));
+        if (!parts.group(1).startsWith("fault"))
+            return new Place(own, parts.group(1) + "." + parts.group(3));
+        String told = parts.group(3) + ".told";
+        return new Place(own, own.containsKey(told) ? told : parts.group(3) + ".failures");
     }
 }

@@ -17,11 +17,16 @@ import javax.tools.JavaCompiler;
 import javax.tools.JavaFileManager;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
+import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 
 /** Compiles a program in this process, to try it without a child; only for sources of our own. */
 final class CompiledProgram extends ClassLoader {
     private static final Pattern PUBLIC_CLASS = Pattern.compile("public (?:final )?class (\\w+)");
+
+    /** What it knows of the JDK is read once. */
+    private static final StandardJavaFileManager FILES =
+            ToolProvider.getSystemJavaCompiler().getStandardFileManager(null, null, null);
 
     private final Map<String, ByteArrayOutputStream> classes = new HashMap<>();
 
@@ -42,7 +47,7 @@ final class CompiledProgram extends ClassLoader {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         var said = new StringWriter();
         JavaFileManager kept =
-                new ForwardingJavaFileManager<>(compiler.getStandardFileManager(null, null, null)) {
+                new ForwardingJavaFileManager<JavaFileManager>(FILES) {
                     @Override
                     public JavaFileObject getJavaFileForOutput(
                             Location location,

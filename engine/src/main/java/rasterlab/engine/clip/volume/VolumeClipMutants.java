@@ -72,7 +72,9 @@ final class VolumeClipMutants {
                                         y1,
                                         z1,
                                         (u0, v0, w0, u1, v1, w1) -> {
-                                            if (u0 != u1 || v0 != v1 || w0 != w1)
+                                            boolean isPoint = u0 == u1 && v0 == v1 && w0 == w1;
+                                            boolean wasPoint = x0 == x1 && y0 == y1 && z0 == z1;
+                                            if (!isPoint || wasPoint)
                                                 out.segment(u0, v0, w0, u1, v1, w1);
                                         })),
                 new Mutant<>(
@@ -105,6 +107,26 @@ final class VolumeClipMutants {
                                 (zmin, x, y, z) ->
                                         new double[] {1 - x, 1 + x, 1 - y, 1 + y, z - zmin, 1 - z},
                                 true)),
+                new Mutant<>(
+                        "y-does-not-cut",
+                        "through-each-plane",
+                        planes(
+                                (zmin, x, y, z) -> new double[] {z - x, z + x, z - zmin, 1 - z},
+                                true)),
+                new Mutant<>(
+                        "only-the-start-cut",
+                        "through-each-plane",
+                        (zmin, x0, y0, z0, x1, y1, z1, out) ->
+                                RIGHT.clip(
+                                        zmin,
+                                        x0,
+                                        y0,
+                                        z0,
+                                        x1,
+                                        y1,
+                                        z1,
+                                        (u0, v0, w0, u1, v1, w1) ->
+                                                out.segment(u0, v0, w0, x1, y1, z1))),
                 new Mutant<>(
                         "last-plane-decides",
                         "behind-the-eye",
