@@ -4,6 +4,7 @@ import static java.util.stream.Collectors.joining;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.stream.Stream;
 import java.util.stream.StreamSupport;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
@@ -35,7 +36,12 @@ final class CaseInputs {
         JsonNode given = data.path("given");
         if (one.generated()) {
             JsonNode turn = given.isArray() ? given.path(0) : given;
-            return Message.of("why.drawn", data.path("count").asInt(), cut(fields(turn)));
+            String drawn =
+                    Stream.of(data.path("let"), turn)
+                            .map(CaseInputs::fields)
+                            .filter(told -> !told.isEmpty())
+                            .collect(joining("; "));
+            return Message.of("why.drawn", data.path("count").asInt(), cut(drawn));
         }
         boolean several = given.isArray();
         return Message.of(

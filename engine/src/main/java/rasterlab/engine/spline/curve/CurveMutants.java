@@ -82,21 +82,9 @@ final class CurveMutants {
                         Curve.Kind.HERMITE,
                         a -> new double[] {a[0], a[1], a[3], a[2]}),
                 hermite(
-                        "ends-swapped",
-                        Curve.Kind.HERMITE,
-                        a -> new double[] {a[1], a[0], a[2], a[3]}),
-                hermite(
                         "derivatives-between-ends",
                         Curve.Kind.HERMITE,
-                        a -> new double[] {a[0], a[3], a[1], a[2]}),
-                hermite(
-                        "each-end-its-derivative",
-                        Curve.Kind.HERMITE,
-                        a -> new double[] {a[0], a[2], a[1], a[3]}),
-                hermite(
-                        "derivatives-first",
-                        Curve.Kind.HERMITE,
-                        a -> new double[] {a[2], a[3], a[0], a[1]}));
+                        a -> new double[] {a[0], a[3], a[1], a[2]}));
     }
 
     private interface Flatten {
