@@ -11,7 +11,7 @@ import rasterlab.exercises.words.TopicWords;
 /**
  * The texts of reports in one language. Those on a topic, such as {@code mutant.line.MUTANT}, are
  * {@code mutant.MUTANT} of the topic's own words; {@code faults.line.METHOD} are those that {@code
- * METHOD.failures} there lists, or {@code METHOD.told} where some of them show on no input of an
+ * METHOD.failures} there lists, or {@code told.METHOD} where some of them show on no input of an
  * exercise, and {@code fault.line.METHOD} is the first of them.
  *
  * @param general beside this class
@@ -89,7 +89,7 @@ record ReportTexts(ResourceBundle general) {
         ResourceBundle own = TopicWords.of(parts.group(2), locale());
         if (!parts.group(1).startsWith("fault"))
             return new Place(own, parts.group(1) + "." + parts.group(3));
-        String told = parts.group(3) + ".told";
+        String told = "told." + parts.group(3);
         return new Place(own, own.containsKey(told) ? told : parts.group(3) + ".failures");
     }
 }
