@@ -20,6 +20,7 @@ import rasterlab.app.cli.exercise.CheckCommand;
 import rasterlab.app.cli.exercise.ExercisesCommand;
 import rasterlab.app.cli.exercise.SubmitCommand;
 import rasterlab.app.cli.render.OpenGlCommand;
+import rasterlab.app.cli.render.PlanCommand;
 import rasterlab.app.cli.render.RenderCommand;
 import rasterlab.app.cli.run.RunCommand;
 import rasterlab.app.cli.study.ChartCommand;
@@ -43,6 +44,7 @@ public final class Lab {
                     "chart",
                     "hazards",
                     "render",
+                    "plan",
                     "opengl",
                     "exercises",
                     "check",
@@ -137,6 +139,7 @@ public final class Lab {
             case "chart" -> new ChartCommand(console);
             case "hazards" -> new HazardsCommand(console);
             case "render" -> new RenderCommand(console);
+            case "plan" -> new PlanCommand(console);
             case "opengl" -> OpenGlCommand.commandLine(console);
             case "exercises" -> ExercisesCommand.commandLine(console);
             case "check" -> new CheckCommand(console);

@@ -1,60 +1,96 @@
 package rasterlab.engine.pipeline;
 
-import rasterlab.engine.scene.Appearance;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.visibility.ViewedMesh;
-import rasterlab.engine.visibility.painter.ConvexBody;
-import rasterlab.engine.visibility.ray.FaceCrossings;
-import rasterlab.engine.visibility.ray.SharedPlanes;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.plan.cost.Costs;
+import rasterlab.engine.plan.sight.LightWork;
+import rasterlab.engine.plan.sight.Reason;
+import rasterlab.engine.plan.sight.ScreenAreas;
+import rasterlab.engine.plan.sight.SightChoice;
+import rasterlab.engine.plan.sight.SightChoice.Sight;
+import rasterlab.engine.plan.sight.SightFacts;
 
 /**
- * The cheapest visibility method that is right.
+ * The cheapest visibility method that is proved right, found by {@link SightChoice}; what it knows
+ * of a scene is kept for the next picture of it.
  *
- * <p>Back faces alone are enough for one convex body, closed and opaque. Where two faces lie over
- * each other in one plane, or transparent ones cross, no depth of a whole face is right, so that
- * they are cut by a tree. All else is drawn by depth: by the pipeline, or where a paint must see
- * each face's pixels, by a plain z-buffer. A mesh of many faces is not searched for such pairs.
+ * <p>Outlines are drawn by painters only; transparent faces that a paint colours by itself need a
+ * buffer that mixes them.
  */
 final class AutoVisibility {
-    /** A mesh of more is not searched: whether it is convex costs their square. */
-    private static final int FEW_FACES = 300;
+    private final Costs costs = Costs.measured();
+    private final int cores;
+    private Optional<SightFacts> known = Optional.empty();
 
-    private AutoVisibility() {}
+    AutoVisibility() {
+        this(Runtime.getRuntime().availableProcessors());
+    }
 
-    static Choice of(RenderRequest request) {
+    /**
+     * @param cores that the pipeline works on
+     */
+    AutoVisibility(int cores) {
+        this.cores = cores;
+    }
+
+    /** The choice for a request that may name a method itself. */
+    Choice of(RenderRequest request) {
         Look look = request.look();
         if (!look.visibility().equals(Renderer.AUTO))
             return new Choice(look.visibility(), "asked for");
-        if (look.outline()) return new Choice("painter", "outlines are drawn by painters only");
-        Scene scene = request.scene();
-        boolean glass = scene.finishes().stream().anyMatch(AutoVisibility::seenThrough);
-        if (scene.mesh().faceCount() > FEW_FACES)
-            return byDepth(
-                    look,
-                    glass,
-                    "depths are right on all cores, unless faces lie over each other in one plane"
-                            + " or transparent ones cross");
-        if (!glass && ConvexBody.flaw(scene.mesh()).isEmpty())
-            return new Choice("convex", "one convex body: what faces the eye is what is seen");
-        ViewedMesh viewed = RequestView.of(request, request.width()).viewed();
-        if (SharedPlanes.anyOverlap(viewed))
-            return new Choice("bsp", "faces over each other in one plane: the tree keeps an order");
-        if (glass && !FaceCrossings.of(viewed, () -> false).isEmpty())
-            return new Choice("bsp", "transparent faces cross: the tree cuts them");
-        return byDepth(
-                look, glass, "no two faces lie over each other in one plane: depths are right");
+        Sight sight = sight(request, RequestView.of(request, request.width()));
+        return new Choice(sight.method(), sight.reason().english());
     }
 
-    private static Choice byDepth(Look look, boolean glass, String reason) {
-        boolean plain = look.cue().isEmpty() && look.shading() != ShadingMethod.TONE;
-        if (glass && !plain)
-            return new Choice("zfloat", "transparent faces, coloured by a paint of their own");
-        return new Choice(Renderer.PIPELINE, reason);
+    /** What {@code auto} is for a view. */
+    Sight sight(RenderRequest request, RequestView seen) {
+        Look look = request.look();
+        var areas = new ScreenAreas(seen.viewed());
+        ShadingMethod shading = ShadingMethod.named(Renderer.shading(request).chosen());
+        LightWork light = light(request, shading, areas.faces());
+        if (look.outline())
+            return plain(
+                    "painter", Reason.of("outlines", "outlines are drawn by painters only"), areas);
+        SightFacts facts = facts(seen);
+        boolean direct = look.cue().isEmpty() && shading != ShadingMethod.TONE;
+        if (facts.glass() && !direct)
+            return plain(
+                    "zfloat",
+                    Reason.of("paint", "transparent faces, coloured by a paint of their own"),
+                    areas);
+        return new SightChoice(facts, seen.viewed(), costs, cores, true)
+                .choose(light, light, areas);
     }
 
-    private static boolean seenThrough(Appearance finish) {
-        return finish.front().alpha() < 1
-                || finish.back().alpha() < 1
-                || !finish.texture().map(laid -> laid.opaque()).orElse(true);
+    private static Sight plain(String method, Reason reason, ScreenAreas areas) {
+        var light = new LightWork(false, new boolean[areas.faces()], 0, false);
+        return new Sight(method, false, reason, 0, light.estimate(areas, false, true, 0), false);
+    }
+
+    /** How much light and texture a request asks for. */
+    static LightWork light(RenderRequest request, ShadingMethod shading, int faces) {
+        var atPixels = new boolean[faces];
+        if (shading == ShadingMethod.PHONG)
+            IntStream.range(0, faces).forEach(f -> atPixels[f] = true);
+        boolean textured =
+                request.look().texture() != TextureMode.NONE
+                        && request.scene().finishes().stream()
+                                .anyMatch(f -> f.texture().isPresent());
+        int reads =
+                !textured
+                        ? 0
+                        : switch (request.look().texture()) {
+                            case NEAREST, AFFINE_NEAREST -> 1;
+                            case LINEAR -> 4;
+                            default -> 8;
+                        };
+        return new LightWork(shading == ShadingMethod.GOURAUD, atPixels, reads, false);
+    }
+
+    private synchronized SightFacts facts(RequestView seen) {
+        if (known.isEmpty() || !known.get().of(seen.scene()))
+            known = Optional.of(new SightFacts(seen.scene()));
+        return known.get();
     }
 }

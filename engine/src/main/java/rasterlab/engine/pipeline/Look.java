@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
@@ -28,6 +29,7 @@ import rasterlab.engine.visibility.Visibility;
  * @param cue how things fade with depth
  * @param stereo whether two eyes see the scene
  * @param clipPlanes planes in the world that cut off what is beyond them
+ * @param savings what the triangle pipeline may leave out
  */
 public record Look(
         String visibility,
@@ -41,7 +43,8 @@ public record Look(
         boolean outline,
         Optional<DepthCue> cue,
         Optional<Stereo> stereo,
-        List<ClipPlane> clipPlanes) {
+        List<ClipPlane> clipPlanes,
+        Savings savings) {
     public Look {
         boolean outlined = outline && shading != ShadingMethod.WIRE;
         if (given.isEmpty()) Renderer.checkNames(visibility, outlined);
@@ -64,7 +67,8 @@ public record Look(
                 false,
                 Optional.empty(),
                 Optional.empty(),
-                List.of());
+                List.of(),
+                Savings.NONE);
     }
 
     public Look withVisibility(String other) {
@@ -148,6 +152,13 @@ public record Look(
         return draft.look();
     }
 
+    /** The same look, of which something proved may be left out. */
+    public Look withSavings(Savings other) {
+        var draft = new Draft(this);
+        draft.savings = other;
+        return draft.look();
+    }
+
     /**
      * @throws IllegalArgumentException for what only faces have: other shading than Phong's, edges,
      *     culling, mipmaps, fading
@@ -180,6 +191,7 @@ public record Look(
         private Optional<DepthCue> cue;
         private Optional<Stereo> stereo;
         private List<ClipPlane> clipPlanes;
+        private Savings savings;
 
         Draft(Look from) {
             visibility = from.visibility;
@@ -194,6 +206,7 @@ public record Look(
             cue = from.cue;
             stereo = from.stereo;
             clipPlanes = from.clipPlanes;
+            savings = from.savings;
         }
 
         Look look() {
@@ -209,7 +222,8 @@ public record Look(
                     outline,
                     cue,
                     stereo,
-                    clipPlanes);
+                    clipPlanes,
+                    savings);
         }
     }
 }

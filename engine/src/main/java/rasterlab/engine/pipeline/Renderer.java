@@ -11,6 +11,7 @@ import rasterlab.engine.naming.Named;
 import rasterlab.engine.pipeline.direct.DirectLook;
 import rasterlab.engine.pipeline.direct.DirectPicture;
 import rasterlab.engine.pipeline.direct.NumberedFaces;
+import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
@@ -19,6 +20,7 @@ import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.plain.PlainPipeline;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
+import rasterlab.engine.plan.sight.SightChoice.Sight;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.Projection;
@@ -59,10 +61,16 @@ public final class Renderer implements AutoCloseable {
 
     private final List<Method<Visibility>> visibilities = methods();
     private final Supplier<TrianglePipeline> pipelines;
+    private final AutoVisibility auto = new AutoVisibility();
     private Optional<DirectPicture> direct = Optional.empty();
 
     public Renderer() {
         this(TrianglePipeline::new);
+    }
+
+    /** A renderer that works on the caller's thread alone, so that its processor time is all. */
+    public static Renderer onOneThread() {
+        return new Renderer(() -> new TrianglePipeline(1));
     }
 
     /**
@@ -152,7 +160,7 @@ public final class Renderer implements AutoCloseable {
 
     /** The visibility method that a request is drawn with, and why. */
     public static Choice visibility(RenderRequest request) {
-        return AutoVisibility.of(request);
+        return new AutoVisibility().of(request);
     }
 
     /** The shading that a request is drawn with, and why. */
@@ -224,12 +232,15 @@ public final class Renderer implements AutoCloseable {
             new SurfacePicture(lights, look.texture()).draw(out, cancelled);
             return Optional.empty();
         }
-        String chosen = visibility(request).chosen();
+        boolean open = look.visibility().equals(AUTO);
+        Optional<Sight> sight = open ? Optional.of(auto.sight(request, seen)) : Optional.empty();
+        String chosen = sight.map(Sight::method).orElse(look.visibility());
         ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
         Visibility method = drawing(look, visibilities, chosen);
         boolean wire = shading == ShadingMethod.WIRE;
         if (!wire && chosen.equals(PIPELINE) && drawsDirectly(look, shading)) {
-            DirectLook how = directLook(look, shading);
+            boolean fronts = sight.map(Sight::frontsOnly).orElse(false);
+            DirectLook how = directLook(look, shading, fronts);
             direct().draw(lights(look, seen), how, opaque, out, cancelled);
             return Optional.empty();
         }
@@ -250,7 +261,7 @@ public final class Renderer implements AutoCloseable {
         return shading != ShadingMethod.TONE && look.cue().isEmpty();
     }
 
-    private static DirectLook directLook(Look look, ShadingMethod shading) {
+    private static DirectLook directLook(Look look, ShadingMethod shading, boolean frontsOnly) {
         DirectLook.Light light =
                 switch (shading) {
                     case FLAT -> DirectLook.Light.FACES;
@@ -258,7 +269,9 @@ public final class Renderer implements AutoCloseable {
                     case PHONG -> DirectLook.Light.PIXELS;
                     default -> throw new AssertionError("the pipeline does not draw " + shading);
                 };
-        return new DirectLook(light, look.texture());
+        Savings asked = look.savings();
+        Savings savings = new Savings(asked.levels(), asked.frontsOnly() || frontsOnly);
+        return new DirectLook(light, look.texture(), savings);
     }
 
     private synchronized DirectPicture direct() {

@@ -12,10 +12,10 @@ import rasterlab.engine.visibility.ViewedMesh;
  * @param scene what is left of it after culling
  * @param viewed its mesh
  */
-record RequestView(Scene scene, ViewedMesh viewed) {
+public record RequestView(Scene scene, ViewedMesh viewed) {
 
     /** The view of the eye in the middle. */
-    static RequestView of(RenderRequest request, int width) {
+    public static RequestView of(RenderRequest request, int width) {
         return of(request, width, 0);
     }
 

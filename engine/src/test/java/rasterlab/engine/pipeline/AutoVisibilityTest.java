@@ -35,7 +35,7 @@ class AutoVisibilityTest {
                                 80,
                                 60)
                         .with(look);
-        assertEquals(chosen, Renderer.visibility(request).chosen());
+        assertEquals(chosen, new AutoVisibility(2).of(request).chosen());
         new Renderer().render(request, () -> false);
     }
 
@@ -43,8 +43,8 @@ class AutoVisibilityTest {
         UnaryOperator<Look> plain = look -> look;
         UnaryOperator<Look> cue = look -> look.withCue(new DepthCue(0.5));
         return Stream.of(
-                argumentSet("depths for a convex body", "cube", "auto", plain, "convex"),
-                argumentSet("open body is taken for convex", "vase", "auto", plain, "pipeline"),
+                argumentSet("painter dearer than depths", "cube", "auto", plain, "pipeline"),
+                argumentSet("open body is taken for convex", "vase", "auto", plain, "zfloat"),
                 argumentSet("outlines by a method without", "vase", "auto", outline(), "painter"),
                 argumentSet("glass numbered for a cue", "transparency", "auto", cue, "zfloat"),
                 argumentSet("depths tell faces of one plane", "coplanar", "auto", plain, "bsp"),

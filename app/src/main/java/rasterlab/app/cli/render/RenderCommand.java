@@ -59,7 +59,7 @@ public final class RenderCommand implements Callable<Integer> {
                         + " with --shading phong or auto"
             },
             completionCandidates = EngineNames.OfVisibilities.class,
-            defaultValue = "zfloat")
+            defaultValue = "auto")
     private String visibility;
 
     @Option(

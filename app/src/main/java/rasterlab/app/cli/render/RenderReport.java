@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
+import rasterlab.app.plan.CountedWork;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Choice;
 import rasterlab.engine.pipeline.Look;
@@ -45,6 +46,8 @@ record RenderReport(
             writeRequest(json);
             json.writeNumberField("milliseconds", milliseconds);
             if (work.isPresent()) writeWork(json, work.get());
+            Optional<CountedWork> counted = CountedWork.of(request);
+            if (counted.isPresent()) counted.get().write(json);
             if (out != null) json.writeStringField("out", out.toString());
             if (difference.isPresent()) writeDifference(json, difference.get());
             if (errors.isPresent()) errors.get().write(json);

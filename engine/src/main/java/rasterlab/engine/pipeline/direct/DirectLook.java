@@ -13,8 +13,9 @@ import rasterlab.engine.scene.LaidTexture;
  * @param light where the formula is worked out
  * @param texture how textures are looked up; {@code AUTO} is taken for mipmaps, which are the
  *     linear filter wherever nothing is made smaller
+ * @param savings what may be left out
  */
-public record DirectLook(Light light, TextureMode texture) {
+public record DirectLook(Light light, TextureMode texture, Savings savings) {
 
     /** Where light is worked out. */
     public enum Light {
@@ -38,6 +39,14 @@ public record DirectLook(Light light, TextureMode texture) {
             case AFFINE_NEAREST -> TexelFilter.AFFINE_NEAREST;
             case NONE -> throw new AssertionError("no texture is laid, so none is looked up");
         };
+    }
+
+    /** Whether each face is drawn at all. */
+    boolean[] drawn(FaceLights lights) {
+        var drawn = new boolean[lights.mesh().faceCount()];
+        for (int f = 0; f < drawn.length; f++)
+            drawn[f] = !(savings.frontsOnly() && lights.seenFromBehind(f));
+        return drawn;
     }
 
     /** Whether each face hides all that is behind it. */

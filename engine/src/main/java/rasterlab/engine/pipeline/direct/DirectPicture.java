@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.direct;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
@@ -15,6 +16,7 @@ import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.pipeline.fast.VertexColors;
 import rasterlab.engine.pipeline.paint.FaceLights;
+import rasterlab.engine.pipeline.paint.MixedLight;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
 import rasterlab.engine.pipeline.surface.LitPixels;
 import rasterlab.engine.pipeline.surface.TexelPixels;
@@ -58,28 +60,62 @@ public final class DirectPicture implements AutoCloseable {
         boolean[] opaque = look.opaque(lights);
         PointLighting[] lighting = lights.forThread();
         TriangleView view = space.view();
-        List<Batch> batches = Batches.of(lights, opaque);
-        boolean lightShows = batches.stream().anyMatch(b -> lightShows(look, lights.scene(), b));
+        boolean[] drawn = look.drawn(lights);
+        boolean mixed = look.light() == DirectLook.Light.PIXELS && look.savings().levels() > 0;
+        boolean[] atPixels = new boolean[drawn.length];
+        if (mixed) atPixels = new MixedLight(lights, look.savings().levels()).atPixels(drawn);
+        else Arrays.fill(atPixels, look.light() == DirectLook.Light.PIXELS);
+        List<Batch> batches = Batches.of(lights, opaque, drawn, atPixels);
+        if (batches.isEmpty()) {
+            out.clear(background);
+            return;
+        }
         Function<FaceTriangles, TriangleMesh> lit =
-                lightShows ? lit(lights, look.light()) : FaceTriangles::uncolored;
+                shownLight(lights, look, drawn, atPixels, batches);
         for (int k = 0; k < batches.size(); k++) {
             Batch batch = batches.get(k);
             Optional<LaidTexture> laid = look.laid(lights.scene().finishes().get(batch.finish()));
             Surface surface =
-                    surface(
-                            look,
-                            laid,
-                            lighting[batch.finish()],
-                            batch.opaque(),
-                            lights.mesh().hasColors());
+                    surface(look, laid, lighting[batch.finish()], batch, lights.mesh().hasColors());
             var triangles = new FaceTriangles(lights.mesh(), batch.faces());
-            TriangleMesh mesh = lit.apply(triangles);
+            TriangleMesh mesh =
+                    !batch.atPixels()
+                            ? lit.apply(triangles)
+                            : lights.mesh().hasColors()
+                                    ? triangles.tinted()
+                                    : triangles.uncolored();
             if (batches.size() == 1)
                 pipeline.drawOn(background, mesh, view, surface, out, cancelled);
             else if (k == 0)
                 pipeline.drawOn(background, mesh, view, surface, withDepths(out), cancelled);
             else pipeline.draw(mesh, view, surface, withDepths(out), cancelled);
         }
+    }
+
+    /** Lights what is not worked out at pixels, if anything of it is seen. */
+    private static Function<FaceTriangles, TriangleMesh> shownLight(
+            FaceLights lights,
+            DirectLook look,
+            boolean[] drawn,
+            boolean[] atPixels,
+            List<Batch> batches) {
+        boolean shows =
+                batches.stream()
+                        .anyMatch(b -> !b.atPixels() && lightShows(look, lights.scene(), b));
+        if (!shows) return FaceTriangles::uncolored;
+        boolean[] wanted = new boolean[drawn.length];
+        for (int f = 0; f < wanted.length; f++) wanted[f] = drawn[f] && !atPixels[f];
+        return look.light() == DirectLook.Light.FACES
+                ? flat(lights.atMiddles(wanted))
+                : smooth(lights.atCorners(wanted));
+    }
+
+    private static Function<FaceTriangles, TriangleMesh> flat(int[] faceArgb) {
+        return triangles -> triangles.flat(faceArgb);
+    }
+
+    private static Function<FaceTriangles, TriangleMesh> smooth(float[] cornerRgba) {
+        return triangles -> triangles.smooth(cornerRgba);
     }
 
     /** Whether anything is seen of a batch's own colours, or a texture hides them. */
@@ -99,34 +135,18 @@ public final class DirectPicture implements AutoCloseable {
         return new DepthRaster(out, depths);
     }
 
-    /** Lights all faces at once; a batch takes what is its own. */
-    private static Function<FaceTriangles, TriangleMesh> lit(
-            FaceLights lights, DirectLook.Light light) {
-        return switch (light) {
-            case FACES -> {
-                int[] faceArgb = lights.atMiddles();
-                yield triangles -> triangles.flat(faceArgb);
-            }
-            case CORNERS -> {
-                float[] cornerRgba = lights.atCorners();
-                yield triangles -> triangles.smooth(cornerRgba);
-            }
-            case PIXELS ->
-                    lights.mesh().hasColors() ? FaceTriangles::tinted : FaceTriangles::uncolored;
-        };
-    }
-
     private static Surface surface(
             DirectLook look,
             Optional<LaidTexture> laid,
             PointLighting lighting,
-            boolean opaque,
+            Batch batch,
             boolean tinted) {
+        boolean opaque = batch.opaque();
+        boolean perPixel = batch.atPixels();
         Surface.OfVertices vertices =
                 look.light() == DirectLook.Light.FACES
                         ? new Surface.Flat(VertexColors.own())
                         : new Surface.Smooth(VertexColors.own());
-        boolean perPixel = look.light() == DirectLook.Light.PIXELS;
         if (opaque && !perPixel && laid.isEmpty()) return vertices;
         PixelColors light =
                 !perPixel

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.paint;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import rasterlab.engine.color.Levels;
@@ -23,6 +24,7 @@ import rasterlab.engine.visibility.ViewedMesh;
 public final class FaceLights {
     private final Scene scene;
     private final ViewedMesh view;
+    private final LightModel model;
     private final boolean twoSided;
     private final PointLighting[] lights;
 
@@ -35,7 +37,7 @@ public final class FaceLights {
         this.scene = scene;
         this.view = view;
         List<Appearance> finishes = scene.finishes();
-        LightModel model = model(scene, view.transform(), sides);
+        model = model(scene, view.transform(), sides);
         twoSided = model.twoSided();
         lights = new PointLighting[finishes.size()];
         for (int i = 0; i < lights.length; i++) {
@@ -83,6 +85,11 @@ public final class FaceLights {
                 -transform.sight(2));
     }
 
+    /** The lights as this view has them, in the world. */
+    LightModel model() {
+        return model;
+    }
+
     public Scene scene() {
         return scene;
     }
@@ -119,20 +126,32 @@ public final class FaceLights {
 
     /** The whole formula once for each face: at the mean of its corners, with its own normal. */
     public int[] atMiddles() {
+        return atMiddles(all());
+    }
+
+    private boolean[] all() {
+        var all = new boolean[mesh().faceCount()];
+        Arrays.fill(all, true);
+        return all;
+    }
+
+    /** The same for some faces; the others stay 0. */
+    public int[] atMiddles(boolean[] wanted) {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();
         var argb = new int[mesh.faceCount()];
         if (mesh.hasColors()) return tintedMiddles(argb, own);
         for (int f = 0; f < argb.length; f++)
-            argb[f] =
-                    own[finishOf(f)].argb(
-                            FaceMiddle.of(mesh, f, mesh::x),
-                            FaceMiddle.of(mesh, f, mesh::y),
-                            FaceMiddle.of(mesh, f, mesh::z),
-                            mesh.normalX(f),
-                            mesh.normalY(f),
-                            mesh.normalZ(f),
-                            seenFromBehind(f));
+            if (wanted[f])
+                argb[f] =
+                        own[finishOf(f)].argb(
+                                FaceMiddle.of(mesh, f, mesh::x),
+                                FaceMiddle.of(mesh, f, mesh::y),
+                                FaceMiddle.of(mesh, f, mesh::z),
+                                mesh.normalX(f),
+                                mesh.normalY(f),
+                                mesh.normalZ(f),
+                                seenFromBehind(f));
         return argb;
     }
 
@@ -174,12 +193,17 @@ public final class FaceLights {
      * to 1, of each corner, counted through all faces.
      */
     public float[] atCorners() {
+        return atCorners(all());
+    }
+
+    /** The same for some faces; the corners of the others stay 0. */
+    public float[] atCorners(boolean[] wanted) {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();
         var rgba = new float[4 * mesh.totalCorners()];
         boolean tinted = mesh.hasColors();
         for (int f = 0; f < mesh.faceCount(); f++)
-            for (int k = 0; k < mesh.cornerCount(f); k++)
+            for (int k = 0; wanted[f] && k < mesh.cornerCount(f); k++)
                 if (tinted) tint(own[finishOf(f)], f, k, rgba);
                 else light(own[finishOf(f)], f, k, rgba);
         return rgba;

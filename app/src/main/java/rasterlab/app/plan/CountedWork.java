@@ -1,0 +1,65 @@
+package rasterlab.app.plan;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.plan.WorkCount;
+import rasterlab.engine.plan.cost.Costs;
+import rasterlab.engine.plan.cost.Family;
+import rasterlab.engine.plan.cost.Work;
+
+/**
+ * A picture's work, counted, and what it costs by the measured table.
+ *
+ * @param work stage by stage
+ * @param milliseconds of processor time, stage by stage
+ * @param origin of the table
+ */
+public record CountedWork(Work work, Map<String, Double> milliseconds, String origin) {
+
+    /** Empty for edges, surfaces, two eyes and methods without measured costs. */
+    public static Optional<CountedWork> of(RenderRequest request) {
+        boolean faces =
+                request.look().shading() != ShadingMethod.WIRE
+                        && request.look().stereo().isEmpty()
+                        && request.look().given().isEmpty()
+                        && !request.visibility().equals(Renderer.SURFACES)
+                        && !request.visibility().equals(Renderer.REFERENCE);
+        if (!faces) return Optional.empty();
+        Optional<Family> family = Family.measured(Renderer.visibility(request).chosen());
+        if (family.isEmpty()) return Optional.empty();
+        Work work = WorkCount.of(request);
+        Costs costs = Costs.measured();
+        return Optional.of(new CountedWork(work, costs.stages(family.get(), work), costs.origin()));
+    }
+
+    /** Milliseconds of processor time of all stages. */
+    public double total() {
+        return milliseconds.values().stream().mapToDouble(Double::doubleValue).sum();
+    }
+
+    /** Writes the fields {@code counted} and {@code predicted}. */
+    public void write(JsonGenerator json) throws IOException {
+        json.writeObjectFieldStart("counted");
+        for (Map.Entry<String, Long> stage : work.stages().entrySet())
+            json.writeNumberField(stage.getKey(), stage.getValue());
+        json.writeEndObject();
+        json.writeObjectFieldStart("predicted");
+        json.writeNumberField("processorMilliseconds", rounded(total()));
+        json.writeObjectFieldStart("shares");
+        for (Map.Entry<String, Double> stage : milliseconds.entrySet())
+            json.writeNumberField(stage.getKey(), rounded(stage.getValue() / total()));
+        json.writeEndObject();
+        json.writeStringField("costs", origin);
+        json.writeEndObject();
+    }
+
+    /** Rounds to four places behind the point. */
+    static double rounded(double value) {
+        return Math.rint(value * 1e4) / 1e4;
+    }
+}

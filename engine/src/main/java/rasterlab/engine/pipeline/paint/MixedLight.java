@@ -1,0 +1,94 @@
+package rasterlab.engine.pipeline.paint;
+
+import rasterlab.engine.scene.Mesh;
+
+/**
+ * Phong's shading with fewer formulas: where light mixed from a face's corners is proved to be near
+ * enough, it is mixed; the other faces have the formula at each pixel.
+ */
+public final class MixedLight {
+    /** What rounding and the pipeline's quick colours may add, in levels. */
+    private static final double ROOM = 0.5;
+
+    private final FaceLights lights;
+    private final CornerLightBound bound;
+    private final double levels;
+
+    /**
+     * @param levels the largest difference allowed
+     */
+    public MixedLight(FaceLights lights, double levels) {
+        this(lights, levels, 0);
+    }
+
+    /**
+     * The same for every eye whose direction from a face differs by at most {@code turn} radians.
+     */
+    public MixedLight(FaceLights lights, double levels, double turn) {
+        this.lights = lights;
+        this.levels = levels;
+        bound = new CornerLightBound(lights, turn);
+    }
+
+    /**
+     * Tells which faces need the formula at each pixel.
+     *
+     * @param drawn the faces that are asked for
+     */
+    public boolean[] atPixels(boolean[] drawn) {
+        var exact = new boolean[drawn.length];
+        for (int f = 0; f < exact.length; f++)
+            exact[f] = drawn[f] && bound.levels(f) + ROOM > levels;
+        float[] corners = lights.atCorners(mixed(drawn, exact));
+        for (int f = 0; f < exact.length; f++)
+            if (drawn[f] && !exact[f] && cutBetween(corners, f)) exact[f] = true;
+        return exact;
+    }
+
+    /** Whether one colour a face, that of its middle, is near enough on all drawn faces. */
+    public boolean flatIsEnough(boolean[] drawn) {
+        boolean[] exact = atPixels(drawn);
+        for (int f = 0; f < exact.length; f++) if (exact[f]) return false;
+        float[] corners = lights.atCorners(drawn);
+        int[] middles = lights.atMiddles(drawn);
+        for (int f = 0; f < exact.length; f++)
+            if (drawn[f] && bound.levels(f) + ROOM + apart(corners, f, middles[f]) > levels)
+                return false;
+        return true;
+    }
+
+    private static boolean[] mixed(boolean[] drawn, boolean[] exact) {
+        var mixed = new boolean[drawn.length];
+        for (int f = 0; f < mixed.length; f++) mixed[f] = drawn[f] && !exact[f];
+        return mixed;
+    }
+
+    /** The largest difference of a corner's colour from one colour, in levels. */
+    private double apart(float[] corners, int face, int argb) {
+        double most = 0;
+        for (int k = 0; k < lights.mesh().cornerCount(face); k++)
+            for (int c = 0; c < 3; c++) {
+                double level = 255 * corners[4 * (lights.mesh().firstCorner(face) + k) + c];
+                most = Math.max(most, Math.abs(level - (argb >> 16 - 8 * c & 255)));
+            }
+        return most;
+    }
+
+    /**
+     * Whether a channel is cut at 1 at some corner and not at another: a crease within the face.
+     */
+    private boolean cutBetween(float[] corners, int face) {
+        Mesh mesh = lights.mesh();
+        for (int c = 0; c < 3; c++) {
+            boolean cut = false;
+            boolean free = false;
+            for (int k = 0; k < mesh.cornerCount(face); k++) {
+                boolean atTop = corners[4 * (mesh.firstCorner(face) + k) + c] >= 1;
+                cut |= atTop;
+                free |= !atTop;
+            }
+            if (cut && free) return true;
+        }
+        return false;
+    }
+}

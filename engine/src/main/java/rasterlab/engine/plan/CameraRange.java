@@ -1,0 +1,38 @@
+package rasterlab.engine.plan;
+
+import rasterlab.engine.transform.SphericalView;
+
+/**
+ * The cameras for which a plan's proofs hold.
+ *
+ * @param at the camera it was made for
+ * @param turn how far the direction to the eye may turn from there, in radians
+ * @param zoom the largest factor of ρ, either way, at least 1
+ */
+public record CameraRange(SphericalView at, double turn, double zoom) {
+    /** The usual room: 2 degrees, 5 %. */
+    static final double TURN = Math.toRadians(2);
+
+    static final double ZOOM = 1.05;
+
+    /** The cameras near one. */
+    static CameraRange around(SphericalView at) {
+        return new CameraRange(at, TURN, ZOOM);
+    }
+
+    /** One camera alone. */
+    static CameraRange only(SphericalView at) {
+        return new CameraRange(at, 0, 1);
+    }
+
+    public boolean within(SphericalView camera) {
+        if (camera.equals(at)) return true;
+        double apart = at.eye().angle(camera.eye());
+        double factor = camera.rho() / at.rho();
+        // Over the pole the picture turns about the line of sight; near it so does every step.
+        double round =
+                Math.abs(
+                        Math.IEEEremainder(camera.thetaRadians() - at.thetaRadians(), 2 * Math.PI));
+        return apart <= turn && round <= turn && factor <= zoom && 1 / factor <= zoom;
+    }
+}

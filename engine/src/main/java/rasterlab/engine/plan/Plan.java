@@ -1,0 +1,74 @@
+package rasterlab.engine.plan;
+
+import java.util.List;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.transform.SphericalView;
+
+/**
+ * The least that must be drawn of a scene, why, and for which cameras that holds.
+ *
+ * @param full what the full pipeline draws
+ * @param least what is drawn instead
+ * @param tolerance within which both are alike
+ * @param decisions what was decided, each with its reason
+ * @param range the cameras for which the proofs hold
+ * @param fullCost of the full picture, predicted
+ * @param cost of the least one, predicted
+ * @param decidingMilliseconds that the decisions took
+ */
+public record Plan(
+        RenderRequest full,
+        RenderRequest least,
+        Tolerance tolerance,
+        List<Decision> decisions,
+        CameraRange range,
+        Cost fullCost,
+        Cost cost,
+        double decidingMilliseconds) {
+    public Plan {
+        decisions = List.copyOf(decisions);
+    }
+
+    /**
+     * What a picture takes.
+     *
+     * @param work estimated
+     * @param milliseconds predicted from the work
+     */
+    public record Cost(Work work, double milliseconds) {}
+
+    /** Whether the plan may be kept for a camera. */
+    public boolean within(SphericalView camera) {
+        return range.within(camera);
+    }
+
+    /**
+     * The picture to draw from a camera.
+     *
+     * @throws IllegalArgumentException if the plan's proofs do not hold there
+     */
+    public RenderRequest from(SphericalView camera) {
+        if (!within(camera))
+            throw new IllegalArgumentException(
+                    "camera must be within %s, got %s".formatted(range, camera));
+        return new RenderRequest(
+                least.scene(),
+                camera,
+                least.projection(),
+                least.depth(),
+                least.width(),
+                least.height(),
+                least.look());
+    }
+
+    /** The largest bound of the decisions together, in levels. */
+    public double predictedLevels() {
+        return decisions.stream().mapToDouble(Decision::levels).sum();
+    }
+
+    /** The largest distance that something may be moved by, in pixels. */
+    public double predictedPixels() {
+        return decisions.stream().mapToDouble(Decision::pixels).max().orElse(0);
+    }
+}

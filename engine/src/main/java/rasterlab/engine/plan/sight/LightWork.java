@@ -1,0 +1,46 @@
+package rasterlab.engine.plan.sight;
+
+import rasterlab.engine.plan.cost.Work;
+
+/**
+ * How faces are lit and textured, as far as it tells what a picture takes.
+ *
+ * @param perCorner whether light is worked out at corners; otherwise once for each face
+ * @param atPixels the faces that have the formula at each pixel
+ * @param texelReads texture elements read for a pixel: 0, 1, 4 or 8
+ * @param mixed whether a bound is worked out for each face first
+ */
+public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, boolean mixed) {
+    /** The formulas that the bound for one face is worth. */
+    private static final int BOUND = 3;
+
+    /** The estimated work of a picture by a family's method. */
+    public Work estimate(ScreenAreas areas, boolean frontsOnly, boolean paintsAll, long pairs) {
+        long faces = 0;
+        long lights = 0;
+        double fragments = 0;
+        double atEachPixel = 0;
+        double textured = 0;
+        for (int f = 0; f < areas.faces(); f++) {
+            if (frontsOnly && areas.back(f)) continue;
+            faces++;
+            fragments += areas.area(f);
+            boolean painted = paintsAll || !areas.back(f);
+            if (painted) textured += areas.area(f);
+            if (mixed) lights += BOUND;
+            if (!atPixels[f]) lights += perCorner ? 4 : 1;
+            else if (painted) atEachPixel += areas.area(f);
+        }
+        double most = paintsAll ? fragments : Math.min(fragments, areas.pixels());
+        return new Work(
+                areas.vertices(),
+                areas.clipped(),
+                faces,
+                lights,
+                Math.round(fragments),
+                Math.round(Math.min(atEachPixel, most)),
+                Math.round(Math.min(textured, most) * texelReads),
+                areas.pixels(),
+                pairs);
+    }
+}

@@ -1,0 +1,8 @@
+/**
+ * What of a scene hides what, by proof: which faces need no look, which order is right, how many
+ * bits a depth needs.
+ *
+ * <p>Space: the world for what holds from everywhere, eye space for what holds from one place.
+ * Start with {@link rasterlab.engine.plan.sight.SightFacts}.
+ */
+package rasterlab.engine.plan.sight;

@@ -1,0 +1,165 @@
+package rasterlab.engine.plan;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.pipeline.Look;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.direct.Savings;
+import rasterlab.engine.plan.cost.Costs;
+import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.SphericalView;
+
+class PlannerTest {
+    private final Planner planner = new Planner(2, Costs.measured());
+
+    @ParameterizedTest(name = "plans of {0} leave the tolerance")
+    @MethodSource("rasterlab.engine.scene.catalogue.Scenes#names")
+    void plannedPictureIsWithinTheTolerance(String name) {
+        var random = new Random(name.hashCode());
+        for (int k = 0; k < 4; k++) {
+            Scene scene = Scenes.named(name);
+            var tolerance =
+                    new Tolerance(
+                            0.1 * Math.pow(50, random.nextDouble()), 1 + random.nextInt(8), 0);
+            RenderRequest asked = seen(scene, camera(scene, random), 96, 72);
+            PlanTrial trial = PlanTrial.of(planner, asked, tolerance, 1, () -> false);
+            assertTrue(
+                    trial.error().within(tolerance),
+                    () -> name + " from " + asked.camera() + " within " + tolerance + ": " + trial);
+        }
+    }
+
+    @ParameterizedTest(name = "light of {0} mixed within {1} levels is off by more")
+    @CsvSource({
+        "sphere, 2",
+        "sphere, 8",
+        "torus, 1",
+        "torus, 4",
+        "globe, 3",
+        "interpenetrating, 2",
+        "revolution, 6",
+        "vase, 4",
+        "cube, 5",
+        "transparency, 3",
+        "sphere-and-cylinder, 5"
+    })
+    void mixedLightKeepsItsBound(String name, int levels) {
+        Scene scene = Scenes.named(name);
+        var random = new Random(levels);
+        for (int k = 0; k < 3; k++) {
+            RenderRequest exact = seen(scene, camera(scene, random), 160, 120);
+            Look mixed = exact.look().withSavings(new Savings(levels, false));
+            try (var renderer = new Renderer()) {
+                var difference =
+                        PictureDifference.of(
+                                renderer.render(exact, () -> false),
+                                renderer.render(exact.with(mixed), () -> false));
+                assertTrue(
+                        difference.largestLevelDifference() <= levels,
+                        difference.largestLevelDifference() + " levels");
+            }
+        }
+    }
+
+    @ParameterizedTest(name = "{0} without backs is another picture")
+    @CsvSource({"cube", "sphere", "torus", "globe"})
+    void closedBodiesLookTheSameWithoutTheirBacks(String name) {
+        RenderRequest all = seen(Scenes.named(name), Scenes.named(name).defaultCamera(), 120, 90);
+        Look fronts = all.look().withSavings(new Savings(0, true));
+        try (var renderer = new Renderer()) {
+            assertArrayEquals(
+                    renderer.render(all, () -> false).argb(),
+                    renderer.render(all.with(fronts), () -> false).argb());
+        }
+    }
+
+    @Test
+    void fewerFacesAreEnoughForLooserTolerances() {
+        Scene torus = Scenes.named("torus", 200);
+        RenderRequest asked = seen(torus, torus.defaultCamera(), 160, 120);
+        int all = torus.mesh().faceCount();
+        int strict = faces(planner.plan(asked, new Tolerance(0.1, 8, 0)));
+        int loose = faces(planner.plan(asked, new Tolerance(2, 8, 0)));
+        assertTrue(strict <= all && loose < strict, all + ", " + strict + ", " + loose);
+    }
+
+    @Test
+    void whatIsOutOfSightIsLeftOut() {
+        Scene scene = Scenes.named("sphere-and-cylinder").zoomed(60);
+        Plan plan =
+                planner.plan(
+                        seen(scene, new SphericalView(0.5, 1.05, 500), 96, 72),
+                        new Tolerance(1, 4, 0));
+        assertTrue(
+                plan.decisions().stream().anyMatch(d -> d.subject().equals("sight")),
+                plan.decisions().toString());
+    }
+
+    @Test
+    void planIsKeptWhileTheCameraIsNear() {
+        Scene torus = Scenes.named("torus");
+        SphericalView at = torus.defaultCamera();
+        Plan plan = planner.plan(seen(torus, at, 96, 72), new Tolerance(1, 4, 0));
+        var near = new SphericalView(at.thetaRadians() + 0.01, at.phiRadians(), at.rho() * 1.01);
+        assertTrue(plan.within(near));
+        assertEquals(near, plan.from(near).camera());
+        var turned = new SphericalView(at.thetaRadians() + 0.1, at.phiRadians(), at.rho());
+        var closer = new SphericalView(at.thetaRadians(), at.phiRadians(), at.rho() / 1.2);
+        assertFalse(plan.within(turned));
+        assertFalse(plan.within(closer));
+        assertThrows(IllegalArgumentException.class, () -> plan.from(turned));
+    }
+
+    @Test
+    void keptPlanStaysWithinTheTolerance() {
+        Scene torus = Scenes.named("torus", 120);
+        SphericalView at = torus.defaultCamera();
+        var tolerance = new Tolerance(1, 6, 0);
+        Plan plan = planner.plan(seen(torus, at, 160, 120), tolerance);
+        try (var renderer = new Renderer()) {
+            for (double[] step :
+                    new double[][] {{0.03, 0, 1}, {0, 0.03, 1.04}, {-0.02, -0.02, 0.97}}) {
+                var camera =
+                        new SphericalView(
+                                at.thetaRadians() + step[0],
+                                at.phiRadians() + step[1],
+                                at.rho() * step[2]);
+                RenderRequest full = planner.full(seen(torus, camera, 160, 120));
+                Enough error =
+                        Enough.of(
+                                renderer.render(full, () -> false),
+                                renderer.render(plan.from(camera), () -> false),
+                                tolerance);
+                assertTrue(error.within(tolerance), camera + ": " + error);
+            }
+        }
+    }
+
+    private static int faces(Plan plan) {
+        return plan.least().scene().mesh().faceCount();
+    }
+
+    private static SphericalView camera(Scene scene, Random random) {
+        SphericalView usual = scene.defaultCamera();
+        return new SphericalView(
+                usual.thetaRadians() + 6.28 * random.nextDouble(),
+                0.2 + 2.7 * random.nextDouble(),
+                usual.rho() * (0.6 + 1.5 * random.nextDouble()));
+    }
+
+    private static RenderRequest seen(Scene scene, SphericalView camera, int width, int height) {
+        return new RenderRequest(scene, "pipeline", "phong", "perspective", camera, width, height);
+    }
+}

@@ -1,0 +1,36 @@
+package rasterlab.engine.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.shape.Cylinder;
+import rasterlab.engine.scene.shape.ShapeSurfaces;
+
+class ShapeStepsTest {
+    @ParameterizedTest(name = "a cylinder of {0} sides is as far from the round one as κs²/8 says")
+    @ValueSource(ints = {6, 12, 48, 200})
+    void chordRisesByItsArc(int sides) {
+        var steps = ShapeSteps.of(Cylinder.open(50, 100), sides, 1);
+        double rise = 50 * (1 - Math.cos(Math.PI / sides));
+        double bound = Math.pow(2 * Math.PI * 50 / sides, 2) / (8 * 50);
+        assertTrue(steps.sag() >= rise, steps + " below " + rise);
+        assertTrue(steps.sag() <= 1.11 * bound, steps + " above " + bound);
+        assertEquals(sides, steps.faces());
+    }
+
+    @ParameterizedTest(name = "{0} in detail {1} is taken for other steps")
+    @CsvSource({"sphere, 32", "torus, 48", "globe, 20", "torus, 100"})
+    void stepsOfAMeshAreFound(String name, int detail) {
+        Scene scene = Scenes.named(name, detail);
+        var shapes = ((ShapeSurfaces) scene.surfaces().orElseThrow()).shapes();
+        ShapeSteps found = ShapeSteps.found(scene, shapes.get(0), 0).orElseThrow();
+        assertEquals(detail, found.u());
+        assertEquals(detail / 2, found.v());
+        assertEquals(scene.mesh().faceCount(), found.faces());
+    }
+}
