@@ -30,6 +30,7 @@ import rasterlab.app.cli.console.ComplaintText;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.tests.bench.pipeline.PipelineBench;
+import rasterlab.tests.bench.plan.PlanBench;
 import rasterlab.tests.bench.window.WindowBench;
 
 /** Measures the engine's methods beside their peers and prints the ratios. */
@@ -57,9 +58,12 @@ public final class Bench implements Callable<Integer> {
     /** The name of the part that is measured in the real window. */
     private static final String WINDOW = "window";
 
+    /** The name of the part that holds plans against the full pipeline. */
+    private static final String PLAN = "plan";
+
     @Spec private CommandSpec spec;
 
-    @Parameters(paramLabel = "GROUP", description = "raster, pipeline or window")
+    @Parameters(paramLabel = "GROUP", description = "raster, pipeline, plan or window")
     private String group;
 
     @Option(
@@ -120,7 +124,7 @@ public final class Bench implements Callable<Integer> {
     /** What can be measured; the {@code ./lab} scripts know these names too. */
     public static SortedSet<String> groups() {
         var names = new TreeSet<>(GROUPS.keySet());
-        names.addAll(List.of(PIPELINE, WINDOW));
+        names.addAll(List.of(PIPELINE, PLAN, WINDOW));
         return names;
     }
 
@@ -129,6 +133,10 @@ public final class Bench implements Callable<Integer> {
         requireSense();
         if (group.equals(WINDOW)) {
             new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, console.out()).run();
+            return 0;
+        }
+        if (group.equals(PLAN)) {
+            new PlanBench(quick, words, console.out()).run();
             return 0;
         }
         if (group.equals(PIPELINE)) {
@@ -149,7 +157,7 @@ public final class Bench implements Callable<Integer> {
         if (!groups().contains(group)) throw wrong("group", group, String.join(", ", groups()));
         if (minutes < 0) throw wrong("minutes.negative", String.valueOf(minutes));
         if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
-        if (!only.isEmpty() && group.equals(WINDOW)) throw wrong("only.group");
+        if (!only.isEmpty() && List.of(PLAN, WINDOW).contains(group)) throw wrong("only.group");
         List<String> works = works();
         if (works.stream().noneMatch(work -> work.contains(only)))
             throw wrong("only.none", only, String.join("; ", works));
@@ -157,7 +165,7 @@ public final class Bench implements Callable<Integer> {
 
     /** What {@code --only} chooses from; empty text alone for the group that has no choice. */
     private List<String> works() {
-        if (group.equals(WINDOW)) return List.of("");
+        if (List.of(PLAN, WINDOW).contains(group)) return List.of("");
         if (group.equals(PIPELINE)) return PipelineBench.works();
         return GROUPS.get(group).get().stream().map(Goal::work).toList();
     }

@@ -50,7 +50,7 @@ class BenchTest {
         assertEquals(2, run("window", "--minutes", "-1"));
         assertEquals(
                 List.of(
-                        "--only goes with the groups raster and pipeline, not with window",
+                        "--only goes with the groups raster and pipeline, not with plan and window",
                         "--minutes goes with the group window, not with raster",
                         "--minutes must be at least 0, got -1"),
                 said().lines()

@@ -1,0 +1,91 @@
+package rasterlab.app.cli.render;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.cli.Ran;
+
+class PlanCommandTest {
+    @TempDir Path folder;
+
+    @Test
+    void billNamesEachDecisionWithItsReasonAndBothCosts() throws Exception {
+        Path out = folder.resolve("least.png");
+        Ran ran = plan("cube", "--levels", "4", "--json", "--prove", "--out", out.toString());
+        ran.assertDone();
+        JsonNode bill = new ObjectMapper().readTree(ran.out());
+        assertTrue(bill.path("decisions").size() >= 2, ran.out());
+        for (JsonNode decision : bill.path("decisions"))
+            assertFalse(decision.path("because").asText().isEmpty(), ran.out());
+        assertTrue(bill.path("measured").path("within").asBoolean(), ran.out());
+        assertTrue(bill.path("predicted").path("fullMilliseconds").asDouble() > 0, ran.out());
+        assertTrue(bill.path("measured").path("fullProcessorMilliseconds").asDouble() > 0);
+        assertTrue(bill.path("combinations").size() > 0, ran.out());
+        assertTrue(Files.size(out) > 0);
+    }
+
+    @Test
+    void billIsWrittenInRussianToo() {
+        Ran ran = plan("torus", "--lang", "ru");
+        ran.assertDone();
+        assertTrue(ran.out().contains("видимость: "), ran.out());
+        assertFalse(ran.out().contains("reason."), ran.out());
+        assertFalse(ran.out().matches("(?s).*(depths|faces|light) .*"), ran.out());
+    }
+
+    @Test
+    void reportOfAPictureCountsItsWork() throws Exception {
+        Path out = folder.resolve("a.png");
+        Ran ran = Ran.lab("render", "torus", "--size", "80x60", "--out", out.toString());
+        ran.assertDone();
+        JsonNode report = new ObjectMapper().readTree(ran.out());
+        assertEquals(80 * 60, report.path("counted").path("pixels").asInt());
+        assertTrue(report.path("counted").path("fragments").asInt() > 500, ran.out());
+        double sum = 0;
+        for (JsonNode share : report.path("predicted").path("shares")) sum += share.asDouble();
+        assertEquals(1, sum, 0.01);
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void refusesWithOneLine(String line, String... arguments) {
+        Ran ran = plan(arguments);
+        assertEquals(2, ran.exitCode(), ran.err());
+        assertEquals("", ran.out());
+        assertTrue(ran.err().contains(line), ran.err());
+        assertEquals(1, ran.err().lines().count(), ran.err());
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(
+                bad("unknown scene", "unknown scene 'nosuch'", "nosuch"),
+                bad("no tolerance at all", "above 0", "cube", "--tolerance", "0"),
+                bad("negative tolerance", "above 0", "cube", "--tolerance", "-1"),
+                bad("tolerance is no number", "NaN", "cube", "--tolerance", "NaN"),
+                bad("negative levels", "levels", "cube", "--levels", "-1"),
+                bad("share above all", "error must", "cube", "--error", "1.5"),
+                bad("picture of another kind", "allowed is .png", "cube", "--out", "a.gif"),
+                bad("place that cannot be written", "", "cube", "--out", "/nosuch/a.png"));
+    }
+
+    private static Arguments bad(String name, String line, String... arguments) {
+        return argumentSet(name, line, arguments);
+    }
+
+    private static Ran plan(String... arguments) {
+        String[] usual = {"plan", "--size", "80x60"};
+        return Ran.lab(Stream.of(usual, arguments).flatMap(Stream::of).toArray(String[]::new));
+    }
+}

@@ -1,0 +1,132 @@
+package rasterlab.tests.bench.plan;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.plan.BruteForce;
+import rasterlab.engine.plan.Combination;
+import rasterlab.engine.plan.PlanTrial;
+import rasterlab.engine.plan.Planner;
+import rasterlab.engine.plan.Tolerance;
+import rasterlab.engine.plan.cost.Costs;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.SphericalView;
+import rasterlab.tests.bench.BenchWords;
+
+/**
+ * Draws plans of seeded scenes, cameras, sizes and tolerances, and prints how their errors and
+ * costs are spread.
+ *
+ * <p>Costs are processor time of one thread, the least of several rounds: other programs on the
+ * machine hardly change it.
+ */
+public final class PlanBench {
+    private static final int ROUNDS = 12;
+    private static final int MANY = 500;
+    private static final int FEW = 40;
+    private static final long SEED = 32;
+
+    /** Each so many combinations all ways are tried too. */
+    private static final int PROVED = 5;
+
+    private final boolean quick;
+    private final BenchWords words;
+    private final PrintStream out;
+    private final List<Double> costs = new ArrayList<>();
+    private final List<Double> againstCheapest = new ArrayList<>();
+    private final List<Double> deciding = new ArrayList<>();
+    private int outside;
+    private int steppedBack;
+
+    public PlanBench(boolean quick, BenchWords words, PrintStream out) {
+        this.quick = quick;
+        this.words = words;
+        this.out = out;
+    }
+
+    /** Prints a line for each combination, then the distribution. */
+    public void run() {
+        var random = new Random(SEED);
+        var planner = new Planner(1, Costs.measured());
+        for (int k = 0; k < (quick ? FEW : MANY); k++) tryOne(planner, random, k);
+        print("plan.outside", outside, costs.size());
+        print("plan.back", steppedBack, costs.size());
+        spread("plan.costs", costs);
+        print("plan.dearer", costs.stream().filter(c -> c > 1.03).count(), costs.size());
+        spread("plan.cheapest", againstCheapest);
+        spread("plan.deciding", deciding);
+    }
+
+    private void tryOne(Planner planner, Random random, int k) {
+        Scene scene = scene(random);
+        SphericalView usual = scene.defaultCamera();
+        var camera =
+                new SphericalView(
+                        2 * Math.PI * random.nextDouble(),
+                        0.2 + 2.7 * random.nextDouble(),
+                        usual.rho() * (0.6 + 1.5 * random.nextDouble()));
+        int width = 80 + random.nextInt(400);
+        var tolerance =
+                new Tolerance(0.1 * Math.pow(50, random.nextDouble()), 1 + random.nextInt(8), 0);
+        var asked =
+                new RenderRequest(
+                        scene, "pipeline", "phong", "perspective", camera, width, width * 3 / 4);
+        PlanTrial trial = PlanTrial.of(planner, asked, tolerance, ROUNDS, () -> false);
+        if (!trial.error().within(tolerance)) outside++;
+        if (trial.steppedBack() > 0) steppedBack++;
+        double cost = trial.processor() / trial.fullProcessor();
+        costs.add(cost);
+        planner.plan(asked, tolerance);
+        deciding.add(planner.plan(asked, tolerance).decidingMilliseconds() / trial.fullProcessor());
+        String cheapest = "";
+        if (k % PROVED == 0 && scene.mesh().faceCount() < 4000) {
+            List<Combination> ways =
+                    BruteForce.within(trial.plan(), trial.full(), tolerance, 4, () -> false);
+            if (!ways.isEmpty()) {
+                againstCheapest.add(trial.processor() / ways.get(0).processor());
+                cheapest = ways.get(0).name();
+            }
+        }
+        out.printf(
+                Locale.ROOT,
+                "%s %d %d×%d %.2f px %.0f: %.0f, %d; %.3f; %s%n",
+                scene.name(),
+                scene.mesh().faceCount(),
+                asked.width(),
+                asked.height(),
+                tolerance.pixels(),
+                tolerance.levels(),
+                trial.error().levels(),
+                trial.error().wrong(),
+                cost,
+                cheapest);
+    }
+
+    /** Any scene, those made in steps with 10² to 10⁵ faces. */
+    private static Scene scene(Random random) {
+        List<String> names = Scenes.names();
+        String name = names.get(random.nextInt(names.size()));
+        if (!Scenes.namesWithDetail().contains(name) || random.nextInt(3) == 0)
+            return Scenes.named(name);
+        return Scenes.named(name, (int) Math.round(8 * Math.pow(2, 5 * random.nextDouble())));
+    }
+
+    private void print(String key, long count, int of) {
+        out.println(words.text(key, Long.toString(count), Integer.toString(of)));
+    }
+
+    private void spread(String key, List<Double> values) {
+        if (values.isEmpty()) return;
+        Collections.sort(values);
+        int last = values.size() - 1;
+        var shown = new ArrayList<String>();
+        for (double share : new double[] {0, 0.25, 0.5, 0.75, 0.95, 1})
+            shown.add(String.format(Locale.ROOT, "%.3f", values.get((int) (share * last))));
+        out.println(words.text(key, String.join("  ", shown)));
+    }
+}
