@@ -10,7 +10,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.plan.WorkCount;
 import rasterlab.engine.plan.cost.Costs;
 import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 
 /**
  * A picture's work, counted, and what it costs by the measured table.
@@ -19,7 +19,7 @@ import rasterlab.engine.plan.cost.Work;
  * @param milliseconds of processor time, stage by stage
  * @param origin of the table
  */
-public record CountedWork(Work work, Map<String, Double> milliseconds, String origin) {
+public record CountedWork(PictureWork work, Map<String, Double> milliseconds, String origin) {
 
     /** Empty for edges, surfaces, two eyes and methods without measured costs. */
     public static Optional<CountedWork> of(RenderRequest request) {
@@ -32,7 +32,7 @@ public record CountedWork(Work work, Map<String, Double> milliseconds, String or
         if (!faces) return Optional.empty();
         Optional<Family> family = Family.measured(Renderer.visibility(request).chosen());
         if (family.isEmpty()) return Optional.empty();
-        Work work = WorkCount.of(request);
+        PictureWork work = WorkCount.of(request);
         Costs costs = Costs.measured();
         return Optional.of(new CountedWork(work, costs.stages(family.get(), work), costs.origin()));
     }

@@ -9,8 +9,8 @@ import java.util.Map;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.plan.Combination;
-import rasterlab.engine.plan.Decision;
 import rasterlab.engine.plan.Plan;
+import rasterlab.engine.plan.PlanDecision;
 import rasterlab.engine.plan.PlanTrial;
 
 /**
@@ -33,7 +33,7 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
                         plan.full().width() + "×" + plan.full().height(),
                         number(plan.tolerance().pixels()),
                         number(plan.tolerance().levels())));
-        for (Decision decision : plan.decisions()) {
+        for (PlanDecision decision : plan.decisions()) {
             out.println(
                     texts.text(
                             decision.saves() ? "decision" : "kept",
@@ -90,7 +90,7 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
     }
 
     /** A decision's reason in a language. */
-    public static String reason(Texts texts, Decision decision) {
+    public static String reason(Texts texts, PlanDecision decision) {
         return decision.reason().in(texts.text("reason." + decision.reason().key()));
     }
 
@@ -130,7 +130,7 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
         json.writeNumberField("share", plan.tolerance().share());
         json.writeEndObject();
         json.writeArrayFieldStart("decisions");
-        for (Decision decision : plan.decisions()) write(json, decision);
+        for (PlanDecision decision : plan.decisions()) write(json, decision);
         json.writeEndArray();
         writeCost(json, "predicted", plan.predictedLevels(), plan.cost(), plan.fullCost());
         json.writeObjectFieldStart("measured");
@@ -155,7 +155,7 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
         json.writeRaw('\n');
     }
 
-    private static void write(JsonGenerator json, Decision decision) throws IOException {
+    private static void write(JsonGenerator json, PlanDecision decision) throws IOException {
         json.writeStartObject();
         json.writeStringField("subject", decision.subject());
         json.writeStringField("chosen", decision.chosen());

@@ -10,7 +10,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 import rasterlab.engine.plan.sight.LightWork;
 import rasterlab.engine.plan.sight.ScreenAreas;
 import rasterlab.engine.scene.Scene;
@@ -131,7 +131,8 @@ public final class CostStudy {
                     default -> 0;
                 };
         boolean paintsAll = Family.of(request.visibility()) == Family.PAINTER;
-        Work work = light.estimate(areas, request.visibility().equals("convex"), paintsAll, pairs);
+        PictureWork work =
+                light.estimate(areas, request.visibility().equals("convex"), paintsAll, pairs);
         var parts = new LinkedHashMap<String, Double>();
         parts.put("frame", 1.0);
         work.stages().forEach((stage, n) -> parts.put(stage, n.doubleValue()));

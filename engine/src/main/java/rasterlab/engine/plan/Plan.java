@@ -2,7 +2,7 @@ package rasterlab.engine.plan;
 
 import java.util.List;
 import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 import rasterlab.engine.transform.SphericalView;
 
 /**
@@ -21,7 +21,7 @@ public record Plan(
         RenderRequest full,
         RenderRequest least,
         Tolerance tolerance,
-        List<Decision> decisions,
+        List<PlanDecision> decisions,
         CameraRange range,
         Cost fullCost,
         Cost cost,
@@ -36,7 +36,7 @@ public record Plan(
      * @param work estimated
      * @param milliseconds predicted from the work
      */
-    public record Cost(Work work, double milliseconds) {}
+    public record Cost(PictureWork work, double milliseconds) {}
 
     /** Whether the plan may be kept for a camera. */
     public boolean within(SphericalView camera) {
@@ -64,11 +64,11 @@ public record Plan(
 
     /** The largest bound of the decisions together, in levels. */
     public double predictedLevels() {
-        return decisions.stream().mapToDouble(Decision::levels).sum();
+        return decisions.stream().mapToDouble(PlanDecision::levels).sum();
     }
 
     /** The largest distance that something may be moved by, in pixels. */
     public double predictedPixels() {
-        return decisions.stream().mapToDouble(Decision::pixels).max().orElse(0);
+        return decisions.stream().mapToDouble(PlanDecision::pixels).max().orElse(0);
     }
 }

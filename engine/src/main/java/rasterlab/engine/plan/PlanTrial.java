@@ -34,7 +34,7 @@ public record PlanTrial(
 
     /**
      * Makes a plan, draws it, and where measuring finds it outside the tolerance, which no proof
-     * should allow, makes a stricter one.
+     * should allow, makes a stricter one; the last one leaves nothing out.
      *
      * @param rounds of drawing both, at least 1
      */
@@ -46,7 +46,10 @@ public record PlanTrial(
             BooleanSupplier cancelled) {
         Tolerance strict = tolerance;
         for (int tried = 0; ; tried++) {
-            Plan plan = planner.plan(asked, strict);
+            Plan plan =
+                    tried < TRIES
+                            ? planner.plan(asked, strict)
+                            : planner.nothingLeftOut(asked, tolerance);
             PlanTrial trial = of(plan, tolerance, rounds, tried, cancelled);
             if (trial.error.within(tolerance) || tried == TRIES) return trial;
             strict = new Tolerance(strict.pixels() / 2, strict.levels() / 2, strict.share());

@@ -19,7 +19,7 @@ import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.plan.cost.Costs;
 import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 import rasterlab.engine.plan.sight.LightWork;
 import rasterlab.engine.plan.sight.Reason;
 import rasterlab.engine.plan.sight.ScreenAreas;
@@ -88,7 +88,7 @@ public final class Planner {
     public Plan plan(RenderRequest asked, Tolerance tolerance) {
         long start = System.nanoTime();
         RenderRequest full = full(asked);
-        List<Decision> decisions = new ArrayList<>();
+        List<PlanDecision> decisions = new ArrayList<>();
         Scene scene = withoutDarkTerms(full.scene(), decisions);
         ViewedMesh whole = RequestView.of(full, full.width()).viewed();
         Optional<ShapePlan.Result> parts = new ShapePlan(scene, whole, tolerance).plan();
@@ -98,14 +98,16 @@ public final class Planner {
         }
         double left =
                 tolerance.levels()
-                        - decisions.stream().mapToDouble(Decision::levels).max().orElse(0);
+                        - decisions.stream().mapToDouble(PlanDecision::levels).max().orElse(0);
         RenderRequest request = full.with(scene);
         RequestView seen = RequestView.of(request, request.width());
         var areas = new ScreenAreas(seen.viewed());
         TexturePlan texturing = TexturePlan.of(full, seen, left, decisions);
         left -= texturing.levels();
         boolean fronts = SightChoice.frontsOnly(facts(scene), seen.viewed());
-        var shown = new ShadingPlan.Shown(request, seen, areas, fronts, texturing.reads());
+        var shown =
+                new ShadingPlan.Shown(
+                        request, seen, areas, fronts, facts(scene).glass(), texturing.reads());
         ShadingPlan shading = ShadingPlan.of(shown, left, this::predicted, decisions);
         Sight sight = sight(shown, shading, decisions);
         Look look =
@@ -126,8 +128,24 @@ public final class Planner {
                 (System.nanoTime() - start) / 1e6);
     }
 
+    /** The plan that leaves nothing out, for what no other plan is enough. */
+    public Plan nothingLeftOut(RenderRequest asked, Tolerance tolerance) {
+        long start = System.nanoTime();
+        RenderRequest full = full(asked);
+        Plan.Cost cost = fullCost(full, RequestView.of(full, full.width()).viewed());
+        return new Plan(
+                full,
+                full,
+                tolerance,
+                List.of(),
+                CameraRange.around(full.camera()),
+                cost,
+                cost,
+                (System.nanoTime() - start) / 1e6);
+    }
+
     /** Highlights are left out where neither a material nor a lamp has any. */
-    private static Scene withoutDarkTerms(Scene scene, List<Decision> decisions) {
+    private static Scene withoutDarkTerms(Scene scene, List<PlanDecision> decisions) {
         LightModel model = scene.light().model();
         boolean bright =
                 Stream.concat(
@@ -140,7 +158,7 @@ public final class Planner {
                         .anyMatch(material -> any(material.surface().specular()));
         if (model.reflection() == Reflection.LAMBERT || bright && mirror) return scene;
         decisions.add(
-                Decision.exact(
+                PlanDecision.exact(
                         "terms",
                         "ambient, diffuse, emission",
                         "ambient, diffuse, specular, emission",
@@ -163,18 +181,19 @@ public final class Planner {
         return shares[0] > 0 || shares[1] > 0 || shares[2] > 0;
     }
 
-    private double predicted(Work work) {
+    private double predicted(PictureWork work) {
         return costs.milliseconds(Family.PIPELINE, work, cores);
     }
 
-    private Sight sight(ShadingPlan.Shown shown, ShadingPlan shading, List<Decision> decisions) {
+    private Sight sight(
+            ShadingPlan.Shown shown, ShadingPlan shading, List<PlanDecision> decisions) {
         ViewedMesh view = shown.seen().viewed();
         var choice = new SightChoice(facts(shown.seen().scene()), view, costs, cores, false);
         Sight sight = choice.choose(shading.directWork(), shading.paintedWork(), shown.areas());
         String method = sight.method();
         boolean fronts = sight.frontsOnly() && method.equals(Renderer.PIPELINE);
         decisions.add(
-                Decision.exact(
+                PlanDecision.exact(
                         "visibility",
                         fronts ? "pipeline, fronts only" : method,
                         shown.request().look().visibility(),
@@ -188,7 +207,7 @@ public final class Planner {
         var all = new boolean[areas.faces()];
         Arrays.fill(all, true);
         var light = new LightWork(false, all, reads, false);
-        Work work = light.estimate(areas, false, false, 0);
+        PictureWork work = light.estimate(areas, false, false, 0);
         Family family = Family.of(full.visibility());
         return new Plan.Cost(
                 work, costs.milliseconds(family, work, family == Family.PIPELINE ? cores : 1));

@@ -7,7 +7,7 @@ import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.MixedLight;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 import rasterlab.engine.plan.sight.LightWork;
 import rasterlab.engine.plan.sight.Reason;
 import rasterlab.engine.plan.sight.ScreenAreas;
@@ -40,17 +40,23 @@ record ShadingPlan(
 
     /** What a picture's work costs, in milliseconds. */
     interface Price {
-        double of(Work work);
+        double of(PictureWork work);
     }
 
     /**
      * What is shaded.
      *
      * @param fronts whether backs are left out
+     * @param glass whether something is seen through faces, whose order needs one way of lighting
      * @param reads texels read for a pixel
      */
     record Shown(
-            RenderRequest request, RequestView seen, ScreenAreas areas, boolean fronts, int reads) {
+            RenderRequest request,
+            RequestView seen,
+            ScreenAreas areas,
+            boolean fronts,
+            boolean glass,
+            int reads) {
         boolean[] drawn() {
             var drawn = new boolean[areas.faces()];
             for (int f = 0; f < drawn.length; f++) drawn[f] = !fronts || !areas.back(f);
@@ -72,7 +78,7 @@ record ShadingPlan(
      * @param left levels that may still be changed
      * @param decisions gets what was decided
      */
-    static ShadingPlan of(Shown shown, double left, Price price, List<Decision> decisions) {
+    static ShadingPlan of(Shown shown, double left, Price price, List<PlanDecision> decisions) {
         boolean[] drawn = shown.drawn();
         boolean atEye = shown.seen.scene().light().atEye().isPresent();
         var light = new MixedLight(shown.lights(), left, atEye ? 0 : EYE_TURN);
@@ -80,14 +86,14 @@ record ShadingPlan(
         if (count(exact) == 0)
             return facewise(shown, light.flatIsEnough(drawn), atEye, left, decisions);
         var phong = new LightWork(false, filled(drawn.length), shown.reads, false);
-        if (left > 0) {
+        if (left > 0 && !shown.glass) {
             boolean[] now = new MixedLight(shown.lights(), left).atPixels(drawn);
             var mixed = new LightWork(true, now, shown.reads, true);
             double all = price.of(phong.estimate(shown.areas, shown.fronts, false, 0));
             double some = price.of(mixed.estimate(shown.areas, shown.fronts, false, 0));
             if (some < WORTH * all) {
                 decisions.add(
-                        new Decision(
+                        new PlanDecision(
                                 "shading",
                                 "phong where it counts",
                                 "phong",
@@ -105,7 +111,7 @@ record ShadingPlan(
             }
         }
         decisions.add(
-                Decision.exact(
+                PlanDecision.exact(
                         "shading",
                         "phong",
                         "phong",
@@ -118,7 +124,7 @@ record ShadingPlan(
     }
 
     private static ShadingPlan facewise(
-            Shown shown, boolean flat, boolean atEye, double left, List<Decision> decisions) {
+            Shown shown, boolean flat, boolean atEye, double left, List<PlanDecision> decisions) {
         ShadingMethod way = flat ? ShadingMethod.FLAT : ShadingMethod.GOURAUD;
         Reason reason =
                 flat
@@ -127,7 +133,7 @@ record ShadingPlan(
                         : Reason.of(
                                 "corners",
                                 "light mixed from corners is within the bound on all faces");
-        decisions.add(new Decision("shading", way.code(), "phong", reason, left, 0));
+        decisions.add(new PlanDecision("shading", way.code(), "phong", reason, left, 0));
         var work = new LightWork(!flat, new boolean[shown.areas.faces()], shown.reads, false);
         return new ShadingPlan(way, way, 0, atEye, work, work);
     }

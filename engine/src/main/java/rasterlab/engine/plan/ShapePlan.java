@@ -39,7 +39,7 @@ final class ShapePlan {
     private final double levels;
 
     /** What became of a scene. */
-    record Result(Scene scene, List<Decision> decisions) {}
+    record Result(Scene scene, List<PlanDecision> decisions) {}
 
     ShapePlan(Scene scene, ViewedMesh view, Tolerance tolerance) {
         this.scene = scene;
@@ -54,7 +54,7 @@ final class ShapePlan {
                 || !(scene.surfaces().get() instanceof ShapeSurfaces made)
                 || scene.mesh().hasColors()
                 || made.shapes().size() != scene.finishes().size()) return Optional.empty();
-        List<Decision> decisions = new ArrayList<>();
+        List<PlanDecision> decisions = new ArrayList<>();
         var parts = new ShapeScene();
         boolean changed = false;
         boolean any = false;
@@ -68,7 +68,7 @@ final class ShapePlan {
             }
             if (outOfSight(i)) {
                 decisions.add(
-                        Decision.exact(
+                        PlanDecision.exact(
                                 "sight",
                                 "part %d: nothing".formatted(i + 1),
                                 "part %d: %d faces".formatted(i + 1, full.get().faces()),
@@ -88,11 +88,11 @@ final class ShapePlan {
                 : Optional.empty();
     }
 
-    private Decision told(int part, ShapeSteps least, ShapeSteps full) {
+    private PlanDecision told(int part, ShapeSteps least, ShapeSteps full) {
         boolean same = least.faces() == full.faces();
         double moved = same ? 0 : (least.sag() + full.sag()) * pixelsPerUnit(part);
         double lit = same ? 0 : perRadian(part) * (least.bend() + full.bend());
-        return new Decision(
+        return new PlanDecision(
                 "tessellation",
                 "part %d: %d×%d".formatted(part + 1, least.u(), least.v()),
                 "part %d: %d×%d".formatted(part + 1, full.u(), full.v()),

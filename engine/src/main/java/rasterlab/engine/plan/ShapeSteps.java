@@ -119,8 +119,14 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
         private double[] at(double u, double v) {
             patch.at(u, v, point);
             return new double[] {
-                point.x(), point.y(), point.z(),
-                point.normalX(), point.normalY(), point.normalZ()
+                point.x(),
+                point.y(),
+                point.z(),
+                point.normalX(),
+                point.normalY(),
+                point.normalZ(),
+                point.s(),
+                point.t()
             };
         }
 
@@ -138,8 +144,20 @@ record ShapeSteps(int u, int v, int faces, double sag, double bend) {
             }
             sag = Math.max(sag, Math.sqrt(off));
             if (patch.isPole(v)) return;
+            sag = Math.max(sag, drawnAside(p, q, there));
             double cosine = length > 0 ? dot / Math.sqrt(length) : -1;
             bend = Math.max(bend, Math.acos(Math.max(-1, Math.min(1, cosine))));
+        }
+
+        /** How far a texture is drawn aside, in the share of the way that its coordinates are. */
+        private static double drawnAside(double[] p, double[] q, double[] there) {
+            double aside = Math.hypot((p[6] + q[6]) / 2 - there[6], (p[7] + q[7]) / 2 - there[7]);
+            if (aside < 1e-12) return 0;
+            double way = Math.hypot(q[6] - p[6], q[7] - p[7]);
+            double x = q[0] - p[0];
+            double y = q[1] - p[1];
+            double z = q[2] - p[2];
+            return aside / way * Math.sqrt(x * x + y * y + z * z);
         }
     }
 }

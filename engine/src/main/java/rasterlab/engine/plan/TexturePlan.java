@@ -24,7 +24,7 @@ record TexturePlan(TextureMode mode, int reads, double levels, boolean fromHere)
      * @param decisions gets what was decided
      */
     static TexturePlan of(
-            RenderRequest full, RequestView seen, double left, List<Decision> decisions) {
+            RenderRequest full, RequestView seen, double left, List<PlanDecision> decisions) {
         if (full.look().texture() == TextureMode.NONE)
             return new TexturePlan(TextureMode.NONE, 0, 0, false);
         int contrast = 0;
@@ -34,13 +34,13 @@ record TexturePlan(TextureMode mode, int reads, double levels, boolean fromHere)
         if (contrast <= left) {
             Reason reason =
                     Reason.of("contrast", "no two texels differ by more than %d levels", contrast);
-            decisions.add(new Decision("texture", "nearest", "mipmap", reason, contrast, 0));
+            decisions.add(new PlanDecision("texture", "nearest", "mipmap", reason, contrast, 0));
             return new TexturePlan(TextureMode.NEAREST, 1, contrast, false);
         }
         var faces = Minification.of(seen.scene(), seen.viewed());
         if (faces.minified() == 0) {
             decisions.add(
-                    Decision.exact(
+                    PlanDecision.exact(
                             "texture",
                             "linear",
                             "mipmap",
@@ -50,7 +50,7 @@ record TexturePlan(TextureMode mode, int reads, double levels, boolean fromHere)
             return new TexturePlan(TextureMode.LINEAR, 4, 0, true);
         }
         decisions.add(
-                Decision.exact(
+                PlanDecision.exact(
                         "texture",
                         "mipmap",
                         "mipmap",

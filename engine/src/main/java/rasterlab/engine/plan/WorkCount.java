@@ -9,7 +9,7 @@ import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.MixedLight;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 import rasterlab.engine.plan.sight.SightChoice;
 import rasterlab.engine.plan.sight.SightFacts;
 import rasterlab.engine.scene.Mesh;
@@ -80,13 +80,13 @@ public final class WorkCount {
     }
 
     /** The work of a request's faces; edges, surfaces and second eyes are not counted. */
-    public static Work of(RenderRequest request) {
+    public static PictureWork of(RenderRequest request) {
         String method = Renderer.visibility(request).chosen();
         var count = new WorkCount(request, method);
         for (int f = 0; f < count.drawn.length; f++) if (count.drawn[f]) count.add(f);
         long n = count.mesh.faceCount();
         long pairs = method.equals("convex") ? 4 * n * n : 0;
-        return new Work(
+        return new PictureWork(
                 count.mesh.vertexCount(),
                 count.clipped,
                 count.faces,

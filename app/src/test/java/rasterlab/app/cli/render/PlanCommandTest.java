@@ -70,7 +70,7 @@ class PlanCommandTest {
 
     static Stream<Arguments> mistakes() {
         return Stream.of(
-                bad("unknown scene", "unknown scene 'nosuch'", "nosuch"),
+                bad("unknown scene", "no scene 'nosuch'", "nosuch"),
                 bad("no tolerance at all", "above 0", "cube", "--tolerance", "0"),
                 bad("negative tolerance", "above 0", "cube", "--tolerance", "-1"),
                 bad("tolerance is no number", "NaN", "cube", "--tolerance", "NaN"),

@@ -63,7 +63,7 @@ public final class DirectPicture implements AutoCloseable {
         boolean[] drawn = look.drawn(lights);
         boolean mixed = look.light() == DirectLook.Light.PIXELS && look.savings().levels() > 0;
         boolean[] atPixels = new boolean[drawn.length];
-        if (mixed) atPixels = new MixedLight(lights, look.savings().levels()).atPixels(drawn);
+        if (mixed) atPixels = mixed(lights, look, drawn, opaque);
         else Arrays.fill(atPixels, look.light() == DirectLook.Light.PIXELS);
         List<Batch> batches = Batches.of(lights, opaque, drawn, atPixels);
         if (batches.isEmpty()) {
@@ -90,6 +90,16 @@ public final class DirectPicture implements AutoCloseable {
                 pipeline.drawOn(background, mesh, view, surface, withDepths(out), cancelled);
             else pipeline.draw(mesh, view, surface, withDepths(out), cancelled);
         }
+    }
+
+    /** Transparent faces keep one way of lighting: each change of it in their order is a pass. */
+    private static boolean[] mixed(
+            FaceLights lights, DirectLook look, boolean[] drawn, boolean[] opaque) {
+        boolean[] asked = new boolean[drawn.length];
+        for (int f = 0; f < asked.length; f++) asked[f] = drawn[f] && opaque[f];
+        boolean[] atPixels = new MixedLight(lights, look.savings().levels()).atPixels(asked);
+        for (int f = 0; f < asked.length; f++) if (!opaque[f]) atPixels[f] = true;
+        return atPixels;
     }
 
     /** Lights what is not worked out at pixels, if anything of it is seen. */

@@ -15,7 +15,7 @@ import rasterlab.engine.scene.Mesh;
  * <p>Mixing is linear interpolation on triangles. With x = Σλᵢ·vᵢ its error is {@code ½·Σ λᵢ·f″(vᵢ
  * − x)²}, and as {@code Σ λᵢ·|vᵢ − x|² ≤ h²/3} for a longest side h, at most {@code M/6} with M the
  * largest second derivative along a side. That is found for each light from how far normal, light
- * and eye turn over the face ({@link Turning}):
+ * and eye turn over the face ({@link TurningDirection}):
  *
  * <pre>
  * (a·b)″ ≤ |a″| + 2·|a′|·|b′| + |b″|
@@ -61,8 +61,8 @@ final class CornerLightBound {
         boolean own = back && model.twoSided();
         Appearance finish = lights.scene().finish(face);
         SurfaceMaterial surface = (own ? finish.back() : finish.front()).surface();
-        var normal = Turning.ofNormals(mesh, face, own ? -1 : 1);
-        var toEye = Turning.towards(mesh, face, eye, far);
+        var normal = TurningDirection.ofNormals(mesh, face, own ? -1 : 1);
+        var toEye = TurningDirection.towards(mesh, face, eye, far);
         if (normal.wild() || toEye.wild()) return NONE;
         double sum = 0;
         List<Light> all = model.lights();
@@ -72,7 +72,11 @@ final class CornerLightBound {
     }
 
     private double levels(
-            Light light, SurfaceMaterial surface, int face, Turning normal, Turning toEye) {
+            Light light,
+            SurfaceMaterial surface,
+            int face,
+            TurningDirection normal,
+            TurningDirection toEye) {
         LightSource source = light.source();
         double dull = most(surface.diffuse(), source.diffuse());
         boolean shines = model.reflection() != Reflection.LAMBERT;
@@ -82,9 +86,9 @@ final class CornerLightBound {
         if (source.attenuation().quadratic() != 0) return NONE;
         double strength = 1 / source.attenuation().constant();
         double[] place = {light.x(), light.y(), light.z()};
-        var toLight = Turning.towards(mesh, face, place, light.directional());
+        var toLight = TurningDirection.towards(mesh, face, place, light.directional());
         if (toLight.wild()) return NONE;
-        double bend = Turning.product(normal, toLight) / 6;
+        double bend = TurningDirection.product(normal, toLight) / 6;
         double least = 1;
         double most = -1;
         for (int k = 0; k < normal.size(); k++) {
@@ -104,10 +108,14 @@ final class CornerLightBound {
 
     /** The error of cosˢ φ, 0 to 1. */
     private double highlight(
-            double s, boolean crease, Turning normal, Turning toLight, Turning toEye) {
+            double s,
+            boolean crease,
+            TurningDirection normal,
+            TurningDirection toLight,
+            TurningDirection toEye) {
         boolean half = model.reflection() == Reflection.BLINN_PHONG;
-        Turning one = half ? normal : Turning.mirrored(normal, toLight);
-        Turning other = half ? Turning.between(toLight, toEye) : toEye;
+        TurningDirection one = half ? normal : TurningDirection.mirrored(normal, toLight);
+        TurningDirection other = half ? TurningDirection.between(toLight, toEye) : toEye;
         if (one.wild() || other.wild()) return 1;
         double speed = one.speed() + other.speed();
         double slack = speed + (half ? turn / 2 : turn);
@@ -121,7 +129,7 @@ final class CornerLightBound {
         if (from >= Math.PI / 2) return 0;
         double brightest = Math.pow(Math.cos(from), s);
         if (crease || s < 2) return brightest;
-        double bend = Turning.product(one, other);
+        double bend = TurningDirection.product(one, other);
         double second =
                 s * Math.pow(Math.cos(from), s - 1) * bend
                         + s * (s - 1) * steepest(s, from, to) * speed * speed;

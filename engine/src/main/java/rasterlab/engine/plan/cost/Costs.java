@@ -65,8 +65,8 @@ public final class Costs {
                 + table.getProperty("date");
     }
 
-    /** Milliseconds of processor time of each stage, in the order of {@link Work#stages}. */
-    public Map<String, Double> stages(Family family, Work work) {
+    /** Milliseconds of processor time of each stage, in the order of {@link PictureWork#stages}. */
+    public Map<String, Double> stages(Family family, PictureWork work) {
         var stages = new LinkedHashMap<String, Double>();
         stages.put(FRAME, price(family, FRAME) / 1e6);
         work.stages().forEach((stage, n) -> stages.put(stage, n * price(family, stage) / 1e6));
@@ -78,7 +78,7 @@ public final class Costs {
      *
      * @param cores that a family shares its work among, where it can
      */
-    public double milliseconds(Family family, Work work, int cores) {
+    public double milliseconds(Family family, PictureWork work, int cores) {
         double sum = 0;
         double team = family == Family.PIPELINE ? Math.max(1, SHARED * cores) : 1;
         for (Map.Entry<String, Double> stage : stages(family, work).entrySet())

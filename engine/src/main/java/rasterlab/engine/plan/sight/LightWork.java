@@ -1,6 +1,6 @@
 package rasterlab.engine.plan.sight;
 
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 
 /**
  * How faces are lit and textured, as far as it tells what a picture takes.
@@ -15,7 +15,8 @@ public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, b
     private static final int BOUND = 3;
 
     /** The estimated work of a picture by a family's method. */
-    public Work estimate(ScreenAreas areas, boolean frontsOnly, boolean paintsAll, long pairs) {
+    public PictureWork estimate(
+            ScreenAreas areas, boolean frontsOnly, boolean paintsAll, long pairs) {
         long faces = 0;
         long lights = 0;
         double fragments = 0;
@@ -32,7 +33,7 @@ public record LightWork(boolean perCorner, boolean[] atPixels, int texelReads, b
             else if (painted) atEachPixel += areas.area(f);
         }
         double most = paintsAll ? fragments : Math.min(fragments, areas.pixels());
-        return new Work(
+        return new PictureWork(
                 areas.vertices(),
                 areas.clipped(),
                 faces,

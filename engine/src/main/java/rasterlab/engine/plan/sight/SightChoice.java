@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.engine.plan.cost.Costs;
 import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.Work;
+import rasterlab.engine.plan.cost.PictureWork;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.buffer.NearnessRange;
 
@@ -58,7 +58,7 @@ public final class SightChoice {
             boolean frontsOnly,
             Reason reason,
             double milliseconds,
-            Work work,
+            PictureWork work,
             boolean fromHere) {}
 
     /**
@@ -85,7 +85,7 @@ public final class SightChoice {
      */
     public Sight choose(LightWork direct, LightWork painted, ScreenAreas areas) {
         boolean fronts = frontsOnly(facts, view);
-        Work work = direct.estimate(areas, fronts, false, 0);
+        PictureWork work = direct.estimate(areas, fronts, false, 0);
         double pipeline = costs.milliseconds(Family.PIPELINE, work, cores);
         if (facts.overlap(view))
             return forced(
@@ -103,7 +103,7 @@ public final class SightChoice {
         return new Sight(PIPELINE, fronts, reason, pipeline, work, false);
     }
 
-    private Sight forced(Reason reason, Work work) {
+    private Sight forced(Reason reason, PictureWork work) {
         return new Sight(
                 "bsp", false, reason, costs.milliseconds(Family.PAINTER, work, 1), work, false);
     }
@@ -113,8 +113,8 @@ public final class SightChoice {
             List<Sight> right, double pipeline, LightWork painted, ScreenAreas areas) {
         long faces = areas.faces();
         double enough = (1 - WORTH) * pipeline;
-        Work all = painted.estimate(areas, false, true, faces * faces / 2);
-        Work fronts = painted.estimate(areas, !view.cutsOpen(), true, 4 * faces * faces);
+        PictureWork all = painted.estimate(areas, false, true, faces * faces / 2);
+        PictureWork fronts = painted.estimate(areas, !view.cutsOpen(), true, 4 * faces * faces);
         double convex = costs.milliseconds(Family.PAINTER, fronts, 1);
         if (convex < enough && facts.convex())
             right.add(
@@ -141,12 +141,12 @@ public final class SightChoice {
                             all,
                             true));
         right.sort((a, b) -> Double.compare(a.milliseconds, b.milliseconds));
-        Work tested = painted.estimate(areas, false, false, 0);
+        PictureWork tested = painted.estimate(areas, false, false, 0);
         double buffer = costs.milliseconds(Family.BUFFER, tested, 1);
         if (buffer < enough && facts.few()) right.add(buffered(buffer, tested));
     }
 
-    private Sight buffered(double milliseconds, Work work) {
+    private Sight buffered(double milliseconds, PictureWork work) {
         double separation = exact ? 0 : Separation.of(view);
         NearnessRange range = NearnessRange.of(view);
         double near = nearest();

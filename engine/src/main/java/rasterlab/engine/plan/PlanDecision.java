@@ -12,7 +12,7 @@ import rasterlab.engine.plan.sight.Reason;
  * @param levels the bound of what it may change, in levels
  * @param pixels the bound of how far it may move things, in pixels
  */
-public record Decision(
+public record PlanDecision(
         String subject,
         String chosen,
         String instead,
@@ -21,8 +21,8 @@ public record Decision(
         double pixels) {
 
     /** A choice that changes nothing that is seen. */
-    static Decision exact(String subject, String chosen, String instead, Reason reason) {
-        return new Decision(subject, chosen, instead, reason, 0, 0);
+    static PlanDecision exact(String subject, String chosen, String instead, Reason reason) {
+        return new PlanDecision(subject, chosen, instead, reason, 0, 0);
     }
 
     /** Whether anything is left out. */

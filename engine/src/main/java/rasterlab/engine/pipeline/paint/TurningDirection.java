@@ -13,7 +13,7 @@ import rasterlab.engine.scene.Mesh;
  * @param speed at least |u′|, in radians for the side
  * @param bend at least |u″|
  */
-record Turning(double[] at, double speed, double bend) {
+record TurningDirection(double[] at, double speed, double bend) {
     /** A direction that turns by more than this is given up. */
     private static final double MOST = 0.8;
 
@@ -26,7 +26,7 @@ record Turning(double[] at, double speed, double bend) {
         return at.length / 3;
     }
 
-    double dot(int corner, Turning other, int otherCorner) {
+    double dot(int corner, TurningDirection other, int otherCorner) {
         double sum = 0;
         for (int axis = 0; axis < 3; axis++)
             sum += at[3 * corner + axis] * other.at[3 * otherCorner + axis];
@@ -34,7 +34,7 @@ record Turning(double[] at, double speed, double bend) {
     }
 
     /** At least |(a·b)″|. */
-    static double product(Turning a, Turning b) {
+    static double product(TurningDirection a, TurningDirection b) {
         return a.bend + 2 * a.speed * b.speed + b.bend;
     }
 
@@ -45,14 +45,14 @@ record Turning(double[] at, double speed, double bend) {
      *
      * @param sign 1, or −1 for the face's back
      */
-    static Turning ofNormals(Mesh mesh, int face, int sign) {
+    static TurningDirection ofNormals(Mesh mesh, int face, int sign) {
         var at = new double[3 * mesh.cornerCount(face)];
         for (int i = 0; i < at.length; i++) at[i] = sign * mesh.cornerNormal(face, i / 3, i % 3);
         double square = longestSquared(at);
         double length = 1 - square / 3;
-        if (!(length > 0)) return new Turning(at, Double.POSITIVE_INFINITY, 0);
+        if (!(length > 0)) return new TurningDirection(at, Double.POSITIVE_INFINITY, 0);
         double speed = Math.sqrt(square / length);
-        return new Turning(at, speed, speed * speed * (1 + speed));
+        return new TurningDirection(at, speed, speed * speed * (1 + speed));
     }
 
     /**
@@ -60,7 +60,7 @@ record Turning(double[] at, double speed, double bend) {
      *
      * <p>|w′| ≤ h, the longest side, and |w| is at least the nearest corner's less h; |u·w′| ≤ h.
      */
-    static Turning towards(Mesh mesh, int face, double[] place, boolean far) {
+    static TurningDirection towards(Mesh mesh, int face, double[] place, boolean far) {
         int corners = mesh.cornerCount(face);
         var at = new double[3 * corners];
         var places = new double[3 * corners];
@@ -78,16 +78,16 @@ record Turning(double[] at, double speed, double bend) {
             nearest = Math.min(nearest, length);
             for (int axis = 0; axis < 3; axis++) at[3 * k + axis] /= length;
         }
-        if (far) return new Turning(at, 0, 0);
+        if (far) return new TurningDirection(at, 0, 0);
         double side = Math.sqrt(longestSquared(places));
         double room = nearest - side;
-        if (!(room > 0)) return new Turning(at, Double.POSITIVE_INFINITY, 0);
+        if (!(room > 0)) return new TurningDirection(at, Double.POSITIVE_INFINITY, 0);
         double speed = side / room;
-        return new Turning(at, speed, 3 * speed * speed);
+        return new TurningDirection(at, speed, 3 * speed * speed);
     }
 
     /** The direction half way between two: w = a + b, |w″| at most the sum of both bends. */
-    static Turning between(Turning a, Turning b) {
+    static TurningDirection between(TurningDirection a, TurningDirection b) {
         var at = new double[a.at.length];
         double shortest = Double.POSITIVE_INFINITY;
         for (int k = 0; k < a.size(); k++) {
@@ -101,13 +101,13 @@ record Turning(double[] at, double speed, double bend) {
             for (int i = 3 * k; i < 3 * k + 3; i++) at[i] /= length;
         }
         double room = shortest - a.speed - b.speed;
-        if (!(room > 0)) return new Turning(at, Double.POSITIVE_INFINITY, 0);
+        if (!(room > 0)) return new TurningDirection(at, Double.POSITIVE_INFINITY, 0);
         double speed = (a.speed + b.speed) / room;
-        return new Turning(at, speed, (a.bend + b.bend) / room + 3 * speed * speed);
+        return new TurningDirection(at, speed, (a.bend + b.bend) / room + 3 * speed * speed);
     }
 
     /** The light's direction l mirrored at the normal n: r = 2·(n·l)·n − l. */
-    static Turning mirrored(Turning n, Turning l) {
+    static TurningDirection mirrored(TurningDirection n, TurningDirection l) {
         var at = new double[n.at.length];
         for (int k = 0; k < n.size(); k++) {
             double twice = 2 * n.dot(k, l, k);
@@ -115,7 +115,7 @@ record Turning(double[] at, double speed, double bend) {
         }
         double both = n.speed + l.speed;
         double bend = 2 * (product(n, l) + 2 * both * n.speed + n.bend) + l.bend;
-        return new Turning(at, 2 * n.speed + l.speed, bend);
+        return new TurningDirection(at, 2 * n.speed + l.speed, bend);
     }
 
     private static double longestSquared(double[] xyz) {

@@ -17,7 +17,7 @@ import java.util.Map;
  * @param pixels of the picture, cleared first
  * @param pairs two faces compared with each other
  */
-public record Work(
+public record PictureWork(
         long vertices,
         long clipped,
         long faces,
