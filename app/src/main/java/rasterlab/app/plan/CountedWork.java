@@ -21,7 +21,7 @@ import rasterlab.engine.plan.cost.PictureWork;
  */
 public record CountedWork(PictureWork work, Map<String, Double> milliseconds, String origin) {
 
-    /** Empty for edges, surfaces, two eyes and methods without measured costs. */
+    /** Counts a picture of faces; empty for edges, surfaces, two eyes and methods without costs. */
     public static Optional<CountedWork> of(RenderRequest request) {
         boolean faces =
                 request.look().shading() != ShadingMethod.WIRE

@@ -48,7 +48,7 @@ final class ShapePlan {
         levels = LEVELS * tolerance.levels();
     }
 
-    /** Empty where nothing can be left out. */
+    /** Leaves out what it can; empty where that is nothing. */
     Optional<Result> plan() {
         if (scene.surfaces().isEmpty()
                 || !(scene.surfaces().get() instanceof ShapeSurfaces made)

@@ -33,7 +33,7 @@ record TurningDirection(double[] at, double speed, double bend) {
         return sum;
     }
 
-    /** At least |(a·b)″|. */
+    /** Bounds the second derivative of the cosine between two: at least |(a·b)″|. */
     static double product(TurningDirection a, TurningDirection b) {
         return a.bend + 2 * a.speed * b.speed + b.bend;
     }
