@@ -36,9 +36,9 @@ import rasterlab.exercises.scene.SceneSetting;
         abbreviateSynopsis = true,
         mixinStandardHelpOptions = true,
         description = {
-            "Finds the least of a scene that must be drawn to stay within a tolerance of the full pipeline:",
-            "all faces by depth, the light formula at each pixel, mipmaps. Prints what is left out, by",
-            "which proof or bound, and error and cost, predicted and measured, beside the full pipeline."
+            "Finds the least that must be drawn of a scene to stay within a tolerance.",
+            "It is held against the full pipeline: all faces by depth, the light formula at each pixel, mipmaps.",
+            "Prints what is left out, by which proof or bound, and error and cost, predicted and measured."
         },
         footer = {
             "",
