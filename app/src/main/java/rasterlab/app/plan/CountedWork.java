@@ -8,9 +8,9 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.plan.WorkCount;
-import rasterlab.engine.plan.cost.Costs;
-import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.PictureWork;
+import rasterlab.engine.sight.cost.Costs;
+import rasterlab.engine.sight.cost.Family;
+import rasterlab.engine.sight.cost.PictureWork;
 
 /**
  * A picture's work, counted, and what it costs by the measured table.

@@ -20,7 +20,7 @@ import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.plain.PlainPipeline;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
-import rasterlab.engine.plan.sight.SightChoice.Sight;
+import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.Projection;

@@ -13,8 +13,8 @@ import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.plan.sight.SightChoice;
-import rasterlab.engine.plan.sight.SightFacts;
+import rasterlab.engine.sight.SightChoice;
+import rasterlab.engine.sight.SightFacts;
 import rasterlab.engine.raster.Raster;
 
 /**

@@ -2,7 +2,7 @@ package rasterlab.engine.plan;
 
 import java.util.List;
 import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.plan.cost.PictureWork;
+import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.transform.SphericalView;
 
 /**

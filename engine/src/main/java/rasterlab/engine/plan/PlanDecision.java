@@ -1,6 +1,6 @@
 package rasterlab.engine.plan;
 
-import rasterlab.engine.plan.sight.Reason;
+import rasterlab.engine.sight.Reason;
 
 /**
  * One choice of a plan.

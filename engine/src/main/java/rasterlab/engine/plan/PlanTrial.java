@@ -60,16 +60,17 @@ public record PlanTrial(
             Plan plan, Tolerance tolerance, int rounds, int tried, BooleanSupplier cancelled) {
         var full = new Raster(plan.full().width(), plan.full().height());
         var least = new Raster(full.width(), full.height());
+        RenderRequest little = plan.from(plan.full().camera());
         var times = new double[4][rounds];
         try (var renderer = new Renderer();
                 var alone = Renderer.onOneThread()) {
             renderer.render(plan.full(), full, cancelled);
-            renderer.render(plan.least(), least, cancelled);
+            renderer.render(little, least, cancelled);
             for (int k = 0; k < rounds; k++) {
                 times[0][k] = wall(renderer, plan.full(), full, cancelled);
-                times[1][k] = wall(renderer, plan.least(), least, cancelled);
+                times[1][k] = wall(renderer, little, least, cancelled);
                 times[2][k] = processor(alone, plan.full(), full, cancelled);
-                times[3][k] = processor(alone, plan.least(), least, cancelled);
+                times[3][k] = processor(alone, little, least, cancelled);
             }
         }
         return new PlanTrial(

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import rasterlab.contract.Reflection;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Light;
-import rasterlab.engine.plan.sight.Reason;
+import rasterlab.engine.sight.Reason;
 import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;

@@ -5,7 +5,7 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.paint.Minification;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.plan.sight.Reason;
+import rasterlab.engine.sight.Reason;
 import rasterlab.engine.scene.LaidTexture;
 
 /**

@@ -2,11 +2,9 @@ package rasterlab.engine.study;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import rasterlab.engine.study.measuring.PaceComparison;
-import rasterlab.engine.study.measuring.PaceComparison.Order;
 
 /**
  * The methods of one workload by their medians, the quickest first, and what may be said of them.
@@ -48,22 +46,6 @@ public record Ranking(String workload, List<Measurement> places, double noise) {
     /** How a place stands to the next. */
     public PaceComparison toNext(int place) {
         return compared(place, place + 1);
-    }
-
-    /** Whether the first of two methods is told to be the faster one. */
-    public boolean isFaster(String method, String other) {
-        Optional<Integer> first = place(method);
-        Optional<Integer> second = place(other);
-        return first.isPresent()
-                && second.isPresent()
-                && compared(first.get(), second.get()).order() == Order.FASTER;
-    }
-
-    private Optional<Integer> place(String method) {
-        return IntStream.range(0, places.size())
-                .filter(i -> places.get(i).method().equals(method))
-                .boxed()
-                .findFirst();
     }
 
     /** How many rounds the method with most of them has. */

@@ -60,7 +60,7 @@ public final class Rounds {
 
     /** Takes the time per item of a load in this round. */
     public void add(int load, double nanos) {
-        loads.get(load).add(nanos);
+        samples(load).add(nanos);
     }
 
     /** Leaves a load out from now on: it can be run no longer. */
@@ -97,8 +97,8 @@ public final class Rounds {
         double noise = noise();
         List<Samples> measured =
                 IntStream.range(0, loads.size())
-                        .filter(load -> !lost.contains(load) && !loads.get(load).isEmpty())
-                        .mapToObj(loads::get)
+                        .filter(load -> !lost.contains(load) && !samples(load).isEmpty())
+                        .mapToObj(this::samples)
                         .toList();
         for (int i = 0; i < measured.size(); i++)
             for (int j = 0; j < i; j++)

@@ -12,7 +12,7 @@ import rasterlab.engine.plan.Combination;
 import rasterlab.engine.plan.PlanTrial;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.Tolerance;
-import rasterlab.engine.plan.cost.Costs;
+import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;

@@ -1,10 +1,10 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.plan.cost.Costs;
-import rasterlab.engine.plan.cost.Family;
-import rasterlab.engine.plan.cost.PictureWork;
+import rasterlab.engine.sight.cost.Costs;
+import rasterlab.engine.sight.cost.Family;
+import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.buffer.NearnessRange;
 

@@ -2,6 +2,6 @@
  * Work counted in numbers free of noise, and what it costs by measurement.
  *
  * <p>Costs are nanoseconds of processor time, on the machine that the table names. Start with
- * {@link rasterlab.engine.plan.cost.PictureWork}.
+ * {@link rasterlab.engine.sight.cost.PictureWork}.
  */
-package rasterlab.engine.plan.cost;
+package rasterlab.engine.sight.cost;

@@ -1,6 +1,6 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
-import rasterlab.engine.plan.cost.PictureWork;
+import rasterlab.engine.sight.cost.PictureWork;
 
 /**
  * How faces are lit and textured, as far as it tells what a picture takes.

@@ -1,4 +1,4 @@
-package rasterlab.engine.plan.cost;
+package rasterlab.engine.sight.cost;
 
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,4 +1,4 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
 import java.util.Optional;
 import rasterlab.engine.scene.Appearance;

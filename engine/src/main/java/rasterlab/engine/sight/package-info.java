@@ -3,6 +3,6 @@
  * bits a depth needs.
  *
  * <p>Space: the world for what holds from everywhere, eye space for what holds from one place.
- * Start with {@link rasterlab.engine.plan.sight.SightFacts}.
+ * Start with {@link rasterlab.engine.sight.SightFacts}.
  */
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;

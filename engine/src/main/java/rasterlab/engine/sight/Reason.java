@@ -1,4 +1,4 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
 import java.util.List;
 import java.util.Locale;

@@ -1,4 +1,4 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.visibility.Tally;
@@ -13,7 +13,7 @@ import rasterlab.engine.visibility.painter.Painter;
  * wholly before its plane. These are the first four of Newell's tests.
  *
  * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
- * Proceedings of the ACM Annual Conference, 1972.
+ * 1972.
  */
 public final class PaintOrder {
     /** How far beyond a plane still counts as in it, as a share of the distance from the eye. */

@@ -1,4 +1,4 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;

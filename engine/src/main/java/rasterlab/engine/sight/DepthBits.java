@@ -1,4 +1,4 @@
-package rasterlab.engine.plan.sight;
+package rasterlab.engine.sight;
 
 /**
  * The fewest bits of a depth buffer that tell two depths apart.
@@ -7,8 +7,7 @@ package rasterlab.engine.plan.sight;
  * stands for {@code Δz = z²·(1/near − 1/far)/2ⁿ}. Two depths have different codes where they are
  * more than one step apart.
  *
- * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, Graphics
- * Hardware, 2006.
+ * <p>Source: K. Akeley, J. Su, Minimum triangle separation for correct z-buffer occlusion, 2006.
  */
 public final class DepthBits {
     private DepthBits() {}
