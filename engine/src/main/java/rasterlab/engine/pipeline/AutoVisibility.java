@@ -3,13 +3,13 @@ package rasterlab.engine.pipeline;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightChoice;
 import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.sight.SightFacts;
+import rasterlab.engine.sight.cost.Costs;
 
 /**
  * The cheapest visibility method that is proved right, found by {@link SightChoice}; what it knows

@@ -13,9 +13,9 @@ import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.raster.Raster;
 import rasterlab.engine.sight.SightChoice;
 import rasterlab.engine.sight.SightFacts;
-import rasterlab.engine.raster.Raster;
 
 /**
  * All combinations of what a plan chooses among, each drawn, held against the full picture and

@@ -9,12 +9,12 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
-import rasterlab.engine.sight.cost.Family;
-import rasterlab.engine.sight.cost.PictureWork;
-import rasterlab.engine.sight.LightWork;
-import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.sight.LightWork;
+import rasterlab.engine.sight.ScreenAreas;
+import rasterlab.engine.sight.cost.Family;
+import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.visibility.painter.ConvexBody;
 
 /**

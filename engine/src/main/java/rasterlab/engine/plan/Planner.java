@@ -17,17 +17,17 @@ import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.sight.cost.Costs;
-import rasterlab.engine.sight.cost.Family;
-import rasterlab.engine.sight.cost.PictureWork;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightChoice;
 import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.sight.SightFacts;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.SceneLight;
+import rasterlab.engine.sight.cost.Costs;
+import rasterlab.engine.sight.cost.Family;
+import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**

@@ -7,11 +7,11 @@ import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.MixedLight;
-import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.sight.LightWork;
 import rasterlab.engine.sight.Reason;
 import rasterlab.engine.sight.ScreenAreas;
 import rasterlab.engine.sight.SightChoice.Sight;
+import rasterlab.engine.sight.cost.PictureWork;
 
 /**
  * Where light must be worked out: once a face, at corners, at each pixel of some faces, or at each

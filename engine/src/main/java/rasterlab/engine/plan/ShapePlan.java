@@ -7,12 +7,12 @@ import java.util.stream.IntStream;
 import rasterlab.contract.Reflection;
 import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Light;
-import rasterlab.engine.sight.Reason;
 import rasterlab.engine.scene.Appearance;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.shape.SceneShape;
 import rasterlab.engine.scene.shape.ShapeSurfaces;
+import rasterlab.engine.sight.Reason;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**

@@ -5,8 +5,8 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.RequestView;
 import rasterlab.engine.pipeline.paint.Minification;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.sight.Reason;
 import rasterlab.engine.scene.LaidTexture;
+import rasterlab.engine.sight.Reason;
 
 /**
  * The least filter that textures need: the nearest texel where texels hardly differ, the linear

@@ -15,10 +15,10 @@ import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.direct.Savings;
-import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.transform.SphericalView;
 
 class PlannerTest {

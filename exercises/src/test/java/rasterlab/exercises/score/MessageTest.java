@@ -29,7 +29,12 @@ class MessageTest {
      * The keys whose first place is that of an English text, their second that of a Russian one.
      */
     private static final Set<String> TITLED =
-            Set.of("printed.case", "group.hidden", "in-both-languages", "predict.why");
+            Set.of(
+                    "printed.case",
+                    "group.hidden",
+                    "in-both-languages",
+                    "predict.why",
+                    "compared.steps.unit");
 
     /** What other sentences only stand in. */
     private static final Set<String> SAME =

@@ -25,8 +25,8 @@ import rasterlab.engine.plan.CostStudy;
 import rasterlab.engine.plan.PlanTrial;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.Tolerance;
-import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.exercises.scene.SceneSetting;
 

@@ -12,9 +12,9 @@ import rasterlab.engine.plan.Combination;
 import rasterlab.engine.plan.PlanTrial;
 import rasterlab.engine.plan.Planner;
 import rasterlab.engine.plan.Tolerance;
-import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.tests.bench.BenchWords;
 
