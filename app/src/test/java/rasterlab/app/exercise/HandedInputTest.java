@@ -32,9 +32,12 @@ class HandedInputTest {
     @Test
     void earlierInputsStayAsFarAsTheExerciseTakesThem() {
         String source = "";
-        for (int i = 1; i <= 4; i++) source = HandedInput.added(CIRCLE, source, radius(i));
-        assertEquals("[\n  %s,\n  %s,\n  %s\n]".formatted(radius(2), radius(3), radius(4)), source);
-        assertEquals(radius(4), HandedInput.last(source));
+        for (int i = 1; i <= 6; i++) source = HandedInput.added(CIRCLE, source, radius(i));
+        assertEquals(
+                "[\n  %s,\n  %s,\n  %s,\n  %s,\n  %s\n]"
+                        .formatted(radius(2), radius(3), radius(4), radius(5), radius(6)),
+                source);
+        assertEquals(radius(6), HandedInput.last(source));
     }
 
     @Test

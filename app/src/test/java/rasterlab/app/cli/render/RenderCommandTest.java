@@ -114,7 +114,11 @@ class RenderCommandTest {
                 mistake("size is too large", "got 8193×1", "--size=8193x1"),
                 mistake("zoom is 0", "zoom must be from 1e-6 to 1000000, got 0", "--zoom=0"),
                 mistake("zoom is not finite", "to 1000000, got Infinity", "--zoom=Infinity"),
-                mistake("method has no outlines", "'zfloat' draws no outlines", "--outline"),
+                mistake(
+                        "method has no outlines",
+                        "'zfloat' draws no outlines",
+                        "--visibility=zfloat",
+                        "--outline"),
                 mistake("reference is outlined", "draws no", "--reference", "--outline"),
                 mistake("camera has two numbers", "expected theta,phi,rho", "--camera=1,2"),
                 mistake("camera is no number", "'x' is not a number", "--camera=1,x,3"),
