@@ -23,7 +23,7 @@ class BenchTest {
     void anUnknownGroupIsAnsweredWithThoseThereAre() {
         assertEquals(2, run("nosuch"));
         assertEquals(
-                "./lab bench: unknown group 'nosuch'; allowed are pipeline, raster, window"
+                "./lab bench: unknown group 'nosuch'; allowed are pipeline, plan, raster, window"
                         + " (see `./lab bench --help`)",
                 said());
     }
