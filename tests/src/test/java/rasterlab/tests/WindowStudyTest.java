@@ -40,7 +40,7 @@ class WindowStudyTest extends WindowHarness {
     private void measureSmallTopic() {
         window.comboBox("topic").selectItem("shading of a point");
         window.button("measure").click();
-        await("measured", () -> state().study().isPresent());
+        await("measured", () -> state().study().isPresent() && !state().work().running());
         await("the chart is drawn", () -> colours("chart").contains(phongColour()));
     }
 

@@ -9,8 +9,8 @@ package rasterlab.app.study;
  * @param method that was finished last; "" before the first
  * @param on the workload, or the hazard
  */
-record StudyWork(Kind kind, int done, int of, String method, String on) {
-    enum Kind {
+public record StudyWork(Kind kind, int done, int of, String method, String on) {
+    public enum Kind {
         NONE,
         GIVEN_UP,
         STUDY,
@@ -24,7 +24,7 @@ record StudyWork(Kind kind, int done, int of, String method, String on) {
         return new StudyWork(kind, 0, of, "", "");
     }
 
-    boolean running() {
+    public boolean running() {
         return kind == Kind.STUDY || kind == Kind.HAZARDS;
     }
 }
