@@ -22,8 +22,8 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.PaceComparison;
 
 /**
- * What the numbers of one topic say, in a few sentences: who wins where, what accuracy costs, and
- * where it fails first. Nothing is said of times that are not told apart but that they are not.
+ * Tells what the numbers of one topic say, in a few sentences: who wins where, what accuracy costs,
+ * and where it fails first. Nothing is said of times that are not told apart but that they are not.
  */
 final class FoundWords {
     private final Topic<?, ?, ?> topic;
@@ -82,7 +82,7 @@ final class FoundWords {
                 : wins + " " + texts.text("wins.open", String.join("; ", open));
     }
 
-    /** What the quickest exact method costs beside the quickest of all. */
+    /** Tells what the quickest exact method costs beside the quickest of all. */
     private Optional<String> price() {
         List<Measurement> places = front.ranking().places();
         if (places.isEmpty()) return Optional.empty();
