@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -63,6 +64,9 @@ class CapsTest {
     private static final String BURN =
             "double waste = 1; for (int i = 0; i < 60_000_000; i++) waste = Math.sqrt(waste + i);"
                     + " if (waste == 0) throw new IllegalStateException();";
+
+    /** About 0.9 s: more than a limit that a first call keeps on a busy machine too. */
+    private static final String BURN_LONG = "for (int j = 0; j < 3; j++) {" + BURN + "}";
 
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
@@ -151,7 +155,7 @@ class CapsTest {
     @DisplayName("a call has the time of all calls that it is timed with")
     void eachOfTheTimedCallsHasItsTime() throws Exception {
         Exercise circle =
-                Capped.with(Catalogue.builtIn().named("circle"), seconds(Duration.ofMillis(100)));
+                Capped.with(Catalogue.builtIn().named("circle"), seconds(Duration.ofMillis(300)));
         String head = "int radius, Pixels out) {";
         String slowInTheEnd =
                 circle.evidence()
@@ -160,12 +164,17 @@ class CapsTest {
                         .replace("private static void", "private int calls; static void")
                         .replaceFirst(
                                 Pattern.quote(head),
-                                head + "if (++calls > 120 && calls % 20 == 0) {" + BURN + "}");
+                                head + "if (++calls > 120 && calls % 20 == 0) {" + BURN_LONG + "}");
         Report report = JUDGE.grade(circle, slowInTheEnd, CaseSelection.all(7));
         String said = report.speed().orElseThrow().message();
-        assertEquals(75, report.points().accuracy(), said);
+        String failed =
+                report.cases().stream()
+                        .filter(one -> one.verdict() != GradingVerdict.OK)
+                        .map(one -> one.name() + ": " + one.message())
+                        .collect(Collectors.joining("\n", said + "\n", ""));
+        assertEquals(75, report.points().accuracy(), failed);
         assertTrue(said.contains("stopped while speed was measured"), said);
-        assertTrue(said.contains("no answer within 0.1 s of processor time"), said);
+        assertTrue(said.contains("no answer within 0.3 s of processor time"), said);
     }
 
     private static Caps seconds(Duration most) {
