@@ -121,7 +121,7 @@ public final class Bench implements Callable<Integer> {
                         });
     }
 
-    /** What can be measured; the {@code ./lab} scripts know these names too. */
+    /** The groups that can be measured; the {@code ./lab} scripts know these names too. */
     public static SortedSet<String> groups() {
         var names = new TreeSet<>(GROUPS.keySet());
         names.addAll(List.of(PIPELINE, PLAN, WINDOW));
@@ -163,7 +163,10 @@ public final class Bench implements Callable<Integer> {
             throw wrong("only.none", only, String.join("; ", works));
     }
 
-    /** What {@code --only} chooses from; empty text alone for the group that has no choice. */
+    /**
+     * The works that {@code --only} chooses from; empty text alone for the group that has no
+     * choice.
+     */
     private List<String> works() {
         if (List.of(PLAN, WINDOW).contains(group)) return List.of("");
         if (group.equals(PIPELINE)) return PipelineBench.works();

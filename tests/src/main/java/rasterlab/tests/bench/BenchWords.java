@@ -7,10 +7,7 @@ import picocli.CommandLine;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-/**
- * What the benchmarks say to people, in one language; names of works and methods are the same in
- * each.
- */
+/** The words of the benchmarks in one language; names of works and methods are the same in each. */
 public record BenchWords(Language language) {
     public static final BenchWords ENGLISH = new BenchWords(Language.ENGLISH);
 
@@ -19,7 +16,7 @@ public record BenchWords(Language language) {
         return new MessageFormat(bundle().getString(key), Locale.ROOT).format(arguments);
     }
 
-    /** What is measured on. */
+    /** The machine that is measured on. */
     public String machine() {
         return text(
                 "machine",

@@ -3,7 +3,7 @@ package rasterlab.tests.bench;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** What the raster methods should reach. */
+/** The goals of the raster methods. */
 final class RasterGoals {
     private RasterGoals() {}
 

@@ -16,7 +16,8 @@ final class GlMesh implements AutoCloseable {
     private final int count;
 
     /**
-     * @param second the first of the three quantities that the programs call normal
+     * @param second the first of the three quantities that the programs call normal; beside normals
+     *     the mesh has texture coordinates
      */
     GlMesh(TriangleMesh mesh, VertexQuantity second) {
         count = mesh.triangles().length;
@@ -37,7 +38,7 @@ final class GlMesh implements AutoCloseable {
         float[] all = new float[NUMBERS * mesh.vertexCount()];
         put(mesh, VertexQuantity.X, 3, all, 0);
         put(mesh, second, 3, all, 3);
-        if (mesh.hasTexture()) put(mesh, VertexQuantity.TEXTURE_S, 2, all, 6);
+        if (second == VertexQuantity.NORMAL_X) put(mesh, VertexQuantity.TEXTURE_S, 2, all, 6);
         return all;
     }
 

@@ -77,7 +77,6 @@ final class GlProgram implements AutoCloseable {
 
     private static String light() {
         double[] l = TorusScene.toLight();
-        int rgb = TorusScene.BASE_RGB;
         return String.format(
                 Locale.ROOT,
                 "vec3 light(vec3 p, vec3 normal) { vec3 n = normalize(normal);"
@@ -88,13 +87,13 @@ final class GlProgram implements AutoCloseable {
                 l[0],
                 l[1],
                 l[2],
-                TorusScene.SHININESS,
-                (rgb >> 16 & 255) / 255.0,
-                (rgb >> 8 & 255) / 255.0,
-                (rgb & 255) / 255.0,
+                TorusLook.SHININESS,
+                TorusLook.base(16),
+                TorusLook.base(8),
+                TorusLook.base(0),
                 TorusScene.AMBIENT,
                 1 - TorusScene.AMBIENT,
-                TorusScene.SPECULAR);
+                TorusLook.SPECULAR);
     }
 
     private void attach(int kind, String source) {

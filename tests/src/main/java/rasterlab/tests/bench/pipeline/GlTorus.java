@@ -1,7 +1,6 @@
 package rasterlab.tests.bench.pipeline;
 
 import org.lwjgl.opengl.GL11C;
-import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
 /** A torus and all that OpenGL needs to draw it. */
@@ -12,12 +11,13 @@ final class GlTorus implements AutoCloseable {
     private final GlTexture texture;
     private final GlMesh mesh;
 
-    GlTorus(TorusScene scene, TorusLook look, TriangleMesh mesh) {
+    GlTorus(TorusScene scene, TorusLook look) {
         this.look = look;
         target = new GlTarget(scene.width(), scene.height());
         program = look.program();
-        texture = look.texture();
-        this.mesh = new GlMesh(mesh, VertexQuantity.NORMAL_X);
+        texture = look.glTexture();
+        boolean sorted = look == TorusLook.GLASS;
+        mesh = new GlMesh(sorted ? scene.farthestFirst() : scene.mesh(), VertexQuantity.NORMAL_X);
         program.use(scene.toEye(), scene.toClip());
     }
 

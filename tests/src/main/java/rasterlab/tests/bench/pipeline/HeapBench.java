@@ -1,9 +1,9 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.util.List;
-import rasterlab.engine.pipeline.fast.DepthRaster;
-import rasterlab.engine.pipeline.fast.Surface;
-import rasterlab.engine.pipeline.fast.TrianglePipeline;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.Raster;
 
 /** A million triangles in a process whose heap is small. */
 final class HeapBench {
@@ -13,17 +13,17 @@ final class HeapBench {
     private HeapBench() {}
 
     /**
-     * Makes the mesh and draws it, with all that belongs to it in the heap.
+     * Makes the scenes and draws them, with all that belongs to it in the heap.
      *
      * @throws OutOfMemoryError if that is more than the heap has
      */
-    static Row draw(TrianglePipeline pipeline) {
-        var mesh = SCENE.mesh();
-        var out = new DepthRaster(SCENE.width(), SCENE.height());
-        for (TorusLook look : TorusLook.values()) {
-            Surface surface = look.surface(SCENE);
-            for (int k = 0; k < 3; k++)
-                pipeline.drawOn(0, mesh, SCENE.view(), surface, out, () -> false);
+    static Row draw() {
+        var out = new Raster(SCENE.width(), SCENE.height());
+        try (var renderer = new Renderer()) {
+            for (TorusLook look : TorusLook.values()) {
+                RenderRequest request = SCENE.request(look);
+                for (int k = 0; k < 3; k++) renderer.render(request, out, () -> false);
+            }
         }
         return new Row(
                 SCENE + ", every look, in a heap of 600 MB",

@@ -17,7 +17,9 @@ import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 import rasterlab.engine.scene.catalogue.Scenes;
 
-/** What needs no OpenGL: Java2D, the memory's limit, and the pipeline beside itself. */
+/**
+ * The measurements that need no OpenGL: Java2D, the memory's limit, and the pipeline beside itself.
+ */
 final class OwnBench {
     private static final TorusScene SCENE = new TorusScene(100_000, 1280, 720);
 
@@ -77,11 +79,11 @@ final class OwnBench {
                 words -> "AlphaComposite.Src");
     }
 
-    /** What only writing the same pixels, colour and depth, would take after the clear. */
+    /** The time that only writing the same pixels, colour and depth, would take after the clear. */
     Row memory(TrianglePipeline pipeline) {
-        var mesh = SCENE.mesh();
+        var mesh = SCENE.colored();
         var view = SCENE.view();
-        var surface = new Surface.Smooth(SCENE.light());
+        var surface = new Surface.Smooth(VertexColors.own());
         var out = new DepthRaster(SCENE.width(), SCENE.height());
         int cells = SCENE.width() * SCENE.height();
         int[] argb = new int[cells];
@@ -106,11 +108,12 @@ final class OwnBench {
     }
 
     Row threads(TrianglePipeline pipeline) {
-        var mesh = SCENE.mesh();
+        var mesh = SCENE.colored();
         var view = SCENE.view();
-        var surface = new Surface.Smooth(SCENE.light());
+        var surface = new Surface.Smooth(VertexColors.own());
         var out = new Raster(SCENE.width(), SCENE.height());
         var alone = new Raster(SCENE.width(), SCENE.height());
+        int cores = Runtime.getRuntime().availableProcessors();
         try (var one = new TrianglePipeline(1)) {
             var times =
                     new InterleavedTimes(
@@ -119,16 +122,16 @@ final class OwnBench {
                             () -> one.drawOn(1, mesh, view, surface, alone, () -> false));
             boolean same = Arrays.equals(out.argb(), alone.argb());
             return new Row(
-                    SCENE + ", threads 1 → " + pipeline.threads(),
+                    SCENE + ", threads 1 → " + cores,
                     times.text(0),
                     "one thread " + times.text(1),
                     times.ratio(1, 0),
-                    pipeline.threads() == 2 ? 1.85 : 0,
+                    cores == 2 ? 1.85 : 0,
                     words -> words.text(same ? "note.same" : "note.differ"));
         }
     }
 
-    /** What the course reads beside what is fast, both as a user's picture is made. */
+    /** Times the page of the course beside the fast pipeline, both as a user's picture is made. */
     Row page() {
         Scene scene = Scenes.named("torus", DETAIL);
         var fast = request(scene, Renderer.PIPELINE);
@@ -165,9 +168,9 @@ final class OwnBench {
 
     /** Java2D gets the corners on the picture and no depth: it does a part of the work only. */
     Row java2d(TrianglePipeline pipeline) {
-        var mesh = SCENE.mesh();
+        var mesh = SCENE.colored();
         var view = SCENE.view();
-        var surface = new Surface.Smooth(SCENE.light());
+        var surface = new Surface.Smooth(VertexColors.own());
         var out = new Raster(SCENE.width(), SCENE.height());
         int[][] xy = corners(mesh);
         var graphics = new Raster(SCENE.width(), SCENE.height()).image().createGraphics();

@@ -20,7 +20,7 @@ import rasterlab.tests.bench.JavaCommand;
 final class OwnProcess {
     static final int LIMIT_MINUTES = 10;
 
-    /** What {@link #run} returns for a process that had to be ended. */
+    /** The code that {@link #run} returns for a process that had to be ended. */
     static final int TOO_LONG = -1;
 
     /** A debugger or profiler is for one process. */

@@ -50,7 +50,7 @@ public final class PipelineBench {
         return measured;
     }
 
-    /** What is measured on; returns what is missing for OpenGL, empty where it is there. */
+    /** Prints the machine; returns what is missing for OpenGL, empty where it is there. */
     private String tellMachine() {
         String missing = "";
         String gl;
@@ -84,7 +84,7 @@ public final class PipelineBench {
                 : words.text("note.failed", String.valueOf(code));
     }
 
-    /** What there is to measure, in the table's order. */
+    /** The measurements, in the table's order. */
     public static List<String> works() {
         return PipelineJobs.all(true).stream().map(Job::work).toList();
     }

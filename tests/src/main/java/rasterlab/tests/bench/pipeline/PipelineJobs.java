@@ -6,7 +6,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
 
-/** What there is to measure, in the table's order. */
+/** The measurements, in the table's order. */
 final class PipelineJobs {
     private static final int[][] SIZES = {{1280, 720}, {1920, 1080}};
     private static final int[] TRIANGLES = {10_000, 100_000, 1_000_000};
@@ -39,7 +39,7 @@ final class PipelineJobs {
                     var scene = new TorusScene(triangles, size[0], size[1]);
                     double goal = look.goal(cores);
                     String work = scene + ", " + look.text();
-                    addOpenGl(work, pipeline -> torus.run(scene, look, goal, pipeline));
+                    all.add(new Job(work, true, List.of(), () -> torus.run(scene, look, goal)));
                 }
     }
 
@@ -59,7 +59,7 @@ final class PipelineJobs {
         add("clear", own::clear);
         add("present a frame", own::present);
         add("memory limit", own::memory);
-        all.add(new Job("heap", false, HeapBench.OPTIONS, () -> users(HeapBench::draw)));
+        all.add(new Job("heap", false, HeapBench.OPTIONS, HeapBench::draw));
         add("Java2D", own::java2d);
         add("the page of the course", own::page);
     }

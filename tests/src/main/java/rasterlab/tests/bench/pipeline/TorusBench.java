@@ -1,12 +1,13 @@
 package rasterlab.tests.bench.pipeline;
 
-import rasterlab.engine.pipeline.fast.Surface;
-import rasterlab.engine.pipeline.fast.TrianglePipeline;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 
 /**
- * A torus by the pipeline and by OpenGL: clear, light, texture, draw, finish. Nobody reads the
- * depths afterwards, and both are told so.
+ * A torus by the call that draws a user's picture, and by OpenGL: clear, light, texture, draw,
+ * finish. Both draw backs too, and OpenGL keeps all in its own memory, what is transparent in the
+ * order of drawing.
  */
 final class TorusBench {
     private final InterleavedTimes.Length length;
@@ -15,18 +16,14 @@ final class TorusBench {
         this.length = length;
     }
 
-    Row run(TorusScene scene, TorusLook look, double goal, TrianglePipeline pipeline) {
-        var mesh = scene.mesh();
-        var view = scene.view();
-        Surface surface = look.surface(scene);
-        int back = TorusScene.BACKGROUND;
+    Row run(TorusScene scene, TorusLook look, double goal) {
+        RenderRequest request = scene.request(look);
         var out = new Raster(scene.width(), scene.height());
-        try (var torus = new GlTorus(scene, look, mesh)) {
+        try (var renderer = new Renderer();
+                var torus = new GlTorus(scene, look)) {
             var times =
                     new InterleavedTimes(
-                            length,
-                            () -> pipeline.drawOn(back, mesh, view, surface, out, () -> false),
-                            torus::draw);
+                            length, () -> renderer.render(request, out, () -> false), torus::draw);
             return new Row(
                     scene + ", " + look.text(),
                     times.text(0),

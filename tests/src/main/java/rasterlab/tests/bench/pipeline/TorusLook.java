@@ -1,37 +1,28 @@
 package rasterlab.tests.bench.pipeline;
 
-import java.util.function.Function;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.lwjgl.opengl.GL11C;
-import rasterlab.engine.pipeline.fast.Blending;
-import rasterlab.engine.pipeline.fast.Surface;
-import rasterlab.engine.pipeline.surface.ColoredPixels;
-import rasterlab.engine.pipeline.surface.TexelFilter;
-import rasterlab.engine.pipeline.surface.TexturedPixels;
+import rasterlab.engine.light.Material;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.scene.Appearance;
+import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureEnvironment;
-import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.texture.Wrap;
 
-/** What the torus is drawn with, by the pipeline and by OpenGL. */
+/** The looks of the torus, by a user's call and by OpenGL. */
 enum TorusLook {
-    GOURAUD("Gouraud", 3.5, Surface.Smooth::new, GlProgram::smooth),
-    PHONG("Phong", 2.5, Surface.PerPixel::new, GlProgram::phong),
-    NEAREST(
-            "Gouraud and nearest texel",
-            3,
-            light -> textured(light, TexelFilter.NEAREST),
-            GlProgram::textured),
+    GOURAUD("Gouraud", 3.5, "gouraud", TextureMode.NONE, GlProgram::smooth),
+    PHONG("Phong", 2.5, "phong", TextureMode.NONE, GlProgram::phong),
+    NEAREST("Gouraud and nearest texel", 3, "gouraud", TextureMode.NEAREST, GlProgram::textured),
     TRILINEAR(
-            "Gouraud and trilinear texture",
-            2,
-            light -> textured(light, TexelFilter.MIPMAP),
-            GlProgram::textured),
-    GLASS(
-            "half transparent",
-            0,
-            light -> new Surface.PerPixel(new ColoredPixels(), half(light), Blending.GLASS),
-            GlProgram::glass);
+            "Gouraud and trilinear texture", 2, "gouraud", TextureMode.MIPMAP, GlProgram::textured),
+    GLASS("half transparent", 0, "gouraud", TextureMode.NONE, GlProgram::glass);
+
+    static final int BASE_RGB = 0xE69950;
+    static final double SPECULAR = 0.5;
+    static final int SHININESS = 32;
 
     /** The goal of Gouraud's shading on one core. */
     private static final double ALONE = 2.2;
@@ -40,17 +31,20 @@ enum TorusLook {
 
     private final String text;
     private final double goal;
-    private final Function<DistantLight, Surface> surface;
+    private final String shading;
+    private final TextureMode texture;
     private final Supplier<GlProgram> program;
 
     TorusLook(
             String text,
             double goal,
-            Function<DistantLight, Surface> surface,
+            String shading,
+            TextureMode texture,
             Supplier<GlProgram> program) {
         this.text = text;
         this.goal = goal;
-        this.surface = surface;
+        this.shading = shading;
+        this.texture = texture;
         this.program = program;
     }
 
@@ -62,21 +56,46 @@ enum TorusLook {
         return this == GOURAUD && cores == 1 ? ALONE : goal;
     }
 
-    Surface surface(TorusScene scene) {
-        return surface.apply(scene.light());
+    String shading() {
+        return shading;
+    }
+
+    TextureMode texture() {
+        return texture;
+    }
+
+    Appearance finish() {
+        Material opaque = Material.dull(base(16), base(8), base(0)).shiny(SPECULAR, SHININESS);
+        Material material = this == GLASS ? new Material(opaque.surface(), 0.5) : opaque;
+        Texture waves = waves();
+        Optional<LaidTexture> laid =
+                texture == TextureMode.NONE
+                        ? Optional.empty()
+                        : Optional.of(
+                                new LaidTexture(
+                                        waves,
+                                        Wrap.REPEAT,
+                                        Wrap.REPEAT,
+                                        TextureEnvironment.of(
+                                                TextureEnvironment.Mode.MODULATE, waves)));
+        return new Appearance(material, material, laid);
+    }
+
+    /** A share of the material's colour, 0 to 1. */
+    static double base(int shift) {
+        return (BASE_RGB >> shift & 255) / 255.0;
     }
 
     GlProgram program() {
         return program.get();
     }
 
-    GlTexture texture() {
+    GlTexture glTexture() {
         return new GlTexture(waves(), this == TRILINEAR);
     }
 
     /** Sets what OpenGL does with depth and colours. */
     void begin() {
-        GL11C.glEnable(GL11C.GL_CULL_FACE);
         GL11C.glDepthMask(this != GLASS);
         GL11C.glBlendFunc(GL11C.GL_SRC_ALPHA, GL11C.GL_ONE_MINUS_SRC_ALPHA);
         if (this == GLASS) GL11C.glEnable(GL11C.GL_BLEND);
@@ -86,25 +105,6 @@ enum TorusLook {
     void end() {
         GL11C.glDepthMask(true);
         GL11C.glDisable(GL11C.GL_BLEND);
-    }
-
-    private static Surface.OfVertices half(DistantLight light) {
-        return new Surface.Smooth(
-                block -> {
-                    light.color(block);
-                    for (int i = 0; i < block.count; i++) block.alpha[i] = 0.5f;
-                });
-    }
-
-    private static Surface textured(DistantLight light, TexelFilter filter) {
-        Texture waves = waves();
-        var pixels =
-                new TexturedPixels(
-                        new TextureSampler(waves, Wrap.REPEAT, Wrap.REPEAT),
-                        filter,
-                        TextureEnvironment.of(TextureEnvironment.Mode.MODULATE, waves),
-                        new ColoredPixels());
-        return new Surface.PerPixel(pixels).over(new Surface.Smooth(light));
     }
 
     /** Four waves each way; a texel differs from its neighbours by 6 levels at most. */

@@ -75,7 +75,7 @@ final class StartUp {
         }
     }
 
-    /** What {@code ./lab} starts the window with. */
+    /** The options that {@code ./lab} starts the window with. */
     private static Path options() {
         return Path.of(System.getProperty("rasterlab.home", ""), "app", "java-options");
     }

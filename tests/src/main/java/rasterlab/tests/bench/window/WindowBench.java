@@ -49,7 +49,7 @@ public final class WindowBench {
      */
     private static final Segment LONG = new Segment(0, 0, 400, 200);
 
-    /** What is dragged: the tab, the part of it that is taken, and the picture that it changes. */
+    /** A drag: the tab, the part of it that is taken, and the picture that it changes. */
     private record Work(
             String name, String tab, String grip, Function<LabModels, Object> picture) {}
 
