@@ -76,7 +76,7 @@ class ContributingTest {
                         "Add an exercise",
                         "Add a command"),
                 found);
-        assertEquals(List.of(), strange);
+        assertEquals(List.of(), strange, "CONTRIBUTING.md: name files of the list's example");
     }
 
     /** Whether a file's name or text has the example's words, in any of their spellings. */
@@ -120,7 +120,7 @@ class ContributingTest {
         while (links.find())
             if (!Files.exists(Repository.root().resolve(links.group(1))))
                 broken.add(links.group(1));
-        assertEquals(List.of(), broken);
+        assertEquals(List.of(), broken, "CONTRIBUTING.md: no file is there; mend the link");
     }
 
     private static List<String> codes(String text) {

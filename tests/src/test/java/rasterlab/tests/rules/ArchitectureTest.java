@@ -53,6 +53,8 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideOutsideOfPackages("rasterlab.contract..", "java.lang..")
+                .because(
+                        "students import the contract alone: move the class there, or the use elsewhere")
                 .check(classes);
     }
 
@@ -65,6 +67,8 @@ class ArchitectureTest {
                 .dependOnClassesThat()
                 .resideInAnyPackage(
                         "rasterlab.exercises..", "rasterlab.app..", "rasterlab.grader..")
+                .because(
+                        "the engine is used by the other modules: pass in what it needs")
                 .check(classes);
     }
 
@@ -77,6 +81,8 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage(SWING)
+                .because(
+                        "only the app has a window: move the use there")
                 .check(classes);
     }
 
@@ -88,6 +94,8 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage("rasterlab.app..", "rasterlab.grader..")
+                .because(
+                        "app and grader use the exercises: pass in what they need")
                 .check(classes);
     }
 
@@ -99,6 +107,7 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage("rasterlab.grader..")
+                .because("they share exercises and engine only: move the class there")
                 .check(classes);
         noClasses()
                 .that()
@@ -106,6 +115,7 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage("rasterlab.app..")
+                .because("they share exercises and engine only: move the class there")
                 .check(classes);
     }
 
@@ -122,6 +132,8 @@ class ArchitectureTest {
                         "rasterlab.contract..",
                         "java..",
                         "javax.tools..")
+                .because(
+                        "a student's code could read it: send what the child needs over the wire")
                 .check(classes);
     }
 
@@ -135,6 +147,8 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage(SWING)
+                .because(
+                        "a model is tested without a window: move the use to the panel")
                 .check(classes);
     }
 
@@ -144,6 +158,7 @@ class ArchitectureTest {
         slices().assignedFrom(topPackagesOf("rasterlab." + module))
                 .should()
                 .beFreeOfCycles()
+                .because("a reader starts below: move the class that closes the circle")
                 .check(classes);
     }
 
@@ -152,6 +167,7 @@ class ArchitectureTest {
         slices().assignedFrom(topPackagesOf("rasterlab.engine.clip"))
                 .should()
                 .beFreeOfCycles()
+                .because("a reader starts below: move the class that closes the circle")
                 .check(classes);
     }
 
@@ -164,6 +180,8 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideOutsideOfPackages("rasterlab.engine.clip.exact..", "java..")
+                .because(
+                        "a reference shares no code with the methods that it judges: write it anew")
                 .check(classes);
     }
 
@@ -187,6 +205,8 @@ class ArchitectureTest {
                                                         FacePaint.class,
                                                         PixelPoint.class,
                                                         Cancellation.class))))
+                .because(
+                        "a reference shares no code with the methods that it judges: write it anew")
                 .check(classes);
     }
 
@@ -215,6 +235,7 @@ class ArchitectureTest {
                 .and()
                 .areNotFinal()
                 .should(beWrittenByTheCompiler())
+                .because("two labs or requests would share it: make it final or a field of an object")
                 .allowEmptyShould(true)
                 .check(classes);
     }

@@ -45,11 +45,15 @@ class CitationsTest {
         for (Path file : Repository.sources(".java"))
             for (String comment : comments(Repository.text(file)).toList()) {
                 collect(comment, forms);
-                if (COINED.matcher(comment).find()) coined.add(file + ": " + comment);
+                if (COINED.matcher(comment).find())
+                    coined.add(Repository.root().relativize(file) + ": " + comment);
             }
         assertTrue(forms.size() > 40, "only " + forms.size() + " works were found");
-        assertEquals(List.of(), several(forms));
-        assertEquals(List.of(), coined);
+        assertEquals(
+                List.of(),
+                several(forms),
+                "search the sources for these citations and write each work in one form");
+        assertEquals(List.of(), coined, "cite the book by author, title, place and year");
     }
 
     @ParameterizedTest(name = "{0} and {1}")

@@ -33,7 +33,10 @@ class GlossaryTest {
                 if (banned.phrase().in(value(lines.get(i))))
                     found.add(Repository.root().relativize(file) + ":" + (i + 1));
         }
-        assertEquals(List.of(), found, "write " + banned.right());
+        assertEquals(
+                List.of(),
+                found,
+                "in place of " + banned.phrase().caught() + " write there " + banned.right());
     }
 
     @Test
@@ -43,7 +46,7 @@ class GlossaryTest {
         for (Glossary.Term term : Glossary.read().terms())
             for (String name : List.of("en " + term.en(), "ru " + term.ru()))
                 if (!names.add(name)) twice.add(name);
-        assertEquals(List.of(), twice, "glossary.json has two terms of one name");
+        assertEquals(List.of(), twice, "glossary.json has two terms of one name: rename one or take it out");
     }
 
     @Test
@@ -55,16 +58,16 @@ class GlossaryTest {
             if (!term.english().matcher(english).find()) unused.add(term.en());
             if (!term.russian().matcher(russian).find()) unused.add(term.ru());
         }
-        assertEquals(List.of(), unused, "glossary.json has terms that no text uses");
+        assertEquals(List.of(), unused, "glossary.json has terms that no text uses: take them out or use them");
     }
 
     @Test
     void bundlesOfBothLanguagesAndStatementsAreRead() throws IOException {
         List<String> names = texts().stream().map(file -> file.getFileName().toString()).toList();
         for (String name : List.of("messages.properties", "messages_ru.properties", "cases.json"))
-            assertTrue(names.contains(name), name);
+            assertTrue(names.contains(name), () -> "no file is read that is called " + name);
         for (String name : List.of("statement.en.md", "statement.ru.md", "command_ru.properties"))
-            assertTrue(names.contains(name), name);
+            assertTrue(names.contains(name), () -> "no file is read that is called " + name);
     }
 
     /** What stands on a line of a bundle from its "=" on; another line as it is. */

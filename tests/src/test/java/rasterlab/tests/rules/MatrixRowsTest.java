@@ -45,7 +45,7 @@ class MatrixRowsTest {
             var found = new ArrayList<String>();
             for (JavaFileObject file : manager.getJavaFileObjectsFromPaths(files))
                 found.addAll(wrong(file));
-            assertEquals(List.of(), found, "end each row with a comment //, which keeps its line");
+            assertEquals(List.of(), found, "write each row of these matrices on a line of its own and end it with //, which keeps it");
         }
     }
 
@@ -83,12 +83,17 @@ class MatrixRowsTest {
                             Integer width = ROW.get(made.getArguments().size());
                             if (width != null && made.getIdentifier().toString().contains("Matrix"))
                                 if (!stands(unit, made.getArguments(), width, Trees.instance(task)))
-                                    wrong.add(file.getName() + ": " + made);
+                                    wrong.add(place(unit, made, task) + ": " + made);
                             return super.visitNewClass(made, nothing);
                         }
                     },
                     null);
         return wrong;
+    }
+
+    private static String place(CompilationUnitTree unit, NewClassTree made, JavacTask task) {
+        long at = Trees.instance(task).getSourcePositions().getStartPosition(unit, made);
+        return unit.getSourceFile().getName() + ":" + unit.getLineMap().getLineNumber(at);
     }
 
     private static boolean stands(

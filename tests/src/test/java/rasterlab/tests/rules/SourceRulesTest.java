@@ -47,7 +47,7 @@ class SourceRulesTest {
                         .filter(file -> lines(file) > LARGEST_FILE)
                         .map(file -> name(file) + " has " + lines(file) + " lines")
                         .toList();
-        assertEquals(List.of(), tooLarge);
+        assertEquals(List.of(), tooLarge, "split each file of more than " + LARGEST_FILE + " lines");
     }
 
     @Test
@@ -59,7 +59,8 @@ class SourceRulesTest {
                         .toArray();
         assertTrue(
                 sizes[sizes.length / 2] <= MEDIAN_FILE,
-                "the median file has " + sizes[sizes.length / 2] + " lines");
+                "the median file has %d lines, at most %d are allowed: write smaller files"
+                        .formatted(sizes[sizes.length / 2], MEDIAN_FILE));
     }
 
     @Test
@@ -83,7 +84,7 @@ class SourceRulesTest {
                         .filter(file -> elsewhere.matcher(Repository.text(file)).find())
                         .map(this::name)
                         .toList();
-        assertEquals(List.of(), wrong);
+        assertEquals(List.of(), wrong, "translate a verdict's detail by VerdictDetail only");
     }
 
     private static void assertShort(List<SourceFunction> functions) {
@@ -93,10 +94,16 @@ class SourceRulesTest {
                         .filter(function -> function.lines() > LARGEST_FUNCTION)
                         .map(function -> function.place() + " has " + function.lines() + " lines")
                         .toList();
-        assertEquals(List.of(), tooLong);
+        assertEquals(
+                List.of(),
+                tooLong,
+                "split each function of more than " + LARGEST_FUNCTION + " lines");
         var sorted = functions.stream().mapToInt(SourceFunction::lines).sorted().toArray();
         var usual = sorted[sorted.length * 9 / 10];
-        assertTrue(usual <= USUAL_FUNCTION, "nine of ten functions have up to " + usual + " lines");
+        assertTrue(
+                usual <= USUAL_FUNCTION,
+                "nine of ten functions have up to %d lines, at most %d are allowed: write shorter ones"
+                        .formatted(usual, USUAL_FUNCTION));
     }
 
     @Test
@@ -107,7 +114,7 @@ class SourceRulesTest {
                     UNFINISHED.matcher(QUOTED.matcher(Repository.text(file)).replaceAll("\"\""));
             while (match.find()) found.add(name(file) + ": " + match.group());
         }
-        assertEquals(List.of(), found);
+        assertEquals(List.of(), found, "finish these; a test waits for an event, not for a time");
     }
 
     /** A package without a word about itself is a room without a name on the door. */
@@ -122,7 +129,7 @@ class SourceRulesTest {
                         .filter(folder -> !Files.exists(folder.resolve("package-info.java")))
                         .map(this::name)
                         .toList();
-        assertEquals(List.of(), silent);
+        assertEquals(List.of(), silent, "give each of these packages a package-info.java");
     }
 
     /** The word stands in Kotlin before the package's name, in the file to read first. */
@@ -140,7 +147,10 @@ class SourceRulesTest {
                         .filter(folder -> !introduced.contains(folder))
                         .map(this::name)
                         .toList();
-        assertEquals(List.of(), silent);
+        assertEquals(
+                List.of(),
+                silent,
+                "begin a file of each of these packages with a comment on the package");
         assertFalse(introduced.isEmpty(), "no Kotlin was found to look at");
     }
 
@@ -159,7 +169,7 @@ class SourceRulesTest {
                             .filter(folder -> vague.contains(folder.getFileName().toString()))
                             .map(this::name)
                             .toList();
-            assertEquals(List.of(), found);
+            assertEquals(List.of(), found, "name these folders after what is in them");
         }
     }
 
@@ -181,9 +191,10 @@ class SourceRulesTest {
                                 if (method.getBody() != null && start >= 0 && !isTable(method))
                                     found.add(
                                             new SourceFunction(
-                                                    Path.of(unit.getSourceFile().getName())
-                                                                    .getFileName()
-                                                            + "#"
+                                                    name(Path.of(unit.getSourceFile().getName()))
+                                                            + ":"
+                                                            + map.getLineNumber(start)
+                                                            + " "
                                                             + method.getName(),
                                                     (int)
                                                             (map.getLineNumber(end)

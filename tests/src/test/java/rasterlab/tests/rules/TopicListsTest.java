@@ -37,15 +37,19 @@ class TopicListsTest {
     @Test
     void theOnlyListInTheProgramIsThatOfTopics() {
         assertEquals(
-                List.of("Topics.java"),
-                lists(Repository.sources(".java", ".kt"), "/src/main/", MOST));
+                List.of("engine/src/main/java/rasterlab/engine/Topics.java"),
+                lists(Repository.sources(".java", ".kt"), "/src/main/", MOST),
+                "ask Topics, or a topic's lab, instead of naming more than %d topics"
+                        .formatted(MOST));
     }
 
     @Test
     @DisplayName("a test has a line for each topic")
     void noTestListsTheTopics() {
         assertEquals(
-                List.of(), lists(Repository.sources(".java", ".kt"), "/src/test/", MOST_IN_TESTS));
+                List.of(),
+                lists(Repository.sources(".java", ".kt"), "/src/test/", MOST_IN_TESTS),
+                "ask Topics instead of naming more than %d topics".formatted(MOST_IN_TESTS));
     }
 
     @Test
@@ -54,15 +58,16 @@ class TopicListsTest {
         var lists = new ArrayList<String>();
         for (Path file : Repository.sources(".properties"))
             if (file.toString().contains("/src/main/") && isList(keysOf(file), MOST_IN_BUNDLES))
-                lists.add(file.getFileName().toString());
-        assertEquals(List.of(), lists);
+                lists.add(Repository.root().relativize(file).toString());
+        assertEquals(
+                List.of(), lists, "move texts of topics to exercises/words/TOPIC.properties");
     }
 
     private static List<String> lists(List<Path> sources, String folder, int most) {
         return sources.stream()
                 .filter(file -> file.toString().contains(folder))
                 .filter(file -> isList(quoted(Repository.text(file)), most))
-                .map(file -> file.getFileName().toString())
+                .map(file -> Repository.root().relativize(file).toString())
                 .toList();
     }
 
