@@ -9,7 +9,7 @@ package rasterlab.contract;
 public enum ColorModel {
     /** Shares of red, green and blue light. */
     RGB("rgb", "red", "green", "blue"),
-    /** What is taken from white: 1 − red, 1 − green, 1 − blue. */
+    /** The inks that are taken from white: 1 − red, 1 − green, 1 − blue. */
     CMY("cmy", "cyan", "magenta", "yellow"),
     /** Inks with black: as much black as possible, the others in shares of what black leaves. */
     CMYK("cmyk", "cyan", "magenta", "yellow", "black"),
@@ -39,7 +39,7 @@ public enum ColorModel {
         return components.length;
     }
 
-    /** What the number at {@code index} is called. */
+    /** The name of the number at {@code index}. */
     public String component(int index) {
         return components[index];
     }

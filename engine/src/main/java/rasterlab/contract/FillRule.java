@@ -1,6 +1,6 @@
 package rasterlab.contract;
 
-/** What of a polygon that crosses itself is inside. */
+/** The rule that says which parts of a polygon that crosses itself are inside. */
 public enum FillRule {
     /** A point is inside where a ray from it crosses the outline an odd number of times. */
     EVEN_ODD,

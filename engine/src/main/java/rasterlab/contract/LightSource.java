@@ -1,7 +1,8 @@
 package rasterlab.contract;
 
 /**
- * What a light sends out, wherever it stands; three shares each, of red, green and blue, 0 to 1000.
+ * The light that a lamp sends out, wherever it stands; three shares each, of red, green and blue, 0
+ * to 1000.
  *
  * @param ambient what it adds to the light that comes from everywhere
  * @param diffuse what surfaces scatter

@@ -1,6 +1,6 @@
 package rasterlab.contract;
 
-/** What the records of this package ask of their numbers. */
+/** The checks of the numbers in this package's records. */
 final class Numbers {
     private Numbers() {}
 

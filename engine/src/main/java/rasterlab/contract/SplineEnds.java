@@ -8,7 +8,7 @@ package rasterlab.contract;
  * @param right slope at the last knot, for {@link Kind#SLOPES} only, otherwise 0
  */
 public record SplineEnds(Kind kind, double left, double right) {
-    /** What holds at the ends. */
+    /** The condition at the ends. */
     public enum Kind {
         /** The slopes are given; two knots make one cubic. */
         SLOPES,

@@ -1,7 +1,7 @@
 package rasterlab.contract;
 
 /**
- * What a surface does with light; three shares each, of red, green and blue, from 0 to 1.
+ * The way a surface reflects light; three shares each, of red, green and blue, from 0 to 1.
  *
  * @param ambient of the light that comes from everywhere
  * @param diffuse of the light scattered evenly

@@ -8,7 +8,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.spi.ToolProvider;
 
-/** What the compiler made of a class, to count its arithmetic. */
+/** The compiled code of a class, to count its arithmetic. */
 public final class CompiledCode {
     private CompiledCode() {}
 

@@ -73,7 +73,9 @@ class MutantsTest {
                     MutantsTest.right(hazard),
                     () -> {
                         if (known.isEmpty())
-                            known.add(HazardTrial.judging(topic, hazard.input(), AMPLE));
+                            known.add(
+                                    HazardTrial.trying(topic, hazard.input(), AMPLE)
+                                            .andThen(HazardTrial.Tried::verdict));
                         return known.get(0);
                     });
         }

@@ -45,13 +45,13 @@ class VandalTest {
         boolean toFill = WITH_ARRAYS_TO_FILL.contains(topic.name());
         boolean found = false;
         for (Hazard<I> hazard : topic.hazards()) {
-            var judging = HazardTrial.judging(topic, hazard.input(), AMPLE);
+            var trying = HazardTrial.trying(topic, hazard.input(), AMPLE);
             for (Method<C> method : topic.methods()) {
                 if (hazard.recorded().get(method.name()) != Verdict.Kind.EXACT) continue;
                 String before = Written.out(hazard.input());
                 var vandal = new Vandal(method.implementation());
                 Method<C> vandalizing = Method.failing("vandal", vandal.method());
-                Verdict verdict = judging.apply(vandalizing);
+                Verdict verdict = trying.apply(vandalizing).verdict();
                 String place = topic.name() + ", " + hazard.name() + ", " + method.name();
                 assertEquals(before, Written.out(hazard.input()), place);
                 if (vandal.foundSomething())

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
@@ -175,8 +176,7 @@ public record Exercise(
     }
 
     /**
-     * What a case of a report is called in that language; its name where this exercise has no such
-     * case.
+     * The title of a report's case in that language; its name where this exercise has no such case.
      *
      * @param name as in {@link CaseReport}
      */
@@ -192,7 +192,7 @@ public record Exercise(
     }
 
     /**
-     * What still counts as right.
+     * The tolerance within which an answer counts as right.
      *
      * @param eitherPixelOnTies where the exact line passes midway between two pixels, either is
      *     right
@@ -384,6 +384,13 @@ public record Exercise(
         /** The name of the case that pays for small inputs. */
         public static final String SIZE = "small-input";
 
+        public Breaking {
+            Bounds.requireAtLeast("inputs", inputs, 1);
+            if (large <= small)
+                throw new IllegalArgumentException(
+                        "large must be more than small, %d, got %d".formatted(small, large));
+        }
+
         /** The points for inputs of so many characters, before what is left unbroken counts. */
         public double sizePoints(int characters) {
             double share = (large - characters) / (double) (large - small);
@@ -391,7 +398,7 @@ public record Exercise(
         }
     }
 
-    /** What a case earns. */
+    /** The points that a case earns. */
     public enum Kind {
         ACCURACY,
         STABILITY

@@ -8,7 +8,7 @@ public enum SourceEncoding {
     WINDOWS_1251,
     OTHER;
 
-    /** What to do about a file that is not UTF-8, in the editors that students have. */
+    /** The advice for a file that is not UTF-8, in the editors that students have. */
     public static final String HOW_TO_SAVE =
             "save it as UTF-8: in VS Code click the encoding at the lower right and choose"
                     + " 'Save with Encoding', in IntelliJ IDEA click it and choose 'Convert',"

@@ -10,7 +10,7 @@ import rasterlab.exercises.score.Phrase;
 
 /** A picture of a statement: a file as it is, or one that is drawn by what a file tells. */
 public final class StatementPicture {
-    /** What a picture's file can be. */
+    /** The formats that a picture's file can have. */
     public enum Form {
         PNG("image/png"),
         SVG("image/svg+xml");

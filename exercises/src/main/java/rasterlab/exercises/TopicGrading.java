@@ -149,8 +149,8 @@ public interface TopicGrading {
         Finding check(Answer answer);
 
         /**
-         * What distinguishes this input from others, as codes of texts {@code where.CODE}: a cause
-         * may be found on such inputs only.
+         * The traits of this input, as codes of texts {@code where.CODE}: a cause may be found on
+         * such inputs only.
          */
         Set<String> traits();
 
@@ -200,7 +200,7 @@ public interface TopicGrading {
             return OptionalDouble.empty();
         }
 
-        /** What is told where a case holds on all its inputs; nothing where nothing is to be. */
+        /** The remark where a case holds on all its inputs; empty where there is none. */
         default Message held() {
             return Message.NONE;
         }

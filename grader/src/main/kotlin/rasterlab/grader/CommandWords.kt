@@ -8,7 +8,7 @@ import picocli.CommandLine.UnmatchedArgumentException
 import rasterlab.grader.wording.Wording
 import java.util.Locale
 
-/** What the server says to who starts it, in one language. */
+/** The messages of the server to the person who starts it, in one language. */
 internal class CommandWords private constructor(
     val language: Locale,
 ) {
@@ -79,7 +79,7 @@ internal class CommandWords private constructor(
     companion object {
         private val RUSSIAN = Locale.forLanguageTag("ru")
 
-        /** What `--lang` asks for, whatever is wrong with the other arguments; else English. */
+        /** The language that `--lang` asks for, whatever is wrong with the other arguments; else English. */
         fun asked(vararg arguments: String): CommandWords {
             val words = arguments.joinToString("\n").lowercase(Locale.ROOT) + "\n"
             return CommandWords(if (Regex("(^|\n)--lang[\n=]ru\n").containsMatchIn(words)) RUSSIAN else Locale.ENGLISH)

@@ -66,7 +66,7 @@ internal fun logOnlyToFile(failure: Throwable): String? {
     return appender.file
 }
 
-/** What went wrong at the bottom of a failure, in one line. */
+/** The root cause of a failure, in one line. */
 internal fun Throwable.reason(): String {
     val bottom = generateSequence(this) { it.cause }.last()
     val words =

@@ -6,8 +6,7 @@ import rasterlab.grader.web.formulaFaults
 import java.nio.file.Path
 
 /**
- * What a folder of an instructor's own exercises holds, for who starts the server: a broken formula or an empty
- * folder stops nothing, but would otherwise be found by a student.
+ * Tells the person who starts the server about a folder of own exercises: a broken formula or an empty folder stops nothing, but would otherwise be found by a student.
  *
  * @param exercises of the folder
  */

@@ -32,7 +32,7 @@ public final class PicturePair extends JPanel implements AutoCloseable {
         return other;
     }
 
-    /** What is in sight, as an SVG document. */
+    /** The picture in sight, as an SVG document. */
     public SvgDrawing svg() {
         return SvgPicture.of(this, chosen, other);
     }

@@ -1,6 +1,8 @@
 package rasterlab.app.canvas;
 
-/** What the user does to the points of a plane; all in world coordinates, on the event thread. */
+/**
+ * Receives what the user does to the points of a plane, in world coordinates, on the event thread.
+ */
 public interface PlaneEdits {
     /** A drag begins: all moves until {@link #endDrag} are one change. */
     void beginDrag();

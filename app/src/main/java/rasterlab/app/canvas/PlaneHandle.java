@@ -26,7 +26,7 @@ final class PlaneHandle extends SelfDrawn {
     /** How many times as far Shift and an arrow key move. */
     private static final int FAR = 10;
 
-    /** What a handle asks of its plane. */
+    /** The plane as its handles see it. */
     interface Plane {
         void beginDrag();
 

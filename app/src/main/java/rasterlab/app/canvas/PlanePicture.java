@@ -9,8 +9,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /**
- * What a plane shows between its grid and its points: an immutable scene that any thread may paint.
- * It has {@code equals}, so that the same picture is not painted twice: a record is best.
+ * The picture that a plane shows between its grid and its points: an immutable scene that any
+ * thread may paint. It has {@code equals}, so that the same picture is not painted twice: a record
+ * is best.
  */
 public interface PlanePicture {
     /**
@@ -31,7 +32,7 @@ public interface PlanePicture {
     }
 
     /**
-     * What labels of points leave clear where there is room, in view units.
+     * The lines that labels of points leave clear where there is room, in view units.
      *
      * @param view what is seen
      */

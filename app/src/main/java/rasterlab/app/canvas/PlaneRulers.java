@@ -91,7 +91,7 @@ public final class PlaneRulers {
     }
 
     /**
-     * What stands along the axes: the same steps in the same form where units are as long in x as
+     * The numbers along the axes: the same steps in the same form where units are as long in x as
      * in y.
      *
      * @param factored whether without the power of ten, which then stands in the corner

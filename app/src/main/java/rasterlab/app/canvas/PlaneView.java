@@ -182,7 +182,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         focusPoint();
     }
 
-    /** What is in sight, without the rings around the points, as an SVG document. */
+    /** The picture in sight, without the rings around the points, as an SVG document. */
     public SvgDrawing svg() {
         return SvgPicture.later(getWidth(), getHeight(), drawing());
     }
@@ -283,7 +283,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         g.dispose();
     }
 
-    /** What the handles' mouse and keys mean in world coordinates. */
+    /** Translates the mouse and the keys of handles to world coordinates. */
     private final class Handled implements PlaneHandle.Plane {
         @Override
         public void beginDrag() {

@@ -14,6 +14,11 @@ public record RoundTicks(int digit, int exponent) {
     /** The number of digits from which on numbers are written with a power of ten. */
     private static final int LONG = 7;
 
+    RoundTicks {
+        if (digit != 1 && digit != 2 && digit != 5)
+            throw new IllegalArgumentException("digit must be 1, 2 or 5, got " + digit);
+    }
+
     /** The closest ticks that are at least so far apart. */
     static RoundTicks atLeast(double distance) {
         int exponent = (int) Math.floor(Math.log10(distance));

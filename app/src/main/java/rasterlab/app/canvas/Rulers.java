@@ -38,7 +38,7 @@ public final class Rulers {
         return PictureType.scaled(44);
     }
 
-    /** What the margins leave of the view. */
+    /** The part of the view that the margins leave free. */
     public static Rectangle inside(Dimension view) {
         return new Rectangle(
                 left(), top(), Math.max(1, view.width - left()), Math.max(1, view.height - top()));

@@ -9,10 +9,12 @@ import java.util.regex.Pattern;
 public final class Shown {
     private static final double LONG = 1e6;
 
-    /** What some thousand roundings of a double leave of a number. */
+    /** The error, as a share, that some thousand roundings of a double make. */
     private static final double ROUNDING = 1e-12;
 
-    /** What is larger is no rounding of a number that is read without a power of ten. */
+    /**
+     * The largest number that may be a rounding error of one that is read without a power of ten.
+     */
     private static final double SMALL = 1e-6;
 
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
@@ -84,7 +86,7 @@ public final class Shown {
         return PIXEL.matcher(words).replaceAll(pixel -> pixel.group().replace('-', '−'));
     }
 
-    /** What stands between numbers: a semicolon where they have a decimal comma. */
+    /** The separator between numbers: a semicolon where they have a decimal comma. */
     public static String apart(Locale locale) {
         char comma = DecimalFormatSymbols.getInstance(locale).getDecimalSeparator();
         return comma == ',' ? "; " : ", ";

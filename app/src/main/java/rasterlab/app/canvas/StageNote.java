@@ -84,7 +84,10 @@ public final class StageNote {
         return lines;
     }
 
-    /** What rulers and the sentence leave of the stage, at least half of what the rulers do. */
+    /**
+     * The part of the stage that rulers and the sentence leave free, at least half of that beside
+     * the rulers.
+     */
     public Rectangle below() {
         if (lines.isEmpty()) return inside;
         // A picture that moved with each longer word would not stand still while it is dragged.

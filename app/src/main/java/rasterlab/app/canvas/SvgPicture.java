@@ -45,8 +45,8 @@ public final class SvgPicture {
     }
 
     /**
-     * What a component draws in view units; its pictures keep each of the dots that they have on
-     * the component's screen.
+     * The drawing of a component in view units; its pictures keep each of the dots that they have
+     * on the component's screen.
      */
     public static SvgDrawing of(JComponent shown, Consumer<Graphics2D> drawing) {
         double scale = DevicePixels.scale(shown);
@@ -60,7 +60,7 @@ public final class SvgPicture {
                 });
     }
 
-    /** What several views have on the stage that they are on, each in its place, if it is shown. */
+    /** The drawings of several views on their stage, each in its place, if it is shown. */
     public static SvgDrawing of(JComponent stage, PlaneView... views) {
         var parts = new ArrayList<Part>();
         for (PlaneView view : views)

@@ -101,7 +101,7 @@ public final class Lab {
         return Console.of(System.in, System.out, System.err, ReportLanguage.EN).err();
     }
 
-    /** What is run where the arguments ask for the window, but there is no display. */
+    /** The arguments to run where the given ones ask for the window, but there is no display. */
     public static String[] instead(String[] args) {
         Console.of(System.in, System.out, System.err, ReportLanguage.asked(args))
                 .tell("no-display");

@@ -3,7 +3,7 @@ package rasterlab.app.cli;
 import picocli.CommandLine.IVersionProvider;
 import rasterlab.engine.ProductVersion;
 
-/** What {@code ./lab --version} prints: ours, and the Java it runs on. */
+/** Prints for {@code ./lab --version} the version of Rasterlab and that of the Java it runs on. */
 final class LabVersion implements IVersionProvider {
     @Override
     public String[] getVersion() {

@@ -7,7 +7,7 @@ import rasterlab.app.clip.scene.SegmentScene;
 import rasterlab.app.clip.scene.VolumeScene;
 
 /**
- * What the user chose, and what undo brings back; each mode keeps its own scene.
+ * The user's choice, which undo brings back; each mode keeps its own scene.
  *
  * @param difference whether two methods are shown in one picture with what only one of them left,
  *     instead of side by side

@@ -69,7 +69,10 @@ final class ClipInspector {
         column.row("mode", mode);
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         return List.of(this::addMethods, this::addFigure, this::addReadings, this::addPoint);
     }

@@ -178,7 +178,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         clip(earlier.choice(), earlier.arrangement());
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<?> history() {
         return history;
     }

@@ -4,9 +4,10 @@ import java.util.Optional;
 import rasterlab.app.clip.outcome.ClipResults;
 import rasterlab.app.clip.outcome.ClipStep;
 import rasterlab.app.clip.scene.ClipGrip;
+import rasterlab.engine.geometry.Bounds;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param choice the newest one
  * @param results the newest finished ones, maybe of an earlier choice
@@ -17,6 +18,10 @@ import rasterlab.app.clip.scene.ClipGrip;
  */
 public record ClipLabState(
         ClipChoice choice, ClipResults results, int step, ClipGrip selected, int arrangement) {
+    public ClipLabState {
+        Bounds.requireAtLeast("step", step, 0);
+    }
+
     /** Whether the result is shown. */
     public boolean finished() {
         return step > results.clipping().steps().size();

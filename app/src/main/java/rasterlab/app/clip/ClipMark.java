@@ -6,7 +6,7 @@ import rasterlab.app.clip.scene.PlaneFigures;
 
 /** One thing in the picture, in plane coordinates; {@link ClipPainter} knows how it looks. */
 sealed interface ClipMark {
-    /** What a line or an area stands for. */
+    /** The meaning of a line or an area. */
     enum Ink {
         /** The window or volume and its sides. */
         WINDOW,
@@ -14,25 +14,25 @@ sealed interface ClipMark {
         HIDDEN,
         /** A line that helps the eye: a side beyond its corners, a ray from the eye. */
         HELP,
-        /** What is to be clipped. */
+        /** The figure that is to be clipped. */
         GIVEN,
-        /** What the method left. */
+        /** The part that the method left. */
         LEFT,
-        /** What the method has not yet cut off. */
+        /** The part that the method has not yet cut off. */
         STEP,
         /** The side that the step tests. */
         TESTED,
-        /** What is missing. */
+        /** The part that is missing. */
         MISSING,
-        /** What is too much. */
+        /** The part that is too much. */
         EXTRA,
-        /** What only the first of two methods left. */
+        /** The part that only the first of two methods left. */
         ONLY_FIRST,
-        /** What only the second one left. */
+        /** The part that only the second one left. */
         ONLY_SECOND
     }
 
-    /** What a sign says by its shape. */
+    /** The meaning of a sign's shape. */
     enum Shape {
         /** A filled arrow head: the segment enters here. */
         ENTERING,

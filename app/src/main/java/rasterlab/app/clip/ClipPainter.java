@@ -147,7 +147,7 @@ final class ClipPainter {
         stroke(path, colour, width);
     }
 
-    /** What is missing is dashed with rings, what is too much is whole with crosses. */
+    /** Draws missing parts dashed with rings, and parts that are too much whole with crosses. */
     private void wrong(Path2D path, ClipMark.Line line, Color colour, PixelMark mark) {
         if (mark == PixelMark.MISSING) {
             stroke(path, colours.ground(), 5f);

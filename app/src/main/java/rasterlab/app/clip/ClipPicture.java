@@ -22,7 +22,7 @@ import rasterlab.app.clip.scene.SegmentScene;
 import rasterlab.app.clip.scene.VolumeScene;
 
 /**
- * What a stage shows of one method.
+ * The picture of one method on a stage.
  *
  * @param method whose colour is what is left
  * @param other a second method whose colour is what it alone left, "" for none

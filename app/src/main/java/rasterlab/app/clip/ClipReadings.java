@@ -125,7 +125,7 @@ final class ClipReadings {
                         number, Codes.bits(codes[0], width), number, Codes.bits(codes[1], width));
     }
 
-    /** What the two codes tell together. */
+    /** The verdict of the two codes together. */
     String verdict() {
         int[] codes = ends();
         if (codes.length == 0) return NONE;

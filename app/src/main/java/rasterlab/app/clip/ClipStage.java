@@ -150,7 +150,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 state.arrangement());
     }
 
-    /** What the picture alone would not tell; of two pictures also whose each is. */
+    /** A note on what the picture alone would not tell; with two pictures also whose each is. */
     private String note(Clipping clipping, boolean finished, boolean named) {
         ClipScene scene = model.state().results().scene();
         String note = finished ? ClipNotes.about(scene, clipping, texts) : "";
@@ -221,7 +221,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
                 : grip.label();
     }
 
-    /** What mouse and keyboard mean for the model. */
+    /** Passes what mouse and keyboard do on to the model. */
     private final class Edits implements PlaneEdits {
         @Override
         public void beginDrag() {

@@ -88,7 +88,7 @@ final class SegmentDrawing {
         return w.code(xs[column], ys[row]);
     }
 
-    /** What is left of the segments before one. */
+    /** Draws the rests of the segments before one. */
     private void parts(Clipping clipping, int before) {
         for (Clipping.Part part : clipping.parts())
             if (part.item() < before) add(ClipMark.Line.of(part.coordinates(), ClipMark.Ink.LEFT));

@@ -17,7 +17,10 @@ import rasterlab.app.clip.scene.VolumeSpace;
 import rasterlab.app.clip.scene.VolumeViewpoint;
 import rasterlab.app.language.Texts;
 
-/** What only the view volume has: its space, its viewpoint, its nearest plane and its screen. */
+/**
+ * The controls that only the view volume has: its space, its viewpoint, its nearest plane and its
+ * screen.
+ */
 final class VolumeControls {
     private static final double LEAST = 1e-12;
 

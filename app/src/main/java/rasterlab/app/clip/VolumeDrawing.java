@@ -55,7 +55,7 @@ final class VolumeDrawing {
         return drawing.drawn;
     }
 
-    /** What is wrong, in the picture. */
+    /** The wrong edges, in the picture. */
     static List<double[]> inPicture(VolumeScene scene, List<double[]> edges) {
         var picture = new VolumePicture(scene);
         return edges.stream()

@@ -4,7 +4,7 @@ import java.util.List;
 import rasterlab.app.exercise.outcome.TriedCase;
 
 /**
- * What runs in the background.
+ * A task that runs in the background.
  *
  * @param done cases judged so far; in the queue of a server, the place in it, 0 when its turn has
  *     come

@@ -11,7 +11,7 @@ import rasterlab.app.outcome.WholeFile;
 public final class Closing {
     private Closing() {}
 
-    /** What becomes of them. */
+    /** The decision on them. */
     public enum Answer {
         /** Each is written to a file that the user names. */
         SAVE_ELSEWHERE,

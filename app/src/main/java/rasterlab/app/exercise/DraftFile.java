@@ -106,7 +106,7 @@ public final class DraftFile implements Closeable {
         return Optional.empty();
     }
 
-    /** What was on the disk when the file was taken; the first window's text for a later one. */
+    /** The text on the disk when the file was taken; for a later window, that of the first one. */
     Optional<String> found() {
         if (found.isPresent() || number == 1) return found;
         return others().stream().map(Other::text).findFirst();
@@ -143,7 +143,7 @@ public final class DraftFile implements Closeable {
         throw new IOException("all " + MOST + " drafts of " + exercise + " are in use");
     }
 
-    /** What other windows wrote and can be read, in the order of the windows. */
+    /** The readable texts of other windows, in the order of the windows. */
     List<Other> others() {
         List<Other> others = new ArrayList<>();
         for (int each = 1; each <= MOST; each++) {

@@ -54,7 +54,7 @@ final class Drafts implements AutoCloseable {
         writer.start();
     }
 
-    /** What was kept of that exercise; empty where nothing was or it cannot be read. */
+    /** The kept text of that exercise; empty where there is none or it cannot be read. */
     synchronized Optional<String> open(String exercise) {
         try {
             return file(exercise).found();
@@ -65,7 +65,7 @@ final class Drafts implements AutoCloseable {
         }
     }
 
-    /** What other windows wrote to that exercise. */
+    /** The texts that other windows wrote for that exercise. */
     synchronized List<DraftFile.Other> others(String exercise) {
         DraftFile file = files.get(exercise);
         return file == null ? List.of() : file.others();
@@ -108,7 +108,7 @@ final class Drafts implements AutoCloseable {
         return draft == null ? unread.getOrDefault(exercise, "") : draft.problem();
     }
 
-    /** What could not be written, not even just now. */
+    /** The texts that could not be written, not even just now. */
     List<UnsavedDraft> unsaved() throws InterruptedException {
         settle();
         synchronized (this) {

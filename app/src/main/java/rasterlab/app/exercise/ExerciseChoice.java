@@ -1,7 +1,7 @@
 package rasterlab.app.exercise;
 
 /**
- * What the user chose, as it is kept between runs.
+ * The user's choice, as it is kept between runs.
  *
  * @param exercise its id; "" before one was shown
  * @param typeSteps by how much the editor's type is larger than the window's, in points

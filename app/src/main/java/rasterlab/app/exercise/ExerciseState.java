@@ -8,7 +8,7 @@ import rasterlab.app.server.Account;
 import rasterlab.exercises.Exercise;
 
 /**
- * What the tab of exercises shows.
+ * The state that the tab of exercises shows.
  *
  * @param source the text of the chosen exercise
  * @param otherDrafts what other windows wrote to it, and differs

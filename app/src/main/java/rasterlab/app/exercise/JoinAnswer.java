@@ -3,7 +3,7 @@ package rasterlab.app.exercise;
 import rasterlab.app.exercise.outcome.Notice;
 
 /**
- * What came of asking to join a course.
+ * The answer to a request to join a course.
  *
  * @param joined whether a course is joined by it
  * @param problem why not; {@link Notice#NONE} where it is, or where nothing was asked yet

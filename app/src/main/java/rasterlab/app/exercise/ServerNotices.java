@@ -8,7 +8,7 @@ import rasterlab.app.server.Breakdown;
 import rasterlab.app.server.CourseServer;
 import rasterlab.app.server.ServerRefusal;
 
-/** What a failed talk with a server means to the user. */
+/** Tells the user what a failed request to a server means. */
 final class ServerNotices {
     private static final int UNAUTHORIZED = 401;
     private static final int TOO_MANY = 429;

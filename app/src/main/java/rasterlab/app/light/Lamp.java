@@ -4,6 +4,7 @@ import java.util.Locale;
 import rasterlab.contract.Attenuation;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.SpotCone;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.Light;
 
 /**

@@ -11,7 +11,7 @@ import rasterlab.engine.light.Substance;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param body what is lit
  * @param camera where it is seen from

@@ -35,7 +35,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private static final double FARTHEST = 4000;
     private static final double STEEPEST = Math.PI - 0.05;
 
-    /** What undo brings back. */
+    /** The part of the state that undo brings back. */
     record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
@@ -230,7 +230,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                 : List.of();
     }
 
-    /** What is said beside the present picture of a hazard. */
+    /** The remark beside the present picture of a hazard. */
     public Optional<HazardNote> note() {
         return state.note();
     }
@@ -307,7 +307,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         publish(state.choice(), state.drawn(), state.problem());
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<Chosen> history() {
         return history;
     }

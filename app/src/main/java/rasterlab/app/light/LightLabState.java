@@ -4,7 +4,7 @@ import java.util.Optional;
 import rasterlab.app.canvas.method.HazardNote;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param colours whether colour models are shown instead of light
  * @param drawn the newest pictures, maybe of an earlier choice

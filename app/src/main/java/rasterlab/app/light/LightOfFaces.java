@@ -25,7 +25,7 @@ public record LightOfFaces(LightChoice choice, Mesh mesh, ViewTransform transfor
 
     private static final int MOST_POINTS = 6000;
 
-    /** What light is held against where the program's exercise does not say: the topic's own. */
+    /** The tolerance of light where the program's exercise gives none: the topic's own. */
     private static final String USUAL = "phong";
 
     /** A triangle of the fan of a face, seen from one side. */

@@ -16,7 +16,7 @@ import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.scene.obj.UpAxis;
 
 /**
- * What is lit.
+ * The body that is lit.
  *
  * @param name of a scene, or {@code TOPIC/HAZARD}
  * @param detail faces once round, for a scene that is made in steps

@@ -1,6 +1,7 @@
 package rasterlab.app.light;
 
 import rasterlab.contract.SurfaceMaterial;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.light.Substance;
 

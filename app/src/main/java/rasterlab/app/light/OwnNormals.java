@@ -23,7 +23,7 @@ import rasterlab.engine.transform.Images;
 record OwnNormals(Scene scene, Scene right, OwnTold told) {
     static final String TOPIC = new NormalsTopic().name();
 
-    /** What normals are held against where the program's exercise does not say. */
+    /** The tolerance of normals where the program's exercise gives none. */
     private static final String USUAL = "angle";
 
     /** A tip that is nearer is in its place. */

@@ -10,7 +10,7 @@ import rasterlab.app.light.step.OwnSteps;
 import rasterlab.app.mine.OwnMethods;
 
 /**
- * What there is to say of the user's own program beside a picture.
+ * The remarks on the user's own program beside a picture.
  *
  * @param refusal why it gave no answer, in English; "" where it did
  * @param key of the sentence on its answers, in the lab's texts; "" where there is a refusal

@@ -83,7 +83,7 @@ public final class OwnTrips implements AutoCloseable {
         };
     }
 
-    /** What came back of that colour; empty until that is found, which this asks for. */
+    /** The colour that came back; empty until it is found, which this call starts. */
     Optional<Trips> of(ColourChoice colour) {
         if (asked.filter(colour::equals).isEmpty()) {
             asked = Optional.of(colour);

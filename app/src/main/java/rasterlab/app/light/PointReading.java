@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.Reflection;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.Light;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Material;

@@ -54,7 +54,10 @@ public final class FigureReadings {
         return new RasterPoint(Math.abs(x - arc.centreX()), Math.abs(y - arc.centreY()));
     }
 
-    /** What decides the pixel after that one, or after its mirror image across the diagonal. */
+    /**
+     * The value that decides the pixel after that one, or after its mirror image across the
+     * diagonal.
+     */
     String decision() {
         if (state.step() == 0 || state.finished()) return NONE;
         RasterPoint offset = fromCentre();

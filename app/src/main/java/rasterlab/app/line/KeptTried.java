@@ -8,7 +8,8 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.Plotted;
 
 /**
- * What a program of the user's was tried on and plotted, as it is kept between runs.
+ * The input that a program of the user's was tried on, with the pixels that it plotted, as they are
+ * kept between runs.
  *
  * @param right the method that draws the right line; "" where no program was tried
  * @param wrong whether pixels of the program are shown
@@ -47,7 +48,7 @@ record KeptTried(Segment segment, String right, boolean wrong, List<Integer> pla
         return new KeptTried(tried.segment(), tried.right(), true, places, cut);
     }
 
-    /** What it was made of, with the pixels that were kept. */
+    /** The figure that it was made of, with the pixels that were kept. */
     Optional<TriedSegment> tried() {
         if (right.isEmpty()) return Optional.empty();
         var pixels = new PixelRecording(Math.max(1, places.size() / 2));

@@ -3,7 +3,7 @@ package rasterlab.app.line;
 import rasterlab.engine.line.Segment;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param method name of the method that draws
  * @param comparison name of a second method, "" for none

@@ -12,7 +12,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Topic;
 
 /**
- * What one method draws for one segment, pixel by pixel, beside the exact line.
+ * The drawing of one method for one segment, pixel by pixel, beside the exact line.
  *
  * <p>Of a segment with more than {@link #LIMIT} pixels only the first ones are drawn and compared.
  *

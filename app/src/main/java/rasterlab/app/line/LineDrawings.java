@@ -10,7 +10,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Topic;
 
 /**
- * What was drawn for one choice, both methods beside the one exact line.
+ * The drawings for one choice: both methods beside the one exact line.
  *
  * @param exact the first {@link LineDrawing#LIMIT} pixels of the exact line
  * @param drawing by the chosen method
@@ -34,7 +34,7 @@ public record LineDrawings(
     }
 
     /**
-     * What another choice draws; the exact line of the same segment is not made again.
+     * The drawings of another choice; the exact line of the same segment is not made again.
      *
      * @param tried left out where it does not fit the choice
      * @param cancelled asked before each of the three parts

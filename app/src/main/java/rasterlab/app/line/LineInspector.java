@@ -65,7 +65,10 @@ final class LineInspector {
         column.row("comparison", comparison);
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         return List.of(this::addEnds, this::addReadings, this::addAbout);
     }

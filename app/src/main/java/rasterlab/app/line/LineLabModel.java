@@ -90,12 +90,12 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         return state;
     }
 
-    /** What the lab draws besides segments. */
+    /** The figures that the lab draws besides segments. */
     public FigureLabModel figures() {
         return figures;
     }
 
-    /** What the lab draws now. */
+    /** The figure that the lab draws now. */
     public LineMode mode() {
         return mode == LineMode.SEGMENT ? mode : figures.state().scene().mode();
     }
@@ -127,7 +127,10 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         };
     }
 
-    /** What {@link #showTried} showed last, as it is kept between runs, beside the segment. */
+    /**
+     * The pixels that {@link #showTried} showed last, as they are kept between runs, beside the
+     * segment.
+     */
     public Kept<KeptTried> keptTried() {
         return new Kept<>() {
             @Override
@@ -234,7 +237,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         change(state.choice().withComparison(method));
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<?> history() {
         return history;
     }

@@ -3,7 +3,7 @@ package rasterlab.app.line;
 import java.util.Optional;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param choice the newest one
  * @param drawings the newest finished ones, maybe of an earlier choice
@@ -11,12 +11,12 @@ import java.util.Optional;
  * @param arrangement changes when the stage should show the whole segment again
  */
 public record LineLabState(LineChoice choice, LineDrawings drawings, int step, int arrangement) {
-    /** What the chosen method draws. */
+    /** The drawing of the chosen method. */
     public LineDrawing drawing() {
         return drawings.drawing();
     }
 
-    /** What the second method draws, if one is compared. */
+    /** The drawing of the second method, if one is compared. */
     public Optional<LineDrawing> other() {
         return drawings.other();
     }

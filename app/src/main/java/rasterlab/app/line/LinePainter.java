@@ -139,7 +139,7 @@ final class LinePainter {
         mark.paint(g, grid.viewX(pixelX) - size / 2, grid.viewY(pixelY) - size / 2, size);
     }
 
-    /** What only one of the two methods lights, or lights more. */
+    /** The pixels that only one of the two methods lights, or lights more. */
     private void paintApart(PixelDifference apart) {
         for (PixelSet alone : List.of(apart.extra(), apart.missing()))
             for (int i = 0; i < alone.size(); i++) {

@@ -199,7 +199,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         return chosen.orElseGet(() -> PixelGrid.fitting(framed, sight));
     }
 
-    /** What rulers and the note leave. */
+    /** The part of the stage that rulers and the note leave free. */
     private Rectangle sight() {
         return LineFrame.note(note(), getSize(), PictureType.in(getSize())).below();
     }
@@ -256,7 +256,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 texts.locale());
     }
 
-    /** What is shown, without the rings around the ends, as an SVG document. */
+    /** The picture without the rings around the ends, as an SVG document. */
     SvgDrawing svg() {
         LineFrame frame = frame(grid());
         return SvgPicture.later(getWidth(), getHeight(), g -> frame.paint(g, () -> false));

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import rasterlab.app.line.trace.RasterPoint;
 import rasterlab.contract.CoveragePixels;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
@@ -22,14 +23,18 @@ import rasterlab.engine.study.LimitReached;
  * @param shades in drawing order
  */
 public record PixelCoverage(List<Shade> shades) {
-    /** What a method may be off by for its rounding. */
+    /** The error that a method may make by its rounding. */
     private static final int TOLERATED = 1;
 
     /**
      * @param step of the line's walk, counted from 1
      * @param level 1 to {@link CoverageLine#FULL}
      */
-    public record Shade(int step, int x, int y, int level) {}
+    public record Shade(int step, int x, int y, int level) {
+        public Shade {
+            Bounds.requireAtLeast("step", step, 1);
+        }
+    }
 
     public PixelCoverage {
         shades = List.copyOf(shades);
@@ -87,8 +92,8 @@ public record PixelCoverage(List<Shade> shades) {
     }
 
     /**
-     * What the exact line covers: f being the signed distance across from the nearest pixel to the
-     * line, in pixels, that pixel by 1 − |f| and its neighbour on f's side by |f|, in levels
+     * The exact coverage: f being the signed distance across from the nearest pixel to the line, in
+     * pixels, that pixel is covered by 1 − |f| and its neighbour on f's side by |f|, in levels
      * ⌈255·|f| − ½⌉ for the neighbour, at most 127.
      *
      * @param nearest the nearest pixels, in order; no farther than 2²⁸ steps from the beginning

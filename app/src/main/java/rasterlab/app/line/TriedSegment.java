@@ -40,7 +40,7 @@ public record TriedSegment(Segment segment, String right, Optional<Plotted> draw
                 .orElse(OptionalInt.empty());
     }
 
-    /** What its pixels can be compared with: as many of a line's as are known of them. */
+    /** The pixels of a line with which its pixels can be compared: as many as are known of them. */
     PixelRecording comparable(PixelRecording line) {
         if (first().isEmpty() || line.size() == 0) return line;
         var beginning = new PixelRecording(line.size());

@@ -108,7 +108,7 @@ public final class OwnProgram implements AutoCloseable {
         return awaiting.lasts(least);
     }
 
-    /** What was wrong with the source once is wrong every time. */
+    /** A fault of the source stays a fault: it is not compiled again. */
     private synchronized CalledProgram called() {
         if (closed) throw gone();
         if (refused.isPresent()) throw refused.get();

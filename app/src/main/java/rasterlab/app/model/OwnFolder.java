@@ -25,7 +25,7 @@ final class OwnFolder {
     }
 
     /**
-     * What a name stands for, links followed; empty where there is nothing.
+     * The file that a name stands for, links followed; empty where there is none.
      *
      * @throws Complaint if the name leads out of the folder
      * @throws IOException if it cannot be told what is there

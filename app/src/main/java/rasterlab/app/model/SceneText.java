@@ -50,7 +50,7 @@ public final class SceneText {
     }
 
     /**
-     * What is made of the picture that a scene file lays on its faces; empty where it names none.
+     * The texture from the picture that a scene file lays on its faces; empty where it names none.
      *
      * @param lay takes the picture's file and its texels
      * @throws Complaint naming the file and the path in it, if the picture is not in the file's

@@ -1,5 +1,6 @@
 package rasterlab.app.opengl;
 
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 
@@ -12,6 +13,10 @@ import rasterlab.engine.raster.Raster;
  * @param largest difference of any channel of any pixel, in levels 0 to 255
  */
 public record Comparison(PictureDifference plain, long rounded, int largest) {
+    public Comparison {
+        Bounds.require("largest", largest, 0, 255);
+    }
+
     static Comparison of(Raster openGl, Raster software) {
         int[] want = openGl.argb();
         var told = new Raster(software.width(), software.height());

@@ -141,7 +141,7 @@ class GlCanvas extends AWTGLCanvas {
         finished = Optional.of(new Finished(frame, picture));
     }
 
-    /** What OpenGL keeps for this canvas now. */
+    /** The objects that OpenGL keeps for this canvas now. */
     GlObjects objects() {
         return objects;
     }

@@ -42,7 +42,7 @@ public enum GlView {
     POLES(choice -> choice.with(Setting.SCENE, "globe").turned(0, 40)),
     /** Most depths lie right before the near plane, few are left for the scene. */
     DEPTH_BITS(choice -> choice.with(Setting.NEAR_FAR, "0.001:100000")),
-    /** What is nearer is drawn first and hides what should shine through it. */
+    /** The nearer surface is drawn first and hides the one that should shine through it. */
     BLEND_ORDER(
             choice ->
                     choice.with(Setting.BLEND, "GL_SRC_ALPHA:GL_ONE_MINUS_SRC_ALPHA")

@@ -61,7 +61,10 @@ final class OpenGlInspector {
         rows = new SettingRows(model, texts, column, this::chooseImage);
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         var sections = new ArrayList<Runnable>();
         for (Group each : Group.values()) sections.add(() -> rows.add(each));

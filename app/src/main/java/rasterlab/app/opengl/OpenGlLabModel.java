@@ -242,7 +242,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         tell();
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<GlChoice> history() {
         return history;
     }

@@ -9,7 +9,7 @@ import rasterlab.app.opengl.state.Setting;
 import rasterlab.engine.raster.Raster;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param calls of the present choice's frame; empty before there is a size
  * @param pictures the newest that are finished, maybe of an earlier choice

@@ -153,7 +153,7 @@ final class OpenGlStage extends JPanel implements Settling {
                 () -> model.move(choice -> choice.dollied(factor)));
     }
 
-    /** What has the keyboard: the picture whose keys turn the scene. */
+    /** The picture that has the keyboard: its keys turn the scene. */
     PicturePane picture() {
         return software;
     }

@@ -11,7 +11,7 @@ public final class Complaint extends RuntimeException {
         this.exitCode = exitCode;
     }
 
-    /** What the user gave is wrong: names the place, the value and what is allowed. */
+    /** A complaint about wrong input: names the place, the value and what is allowed. */
     public static Complaint badInput(String message) {
         return new Complaint(ExitCode.BAD_INPUT, message);
     }

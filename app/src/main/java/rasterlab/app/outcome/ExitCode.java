@@ -1,6 +1,6 @@
 package rasterlab.app.outcome;
 
-/** What the exit codes mean; every command's help lists the ones it uses. */
+/** The meaning of the exit codes; every command's help lists the ones it uses. */
 public final class ExitCode {
     public static final int DONE = 0;
 

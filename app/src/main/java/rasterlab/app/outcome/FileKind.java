@@ -3,7 +3,7 @@ package rasterlab.app.outcome;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.scene.SceneFile;
 
-/** What a file that is read should be, and the most bytes that it may have. */
+/** The kinds of files that are read, with the most bytes that each may have. */
 public enum FileKind {
     SCENE("a scene", SceneFile.LONGEST),
     /** 10 million triangles with all they can have. */
@@ -14,9 +14,9 @@ public enum FileKind {
     SOURCE("a source", Grading.MOST_SOURCE_BYTES),
     /** A student's source as the window keeps it, finished or not. */
     DRAFT("a draft", 1 << 20),
-    /** What was said to a source, as the window keeps it, with pictures of all cases. */
+    /** The outcome of a source, as the window keeps it, with pictures of all cases. */
     RESULT("a result", 16 << 20),
-    /** What the window keeps of itself. */
+    /** The settings that the window keeps. */
     SETTINGS("a settings file", 4 << 20);
 
     private final String words;

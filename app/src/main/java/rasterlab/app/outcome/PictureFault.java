@@ -7,8 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * What is wrong with a picture, in words of our own: Java's readers say it in theirs, in English
- * and for programmers.
+ * Says in our own words what is wrong with a picture: Java's readers say it in English and for
+ * programmers.
  */
 final class PictureFault {
     static final String EMPTY = "the file is empty";

@@ -22,7 +22,7 @@ public final class PictureFile {
 
     private static final String ALLOWED = "; allowed are whole pictures as PNG, JPEG, GIF or BMP";
 
-    /** What the JPEG reader only warns of, and fills with grey. */
+    /** The damage that the JPEG reader only warns of, and fills with grey. */
     private static final Pattern DAMAGED = Pattern.compile("Premature end|Corrupt");
 
     private PictureFile() {}

@@ -13,7 +13,9 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Pictures as PNG. */
 public final class PngFile {
-    /** What every PNG begins with. Source: W3C, Portable Network Graphics, section 5.2. */
+    /**
+     * The bytes that every PNG begins with. Source: W3C, Portable Network Graphics, section 5.2.
+     */
     private static final int[] SIGNATURE = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 
     private PngFile() {}

@@ -95,7 +95,7 @@ public final class WholeFile {
         }
     }
 
-    /** What a file error means, without the path that the message already has. */
+    /** The meaning of a file error, without the path that the message already has. */
     public static String reason(IOException e) {
         return switch (e.getClass().getSimpleName()) {
             case "NoSuchFileException" -> "no such file";

@@ -7,7 +7,7 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.engine.polygon.Membership;
 
 /**
- * What two judges make of a grid of points that covers the view.
+ * The answers of two judges for a grid of points that covers the view.
  *
  * <p>The points are the whole multiples of a power of two, so that their coordinates are exact and
  * many of them lie on a polygon's sides and at the height of its corners, where methods fail.

@@ -14,7 +14,10 @@ import rasterlab.app.polygon.figure.PolygonFigure;
 import rasterlab.app.polygon.figure.SeedFigure;
 import rasterlab.contract.FillRule;
 
-/** What only the figure of one mode has: whole numbers, fill rule, brush, neighbours, colour. */
+/**
+ * The controls that only the figure of one mode has: whole numbers, fill rule, brush, neighbours,
+ * colour.
+ */
 final class FigureControls {
     private final JCheckBox whole;
     private final NameChooser rule;

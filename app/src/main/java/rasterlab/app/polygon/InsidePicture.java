@@ -29,7 +29,7 @@ import rasterlab.engine.polygon.Points;
 import rasterlab.engine.raster.PixelMark;
 
 /**
- * What a method says of every point in sight, beside the exact answer or a second method.
+ * Shows what a method says of every point in sight, beside the exact answer or a second method.
  *
  * @param other the second method, "" for the exact answer
  * @param step as {@link PolygonLabState#step}

@@ -6,7 +6,7 @@ import rasterlab.app.polygon.figure.PolygonMode;
 import rasterlab.app.polygon.figure.PolygonScene;
 
 /**
- * What the user chose, and what undo brings back; each mode keeps its own scene.
+ * The user's choice, which undo brings back; each mode keeps its own scene.
  *
  * @param difference whether two methods are shown in one picture with where they differ, instead of
  *     side by side

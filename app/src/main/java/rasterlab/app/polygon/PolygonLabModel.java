@@ -204,7 +204,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         work(earlier.choice(), earlier.arrangement());
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<?> history() {
         return history;
     }

@@ -43,13 +43,13 @@ final class PolygonReadings {
         outcome = state.results().outcome();
     }
 
-    /** What a point of the figure is called. */
+    /** The name of a point of the figure. */
     static String named(PolygonMode mode, Grip grip, Texts texts) {
         return texts.text(
                 "grip." + grip.kind().name().toLowerCase(Locale.ROOT), corner(mode, grip.index()));
     }
 
-    /** What stands beside it. */
+    /** The label beside it. */
     static String label(PolygonMode mode, Grip grip) {
         return switch (grip.kind()) {
             case CORNER -> corner(mode, grip.index());
@@ -73,7 +73,7 @@ final class PolygonReadings {
                 : Optional.empty();
     }
 
-    /** What a method that tells no sides said of the step's point. */
+    /** The answer for the step's point of a method that tells no sides. */
     private Optional<JudgedPoint> judged() {
         if (!state.onAStep()
                 || !(outcome.answer() instanceof InsideAnswer answer)
@@ -94,7 +94,7 @@ final class PolygonReadings {
                 : Optional.empty();
     }
 
-    /** What the step is about. */
+    /** The subject of the step. */
     String tested() {
         if (!state.onAStep())
             return state.finished()
@@ -125,7 +125,7 @@ final class PolygonReadings {
         return texts.text("step.side", from, corner(scene.mode(), side.to()));
     }
 
-    /** What decides the step, or what is said of its point. */
+    /** The value that decides the step, or the verdict on its point. */
     String decision() {
         if (side().isPresent()) return value(side().get().value(), texts.locale());
         if (judged().isPresent()) return verdict(judged().get().answer(), judged().get().number());
@@ -149,7 +149,7 @@ final class PolygonReadings {
         return negativeZero ? "−0" : Shown.number(value, locale);
     }
 
-    /** What is said of the first point, by the method and exactly. */
+    /** The verdicts on the first point, by the method and exactly. */
     String verdict() {
         if (!(outcome.answer() instanceof InsideAnswer answer)) return NONE;
         return verdict(answer, 0);
@@ -248,7 +248,7 @@ final class PolygonReadings {
         return named(state.choice().mode(), state.selected(), texts);
     }
 
-    /** What the step computes, with its numbers. */
+    /** The formulas of the step, with its numbers. */
     List<Formula> formulas() {
         if (side().isPresent() && outcome.method().startsWith("sign-"))
             return List.of(determinant(side().get()));

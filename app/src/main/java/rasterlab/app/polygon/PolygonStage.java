@@ -133,7 +133,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
                         state.arrangement());
     }
 
-    /** What the picture alone would not tell; of two pictures also whose each is. */
+    /** A note on what the picture alone would not tell; with two pictures also whose each is. */
     private String note(MethodOutcome outcome, boolean finished, boolean named) {
         PolygonFigure figure = model.state().results().scene().figure();
         String note = finished ? PolygonNotes.about(figure, outcome, texts) : "";
@@ -174,7 +174,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
                 texts.text("grip.keys", said));
     }
 
-    /** What mouse and keyboard mean for the model. */
+    /** Passes what mouse and keyboard do on to the model. */
     private final class Edits implements PlaneEdits {
         @Override
         public void beginDrag() {

@@ -77,7 +77,7 @@ final class AnswerForm extends JPanel {
                 .orElse(List.of());
     }
 
-    /** What is given so far: an object of the fields that have a value. */
+    /** The answer so far: an object of the fields that have a value. */
     ObjectNode answer() {
         ObjectNode answer = JsonNodeFactory.instance.objectNode();
         parts.forEach((field, part) -> part.value().ifPresent(value -> answer.set(field, value)));

@@ -6,7 +6,7 @@ import javax.swing.JComponent;
 
 /** The control for one field of an answer. */
 interface AnswerPart {
-    /** What is asked for, as JSON; empty while nothing or no number is given. */
+    /** The given answer, as JSON; empty while nothing or no number is given. */
     Optional<JsonNode> value();
 
     /** Shows a value that was given in the picture. */

@@ -5,7 +5,7 @@ import java.awt.geom.Point2D;
 import java.util.List;
 
 /**
- * What is drawn of a question.
+ * The drawing of a question.
  *
  * @param space what the coordinates are
  * @param figures later ones over earlier ones
@@ -16,7 +16,7 @@ record Board(Space space, List<Figure> figures, Picking picking) {
         figures = List.copyOf(figures);
     }
 
-    /** What coordinates are. */
+    /** The space that coordinates belong to. */
     enum Space {
         /** Pixels, with y down. */
         PIXELS,
@@ -28,7 +28,7 @@ record Board(Space space, List<Figure> figures, Picking picking) {
         SPACE
     }
 
-    /** What a figure is there for. */
+    /** The purpose of a figure. */
     enum Look {
         /** Belongs to the input. */
         GIVEN,

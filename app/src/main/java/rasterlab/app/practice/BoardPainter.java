@@ -109,7 +109,7 @@ final class BoardPainter {
         g.draw(shape);
     }
 
-    /** What is asked for is dashed, so that it is seen on what is given. */
+    /** Dashes the things that are asked for, so that they are seen on the given ones. */
     private static BasicStroke stroke(Look look) {
         boolean thin = look == Look.GIVEN || look == Look.DONE || look == Look.WALL;
         float wide = thin ? THIN : THICK;

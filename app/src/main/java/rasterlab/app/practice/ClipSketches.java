@@ -25,7 +25,7 @@ final class ClipSketches {
 
     private ClipSketches() {}
 
-    /** What is left of the segment; a side of the window can be clicked. */
+    /** The board with the rest of the segment; a side of the window can be clicked. */
     static Board segment(Walked walked) {
         List<Point2D> box = QuestionPoints.box(walked.input().path(WINDOW));
         List<Point2D> whole = QuestionPoints.flat(walked.input().path("segments").path(0));
@@ -51,7 +51,7 @@ final class ClipSketches {
                 List.of(box.get(from), box.get((from + 1) % box.size())), false);
     }
 
-    /** What is left of the polygon, and the side whose turn it is. */
+    /** The board with the rest of the polygon, and the side whose turn it is. */
     static Board polygon(Walked walked) {
         List<Point2D> box = QuestionPoints.box(walked.input().path(WINDOW));
         JsonNode whole = walked.input().path(POLYGON);

@@ -12,7 +12,7 @@ import rasterlab.app.practice.Board.Path;
 import rasterlab.app.practice.Board.Space;
 import rasterlab.app.practice.Sketch.Walked;
 
-/** What numbers are asked about that nobody can click. */
+/** Sketches for questions whose numbers nobody can click. */
 final class NumberSketches {
     /** Chords of a circle. */
     private static final int CHORDS = 90;

@@ -274,7 +274,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
                 state.wrong());
     }
 
-    /** What a click in the picture answers, in words. */
+    /** The meaning of a click in the picture, in words. */
     private String hint(Optional<Board> board, boolean graded) {
         return board.map(each -> each.picking().getClass().getSimpleName().toLowerCase())
                 .map(kind -> "hint." + kind)

@@ -6,10 +6,11 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.predicting.Question;
 
 /**
- * What the mode shows.
+ * The state that the mode shows.
  *
  * @param topic that is practised; empty while the lab is seen
  * @param seed of the questions
@@ -42,6 +43,10 @@ record PracticeState(
                     0,
                     0,
                     Optional.empty());
+
+    PracticeState {
+        Bounds.requireAtLeast("at", at, 0);
+    }
 
     /** A sheet to be answered and handed in, at its first question without an answer. */
     static PracticeState of(PracticeSheet sheet, Graded answers) {
@@ -81,7 +86,7 @@ record PracticeState(
                 : question.before();
     }
 
-    /** What the question tells of the step; nothing where the walk rests. */
+    /** The part of the step that the question tells; null where the walk rests. */
     JsonNode told() {
         return resting ? JsonNodeFactory.instance.objectNode() : question().told();
     }
@@ -134,7 +139,7 @@ record PracticeState(
                 Optional.empty());
     }
 
-    /** What is answered already to the present question of a sheet that is handed in. */
+    /** The earlier answer to the present question of a sheet that is handed in. */
     Optional<ObjectNode> answer() {
         return graded.filter(answers -> answers.has(asked.orElseThrow(), at))
                 .map(answers -> (ObjectNode) answers.answers().get(at));

@@ -21,7 +21,7 @@ interface Sketch {
             steps = List.copyOf(steps);
         }
 
-        /** What a step has, the newest first to be told apart. */
+        /** The look of a step; the newest is told apart. */
         Board.Look look(int step) {
             return step == steps.size() - 1 ? Board.Look.NEWEST : Board.Look.DONE;
         }

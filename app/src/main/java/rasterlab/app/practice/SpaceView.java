@@ -13,7 +13,7 @@ import rasterlab.app.practice.Board.Path;
  * Space in a picture: y to the right and z upward to one scale, x to the lower left, half as long.
  */
 final class SpaceView {
-    /** What a unit of x goes to the left, and down. */
+    /** The way that a unit of x goes to the left, and down. */
     private static final double SLANT = Math.sqrt(2) / 4;
 
     private SpaceView() {}

@@ -8,7 +8,7 @@ import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
 
-/** What marks and lines are, and from where on a distance is longer than the depth itself. */
+/** Explains the marks and lines, and from where on a distance is longer than the depth itself. */
 final class PrecisionNotes extends Annotation {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
     private static final int LINE = 20;

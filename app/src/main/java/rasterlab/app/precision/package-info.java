@@ -1,6 +1,6 @@
 /**
- * What depth buffers tell apart, as a chart: the smallest distance over far/near for each format,
- * measured and predicted.
+ * The precision of depth buffers, as a chart: the smallest distance that each format tells apart
+ * over far/near, measured and predicted.
  *
  * <p>Distances are shares of the depth they are measured at. Start with {@link
  * rasterlab.app.precision.DepthPrecisionChart}.

@@ -54,7 +54,7 @@ final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
                 pixel -> String.valueOf(surface.applyAsInt(pixel) + 1));
     }
 
-    /** What is left where the last surface is drawn first. */
+    /** The surface that is left where the last one is drawn first. */
     private static int lastFront(StoredDepths stored, int pixel) {
         int front = stored.surfaces() - 1;
         for (int s = front - 1; s >= 0; s--)

@@ -10,7 +10,10 @@ import java.awt.image.BufferedImage;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.raster.PixelMark;
 
-/** What is filtered, and in it the footprint of the chosen pixel, as squares of some part of it. */
+/**
+ * Paints the texture that is filtered and in it the footprint of the chosen pixel, as squares of
+ * some part of it.
+ */
 final class FootprintPainter {
     /** The footprint's share of the picture that enlarges it. */
     private static final double SHARE = 0.6;

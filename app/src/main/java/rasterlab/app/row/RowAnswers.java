@@ -12,7 +12,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.WrongLength;
 
 /**
- * What is right for a topic's rows and what methods answer; finding either takes longer than a
+ * The right answers for a topic's rows and those of methods; finding either takes longer than a
  * frame, so the event thread never asks.
  *
  * @param <C> contract of the topic's methods

@@ -1,7 +1,9 @@
 package rasterlab.app.row;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param topic of rows
  * @param hazard one of its hazards
@@ -9,6 +11,10 @@ package rasterlab.app.row;
  * @param pixel whose numbers are shown, from 0
  */
 public record RowChoice(String topic, String hazard, String method, int pixel) {
+    public RowChoice {
+        Bounds.requireAtLeast("pixel", pixel, 0);
+    }
+
     RowChoice withMethod(String other) {
         return new RowChoice(topic, hazard, other, pixel);
     }

@@ -40,7 +40,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
 
     private Optional<Found> newest = Optional.empty();
 
-    /** What waits for the scene of the present choice. */
+    /** The tasks that wait for the scene of the present choice. */
     private final List<Runnable> waiting = new ArrayList<>();
 
     private boolean open;

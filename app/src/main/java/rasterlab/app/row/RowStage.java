@@ -52,7 +52,7 @@ final class RowStage extends SelfDrawn implements Settling {
         return new Dimension(800, 600);
     }
 
-    /** What is shown, as an SVG document. */
+    /** The picture that is shown, as an SVG document. */
     SvgDrawing svg() {
         return SvgPicture.of(this, this::paintAll);
     }

@@ -70,7 +70,7 @@ public final class ServerReport {
                 number(points, "stability"),
                 number(points, "speed"),
                 number(points, "hints"),
-                number(points, "total"),
+                Math.max(0, number(points, "total")),
                 number(points, "of"));
     }
 
@@ -104,7 +104,9 @@ public final class ServerReport {
 
     private static PublishedDiagnostic diagnostic(JsonNode one) {
         return new PublishedDiagnostic(
-                number(one, "line"), number(one, "column"), text(one, "message"));
+                Math.max(0, number(one, "line")),
+                Math.max(0, number(one, "column")),
+                text(one, "message"));
     }
 
     private static <T> List<T> all(JsonNode items, Function<JsonNode, T> read) {

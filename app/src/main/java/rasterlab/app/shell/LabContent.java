@@ -30,7 +30,8 @@ import rasterlab.app.shell.tab.WindowKeys;
 import rasterlab.exercises.Exercise;
 
 /**
- * What the frame holds: the tabs, and the choice of language and theme at the end of their strip.
+ * The content of the frame: the tabs, and the choice of language and theme at the end of their
+ * strip.
  */
 public final class LabContent extends JPanel {
     private static final long serialVersionUID = 1L;

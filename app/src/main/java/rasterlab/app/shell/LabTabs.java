@@ -95,7 +95,7 @@ public final class LabTabs implements AutoCloseable {
         return language;
     }
 
-    /** What shows inputs in their tabs. */
+    /** The opening that shows inputs in their tabs. */
     LabOpening opening() {
         return opening;
     }

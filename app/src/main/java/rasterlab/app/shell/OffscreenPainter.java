@@ -14,7 +14,10 @@ import rasterlab.app.canvas.work.Settling;
 
 /** Paints components without a window, with or without a display. */
 public final class OffscreenPainter {
-    /** What is drawn in the background may then be painted in the background. */
+    /**
+     * The number of times that all is painted: pictures drawn in the background may then be painted
+     * in the background.
+     */
     private static final int ROUNDS = 2;
 
     private OffscreenPainter() {}

@@ -13,9 +13,9 @@ import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * What a first panel needs of Java that other threads than that of the events may do: the classes
- * that draw components, text, a layout, a picture. Their first use takes much of the time of the
- * panel's parts.
+ * Loads the classes of Java that a first panel needs, on a thread other than that of the events:
+ * those that draw components, text, a layout, a picture. Their first use takes much of the time of
+ * the panel's parts.
  */
 final class SwingClasses {
     private SwingClasses() {}

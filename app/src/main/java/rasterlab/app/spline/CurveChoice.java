@@ -8,7 +8,7 @@ import rasterlab.engine.spline.curve.CurvePlace;
 import rasterlab.engine.spline.exact.CurveTask;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param points control points; of Hermite's form start, end and the two derivatives
  * @param joining what stays at the joints of pieces

@@ -5,6 +5,7 @@ import java.util.List;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.spline.curve.CurveWalk;
 import rasterlab.engine.spline.curve.SteppedCurve;
 import rasterlab.engine.spline.exact.CurveTask;
@@ -14,7 +15,7 @@ import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Topic;
 
 /**
- * What one method made of the curves, point by point, beside the exact ones.
+ * The drawing of one method for the curves, point by point, beside the exact ones.
  *
  * @param points what it sent, of all curves in order; a joint's point once
  * @param splits how many pieces it halved
@@ -50,7 +51,11 @@ public record CurveDrawing(
      * @param t over all curves, from 0 to 1
      * @param decision see {@link SteppedCurve#decisionFormula}; not a number for given t
      */
-    public record Corner(double t, double x, double y, double decision) {}
+    public record Corner(double t, double x, double y, double decision) {
+        public Corner {
+            Bounds.require("t", t, 0, 1);
+        }
+    }
 
     public CurveDrawing {
         points = List.copyOf(points);

@@ -15,7 +15,7 @@ import rasterlab.engine.spline.exact.Polyline;
 import rasterlab.engine.study.Topic;
 
 /**
- * What was drawn for one choice, both methods beside the exact curves.
+ * The drawings for one choice: both methods beside the exact curves.
  *
  * @param exact each curve as the topic's reference draws it, fine enough for a picture
  * @param other by the second method, if one is compared

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.Curve;
 
-/** What the lab makes of its points: one curve of a kind, or Bézier pieces joined end to end. */
+/**
+ * The form that the lab gives its points: one curve of a kind, or Bézier pieces joined end to end.
+ */
 public enum CurveForm {
     BEZIER("bezier", Curve.Kind.BEZIER, 2, Curve.MOST_BEZIER_POINTS),
     /** Cubics by points 3·i to 3·i + 3. */
@@ -86,7 +88,7 @@ public enum CurveForm {
                 end.plus(points.get(3).x() / 3, points.get(3).y() / 3));
     }
 
-    /** What the points become when the form changes: the same curve where both know it. */
+    /** The points after a change of the form: the same curve where both know it. */
     static List<Place> converted(CurveForm from, List<Place> points, CurveForm to) {
         if (from == HERMITE && to == BEZIER) return bezierOfHermite(points);
         if (from == BEZIER && to == HERMITE && points.size() == 4) return hermiteOfBezier(points);

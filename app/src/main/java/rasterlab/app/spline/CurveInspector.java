@@ -67,7 +67,10 @@ final class CurveInspector {
         parts.mode(SplineMode.CURVE, onMode);
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         return List.of(
                 this::addMethods, this::addChoices, this::addReadings, this::addMatricesAndAbout);

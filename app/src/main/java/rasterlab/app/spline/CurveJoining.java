@@ -3,7 +3,7 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What stays at the joints of Bézier pieces while their points are moved. */
+/** The condition that the joints of Bézier pieces keep while their points are moved. */
 public enum CurveJoining {
     /** The pieces touch. */
     C0,

@@ -185,7 +185,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
             publish(state(state.choice(), state.drawings(), next, state.arrangement()));
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<?> history() {
         return history;
     }

@@ -1,9 +1,10 @@
 package rasterlab.app.spline;
 
 import rasterlab.app.spline.curve.CurveAt;
+import rasterlab.engine.geometry.Bounds;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param choice the newest one
  * @param drawings the newest finished ones, maybe of an earlier choice
@@ -19,7 +20,11 @@ public record CurveLabState(
         CurveAt at,
         int step,
         int arrangement) {
-    /** What the chosen method drew. */
+    public CurveLabState {
+        Bounds.require("t", t, 0, 1);
+    }
+
+    /** The drawing of the chosen method. */
     public CurveDrawing drawing() {
         return drawings.drawing();
     }

@@ -1,7 +1,7 @@
 package rasterlab.app.spline;
 
 /**
- * What is drawn beside curve and polyline.
+ * The overlays that are drawn beside curve and polyline.
  *
  * @param construction de Casteljau's triangle at t
  * @param comb the curvature along the curve

@@ -214,7 +214,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         dot(g, map, x, y, 6, MethodColours.VERMILLION, colours);
     }
 
-    /** What the joints are, beside them. */
+    /** Draws beside the joints what they are. */
     private void paintJoints(Graphics2D g, PlaneMap map, StageColours colours) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();

@@ -1,6 +1,7 @@
 package rasterlab.app.spline;
 
 import java.util.List;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * The box around points; places without a number do not count.
@@ -10,6 +11,11 @@ import java.util.List;
  */
 public record Extent(double x, double y, double width, double height) {
     private static final double LARGEST = 1e200;
+
+    public Extent {
+        Bounds.requireAtLeast("width", width, 0);
+        Bounds.requireAtLeast("height", height, 0);
+    }
 
     static Extent of(List<Place> places) {
         double left = Double.POSITIVE_INFINITY;

@@ -1,5 +1,7 @@
 package rasterlab.app.spline;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * The function at one place.
  *
@@ -9,6 +11,10 @@ package rasterlab.app.spline;
  * @param second second derivative there
  */
 public record FunctionAt(int piece, double s, double x, double y, double slope, double second) {
+    public FunctionAt {
+        Bounds.requireAtLeast("piece", piece, 0);
+    }
+
     /**
      * @param share of the way from the first to the last knot, in [0, 1]
      * @param drawing with at least one piece

@@ -6,7 +6,7 @@ import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.function.SplineProblem;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param knots in the order of their numbers, which need not be that of their x
  * @param method name of the method that finds the function

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.spline.function.Overshoot;
 import rasterlab.engine.spline.function.PiecewiseCubic;
 import rasterlab.engine.spline.function.SplineFunctionTopic;
@@ -52,10 +53,15 @@ public record FunctionDrawing(
      * @param answer what a method without steps of its own answers at one place
      */
     public record Step(
-            String phase, int index, int knot, double decision, Optional<Answer> answer) {}
+            String phase, int index, int knot, double decision, Optional<Answer> answer) {
+        public Step {
+            Bounds.requireAtLeast("index", index, 0);
+            Bounds.requireAtLeast("knot", knot, -1);
+        }
+    }
 
     /**
-     * What a method's function is at one place, beside the right one.
+     * The values of a method's function at one place, beside the right ones.
      *
      * @param wrong whether the topic does not call it exact
      */

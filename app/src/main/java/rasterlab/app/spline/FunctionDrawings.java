@@ -9,7 +9,7 @@ import rasterlab.engine.spline.function.SplineValues;
 import rasterlab.engine.study.Topic;
 
 /**
- * What was found for one choice, by both methods.
+ * The results of both methods for one choice.
  *
  * @param other by the second method, if one is compared
  */

@@ -134,7 +134,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
                         : SplineEnds.slopes(ends.left(), slope));
     }
 
-    /** What the stage should show: knots, graphs and the slopes' handles. */
+    /** The area that the stage should show: knots, graphs and the slopes' handles. */
     public Extent everything() {
         var places = new ArrayList<>(state.choice().knots());
         if (state.drawings().choice().equals(state.choice()))
@@ -200,7 +200,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
         if (next != state.share()) publish(at(state.step(), next));
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<?> history() {
         return history;
     }
@@ -277,7 +277,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
         drawings.ask(choice);
     }
 
-    /** What is found may reach beyond what was arranged before it was known. */
+    /** A result may reach beyond the view that was arranged before it was known. */
     private void accept(FunctionDrawings found) {
         int arrangement = arranging ? ++arrangements : state.arrangement();
         arranging = false;

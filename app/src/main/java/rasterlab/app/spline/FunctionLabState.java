@@ -2,9 +2,10 @@ package rasterlab.app.spline;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.geometry.Bounds;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param choice the newest one
  * @param drawings the newest finished ones, maybe of an earlier choice
@@ -14,7 +15,11 @@ import java.util.Optional;
  */
 public record FunctionLabState(
         FunctionChoice choice, FunctionDrawings drawings, int step, double share, int arrangement) {
-    /** What the chosen method found. */
+    public FunctionLabState {
+        Bounds.requireAtLeast("step", step, 0);
+    }
+
+    /** The result of the chosen method. */
     public FunctionDrawing drawing() {
         return drawings.drawing();
     }
@@ -25,7 +30,7 @@ public record FunctionLabState(
         return Optional.of(FunctionAt.of(drawings.choice(), drawing(), share));
     }
 
-    /** What was answered so far by a method without steps of its own. */
+    /** The answers so far of a method without steps of its own. */
     public List<FunctionDrawing.Answer> answers() {
         return drawing().steps().stream()
                 .limit(step)

@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import rasterlab.app.language.Texts;
 
-/** What inputs say of themselves in English, in the window's language. */
+/** Translates the English names of inputs to the window's language. */
 final class InputWords {
     /** A sentence of the engine, and the key of ours with what its groups found. */
     private record Sentence(Pattern english, String key) {

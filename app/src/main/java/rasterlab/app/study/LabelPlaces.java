@@ -21,7 +21,7 @@ final class LabelPlaces {
     /** The gap between two labels in a row, in pixels, so that they are not read as one. */
     static final int GAP = 8;
 
-    /** What speaks against two leaders that cross, as of {@link Spot}. */
+    /** The cost of two leaders that cross, as of {@link Spot}. */
     private static final double CROSSED = 120;
 
     /** Another label is sent away only for a gain of more. */
@@ -87,7 +87,7 @@ final class LabelPlaces {
         return best;
     }
 
-    /** What speaks against the label there, beside the others. */
+    /** The cost of the label there, beside the others. */
     private double cost(int label, Spot spot) {
         double cost = spot.cost();
         for (int other = 0; other < taken.length; other++)
@@ -134,7 +134,7 @@ final class LabelPlaces {
         return false;
     }
 
-    /** What speaks against two spots beside each other; infinite where only one can be taken. */
+    /** The cost of two spots beside each other; infinite where only one can be taken. */
     private static double conflict(Spot one, Spot two) {
         if (!one.reach().intersects(two.reach())) return 0;
         Place here = one.place().get();

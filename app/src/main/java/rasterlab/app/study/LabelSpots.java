@@ -163,7 +163,7 @@ final class LabelSpots {
                 .anyMatch(other -> around.intersects(marker(other)));
     }
 
-    /** What speaks against the leader as it crosses markers, but for those at its own point. */
+    /** The cost of a leader for the markers that it crosses, but for those at its own point. */
     private double markersCrossed(Point point, Line2D leader) {
         double cost = 0;
         for (Point other : points) {

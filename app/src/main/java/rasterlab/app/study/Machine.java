@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.stream.Stream;
 
 /**
- * What a study was measured on.
+ * The machine that a study was measured on.
  *
  * @param processor its model name, or the architecture where the system does not tell
  * @param cores available to this process

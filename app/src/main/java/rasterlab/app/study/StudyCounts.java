@@ -6,7 +6,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
 /**
- * What a study counted instead of timed, per item, as columns of a table.
+ * The counts of a study, which stand in place of times, per item, as columns of a table.
  *
  * @param names of what was counted, in alphabetical order: the same columns for every study of a
  *     topic

@@ -77,7 +77,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         state = first(topics.get(0), false, StudyView.HAZARDS);
     }
 
-    /** What is kept between runs; measurements are not. */
+    /** The part that is kept between runs; measurements are not. */
     record Chosen(String topic, boolean thorough, StudyView view) {}
 
     @Override
@@ -198,7 +198,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         return Named.find("hazard", name, hazards, Hazard::name);
     }
 
-    /** What is written down that the method does there. */
+    /** The verdict on the method there that is written down. */
     String recorded(Hazard<?> hazard, Method<?> method) {
         if (method.name().equals(OwnMethods.NAME)) return "none";
         var kind = hazard.recorded().get(method.name());

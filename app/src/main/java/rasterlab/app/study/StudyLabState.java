@@ -8,7 +8,7 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Topic;
 
 /**
- * What the tab of speed and accuracy shows.
+ * The state that the tab of speed and accuracy shows.
  *
  * @param thorough whether the next measurement takes its time
  * @param view chart or hazards

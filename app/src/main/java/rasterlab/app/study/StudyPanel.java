@@ -217,7 +217,7 @@ public final class StudyPanel extends LabPanel {
         else progress.setString(resting(state));
     }
 
-    /** What was finished last. */
+    /** The last finished result. */
     private String at(StudyWork work) {
         if (work.method().isEmpty()) return "";
         boolean hazard = work.kind() == StudyWork.Kind.HAZARDS;

@@ -2,7 +2,7 @@ package rasterlab.app.study;
 
 import java.util.Locale;
 
-/** What the tab of speed and accuracy shows. */
+/** The state that the tab of speed and accuracy shows. */
 public enum StudyView {
     CHART,
     HAZARDS;

@@ -1,7 +1,7 @@
 package rasterlab.app.study;
 
 /**
- * What is being measured.
+ * The measurement that is going on.
  *
  * @param kind which of the lab's two measurements, or what there is instead
  * @param done finished pieces of work

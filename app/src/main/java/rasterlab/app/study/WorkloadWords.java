@@ -6,8 +6,8 @@ import java.util.stream.Stream;
 import rasterlab.app.language.Texts;
 
 /**
- * What workloads and their sizes are called. A workload's name without its numbers is its kind,
- * such as {@code side-corners} for {@code side-64-corners-20}. Words on a kind of one topic are the
+ * The names of workloads and their sizes. A workload's name without its numbers is its kind, such
+ * as {@code side-corners} for {@code side-64-corners-20}. Words on a kind of one topic are the
  * topic's; those that topics share, the study's.
  *
  * @param texts of the study
@@ -15,7 +15,7 @@ import rasterlab.app.language.Texts;
 record WorkloadWords(Texts texts) {
     private static final Pattern NUMBER = Pattern.compile("-(\\d{1,9})(?=-|$)");
 
-    /** What methods were given; the name itself where it has no words. */
+    /** The words for the input of methods; the name itself where it has none. */
     String workload(String topic, String name) {
         return said("workload", topic, name);
     }

@@ -85,7 +85,7 @@ final class GraderClient {
         }
     }
 
-    /** What the server has at that address. */
+    /** The text that the server has at that address. */
     byte[] get(String path, String token) throws IOException, InterruptedException {
         return answered(request(path, token).GET().build());
     }

@@ -99,7 +99,7 @@ final class GradingSection implements TourPart {
         return GradingVerdict.word(verdict, texts.locale().getLanguage());
     }
 
-    /** What the server answered to one solution. */
+    /** The answer of the server to one solution. */
     record Graded(String solution, JsonNode result, double seconds) {
         List<String> row(Texts texts) {
             JsonNode points = result.path("points");
@@ -176,7 +176,7 @@ final class GradingSection implements TourPart {
         return texts.has(key) ? texts.text(key) : kind;
     }
 
-    /** What the server has at an address. */
+    /** The text that the server has at an address. */
     interface PngSource {
         byte[] get(String path) throws IOException, InterruptedException;
     }

@@ -14,7 +14,7 @@ import rasterlab.engine.study.Topic;
 
 /** Every topic's study as a chart and a table. */
 final class StudySection implements TourPart {
-    /** What a method that did not end or crashed has instead of numbers. */
+    /** The sign in place of the numbers of a method that did not end or crashed. */
     private static final String NOT_TIMED = "–";
 
     private final TourStudies studies;

@@ -24,7 +24,7 @@ public record Compared(
         Raster actual,
         long missing,
         long extra) {
-    /** What is wrong with a pixel. */
+    /** The fault of a pixel. */
     enum Wrong {
         NOTHING,
         MISSING,

@@ -5,7 +5,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.engine.pipeline.RenderRequest;
 
-/** What both pictures have wrong beside the exact one; each is told of without the other. */
+/** The faults of both pictures beside the exact one; each is told of without the other. */
 record Differences(Outcome first, Optional<Outcome> second) {
     /**
      * One picture, compared or refused.

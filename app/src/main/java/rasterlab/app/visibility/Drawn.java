@@ -40,7 +40,7 @@ record Drawn(
         pieces = Map.copyOf(pieces);
     }
 
-    /** What is drawn; empty for methods without steps, and where the method refuses the scene. */
+    /** The drawn steps; empty for methods without steps, and where the method refuses the scene. */
     static Optional<Drawn> of(RenderRequest request, BooleanSupplier cancelled) {
         Optional<FaceDrawing> drawing = FaceDrawing.of(request).filter(FaceDrawing::hasSteps);
         if (drawing.isEmpty()) return Optional.empty();

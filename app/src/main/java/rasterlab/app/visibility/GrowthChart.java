@@ -46,7 +46,7 @@ public final class GrowthChart {
     private final List<String> methods = Growth.methodNames();
     private final Map<String, MethodLook> looks = MethodLook.of(methods, VisibilityColours.OWN);
 
-    /** What was counted; empty until it is asked for, as that takes some seconds. */
+    /** The counts; empty until they are asked for, as that takes some seconds. */
     private List<Growth> growths;
 
     public GrowthChart() {

@@ -9,7 +9,7 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.visibility.buffer.PixelTouch;
 
 /**
- * What happened at one pixel.
+ * The events at one pixel.
  *
  * @param asked the pixel, and in which picture
  * @param touches every face that touched it, in the order in which they did

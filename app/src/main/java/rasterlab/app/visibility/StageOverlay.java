@@ -20,7 +20,7 @@ import rasterlab.engine.visibility.FaceOutlines;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.VisibilityStep;
 
-/** What lies over a picture: the present step's face, cuts, the chosen pixel, a name. */
+/** Paints over a picture: the present step's face, cuts, the chosen pixel, a name. */
 final class StageOverlay {
     private static final Stroke WIDE = new BasicStroke(4.5f, 1, 1);
     private static final Stroke THIN = new BasicStroke(2f, 1, 1);
@@ -46,7 +46,7 @@ final class StageOverlay {
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
-    /** What the method is called, on a plate of its colour. */
+    /** The name of the method, on a plate of its colour. */
     void name(String method, Language language) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         Color colour = VisibilityColours.OWN.of(method);

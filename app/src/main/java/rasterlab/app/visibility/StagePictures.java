@@ -13,7 +13,7 @@ import rasterlab.engine.visibility.Visibility;
 import rasterlab.engine.visibility.buffer.DepthBuffer;
 
 /**
- * What is drawn for a choice on a stage of some size.
+ * The pictures for a choice on a stage of some size.
  *
  * @param own draws by the user's own program
  * @param width device pixels; 0 before the size is known
@@ -131,7 +131,7 @@ record StagePictures(List<Method<Visibility>> methods, Visibility own, int width
         return new ChosenPixel(false, pictureWidth(choice) / 2, height / 2);
     }
 
-    /** What happened at a pixel; empty where the pictures do not have it. */
+    /** The events at a pixel; empty where the pictures do not have it. */
     Optional<PixelReport.Question> question(VisibilityChoice choice, ChosenPixel pixel) {
         boolean inside = pixel.x() < pictureWidth(choice) && pixel.y() < height;
         boolean there = !pixel.second() || second(choice).isPresent();

@@ -103,7 +103,7 @@ record VisibilityCommand(
         return file.toString().endsWith(SceneText.EXTENSION);
     }
 
-    /** What files of a scene are called before their ending. */
+    /** The name of a scene's files, without their ending. */
     static String stem(String name) {
         return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
                 .replaceAll("[^\\p{L}\\p{N}_-]", "-");

@@ -76,7 +76,10 @@ final class VisibilityInspector {
         comparison = methods("comparison", texts.text("none"), VisibilityChoice::withComparison);
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         return List.of(
                 this::addDrawing,
@@ -169,7 +172,7 @@ final class VisibilityInspector {
         return chooser("scene", names, this::chooseScene);
     }
 
-    /** What is open already may be no name to be looked up. */
+    /** A scene that is open already may have no name to be looked up. */
     private void chooseScene(String name) {
         if (!name.equals(model.state().choice().scene()))
             model.choose(choice -> choice.withScene(name));
@@ -248,7 +251,7 @@ final class VisibilityInspector {
             about.show(explanations, choice.visibility(), readings.decision(), "");
     }
 
-    /** What has no name of its own is in the list as long as it is shown. */
+    /** A scene without a name of its own is in the list as long as it is shown. */
     private void showScene(SceneChoice shown) {
         scene.showListed(shown.name(), Scenes.names());
         up.show(shown.up().orElse(UpAxis.Y).code());
@@ -278,7 +281,10 @@ final class VisibilityInspector {
         if (!chosen) history.show(List.of());
     }
 
-    /** What differs from the exact picture, by the kinds of marks; of a second method how much. */
+    /**
+     * The differences from the exact picture, by the kinds of marks; of a second method only how
+     * many.
+     */
     private static final class WrongRows {
         private final Inspector column;
         private final JLabel wrongPixels;

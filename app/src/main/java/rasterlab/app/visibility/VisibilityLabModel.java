@@ -313,7 +313,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         history.forget();
     }
 
-    /** What of the user's files is shown; brought back after the choice itself. */
+    /** The user's files that are shown; they are restored after the choice itself. */
     public KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> keptFiles() {
         return files;
     }

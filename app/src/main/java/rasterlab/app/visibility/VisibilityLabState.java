@@ -6,7 +6,7 @@ import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 
 /**
- * What the lab shows at one moment.
+ * The state that the lab shows at one moment.
  *
  * @param picture the newest finished picture, maybe of an earlier choice
  * @param other the other method's picture, made with it
@@ -48,7 +48,7 @@ public record VisibilityLabState(
                 0);
     }
 
-    /** What the picture has wrong; empty where that is not known, or the method refuses. */
+    /** The faults of the picture; empty where they are not known, or the method refuses. */
     public Optional<Compared> difference() {
         return differences.flatMap(found -> found.first().compared());
     }
@@ -58,7 +58,7 @@ public record VisibilityLabState(
         return otherOutcome().flatMap(Differences.Outcome::compared);
     }
 
-    /** What came of comparing the other method's picture. */
+    /** The result of comparing the other method's picture. */
     Optional<Differences.Outcome> otherOutcome() {
         return differences.flatMap(Differences::second);
     }

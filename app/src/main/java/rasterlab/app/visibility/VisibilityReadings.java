@@ -103,7 +103,7 @@ final class VisibilityReadings {
         return texts.text("wrongPixels.of", OwnWords.called(method, texts.language()), counted);
     }
 
-    /** What stands in the place of a count where the method drew nothing. */
+    /** The sign in place of a count where the method drew nothing. */
     private String refused(String method) {
         return OwnWords.without(method, texts.text("wrongPixels.refused"), texts.language());
     }
@@ -152,14 +152,14 @@ final class VisibilityReadings {
         return drawn.cutsOnTheWay() ? texts.text("cuts.of", count(drawn.cuts(done)), all) : all;
     }
 
-    /** What stands behind the timeline. */
+    /** The words behind the timeline. */
     String timeline() {
         if (!state.choice().drawing()) return texts.text("turntable", thetaOfPi());
         int last = state.drawn().map(drawn -> drawn.steps().size()).orElse(0);
         return count(Math.min(state.step(), last)) + " / " + count(last);
     }
 
-    /** What the steps' values are; "" where there are no steps. */
+    /** The meaning of the steps' values; "" where there are no steps. */
     String decision() {
         return state.drawn().map(Drawn::decision).map(this::decision).orElse("");
     }

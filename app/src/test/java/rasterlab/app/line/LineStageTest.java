@@ -224,7 +224,8 @@ class LineStageTest {
         plotted.plot(0, 0);
         plotted.plot(15, 18);
         plotted.plot(1_000_000, -1_000_000);
-        model.showTried(new Segment(0, 0, 9, 3), "bresenham", Optional.of(Plotted.whole(plotted)));
+        model.showTried(
+                new Segment(0, 0, 9, 3), "bresenham", Optional.of(new Plotted(plotted, false)));
         model.settle();
         PixelGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
         assertTrue(grid.viewX(15) < 500 && grid.viewY(18) < 300, grid.toString());

@@ -59,7 +59,7 @@ class TriedSegmentTest {
     private static Optional<Plotted> all(int... xy) {
         var pixels = new PixelRecording(9);
         for (int i = 0; i < xy.length; i += 2) pixels.plot(xy[i], xy[i + 1]);
-        return Optional.of(Plotted.whole(pixels));
+        return Optional.of(new Plotted(pixels, false));
     }
 
     /** The first pixels of the row 0. */
@@ -155,7 +155,7 @@ class TriedSegmentTest {
     private static Plotted plotted(int count) {
         var pixels = new PixelRecording(Math.max(1, count));
         for (int x = 0; x < count; x++) pixels.plot(x, 0);
-        return Plotted.whole(pixels);
+        return new Plotted(pixels, false);
     }
 
     @ParameterizedTest(name = "nobody says whose line is seen: {0}")

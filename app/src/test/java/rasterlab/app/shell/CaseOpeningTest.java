@@ -71,7 +71,7 @@ class CaseOpeningTest {
                             "line",
                             "{\"from\":[1,2],\"to\":[3,4]}",
                             "bresenham",
-                            Optional.of(Plotted.whole(drawn)));
+                            Optional.of(new Plotted(drawn, false)));
             others.line().settle();
             answers.forEach(Runnable::run);
             TriedSegment tried = others.line().state().drawings().tried().orElseThrow();
@@ -79,7 +79,7 @@ class CaseOpeningTest {
                     new TriedSegment(
                             new Segment(1, 2, 3, 4),
                             "bresenham",
-                            Optional.of(Plotted.whole(drawn))),
+                            Optional.of(new Plotted(drawn, false))),
                     tried);
         }
     }

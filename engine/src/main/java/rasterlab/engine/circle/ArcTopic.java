@@ -11,7 +11,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Topic;
 
 /**
- * What circles and ellipses have in common as topics.
+ * Base of the topics of circles and ellipses.
  *
  * <p>A curve that is not exact is degraded where no exact pixel is farther than one pixel from a
  * drawn one and no drawn pixel farther than one pixel from an exact one; otherwise it is wrong.

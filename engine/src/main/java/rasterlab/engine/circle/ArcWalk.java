@@ -21,6 +21,6 @@ public interface ArcWalk {
     /** The number by which the method chooses the next pixel. */
     double decision();
 
-    /** What was computed so far, by name, for a method of that work. */
+    /** The operations so far, by name, for a method of that work. */
     Map<String, Long> operations(ArcWork work);
 }

@@ -3,7 +3,7 @@ package rasterlab.engine.circle;
 import rasterlab.engine.raster.Work;
 
 /**
- * What a method computes to choose pixels; what it computes once for the whole curve is left out.
+ * The work of a method to choose pixels; what it computes once for the whole curve is left out.
  *
  * @param choice at every choice
  * @param functions sines, cosines and square roots among it

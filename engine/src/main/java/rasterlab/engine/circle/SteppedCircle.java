@@ -7,9 +7,9 @@ public interface SteppedCircle extends CircleRasterizer {
     /** A walk over the pixels that {@code draw} mirrors, in the same order. */
     ArcWalk walk(int radius);
 
-    /** What {@link ArcWalk#decision} is, as a formula, and what it decides. */
+    /** The formula of {@link ArcWalk#decision}, and what it decides. */
     String decisionFormula();
 
-    /** What the walk computes. */
+    /** The quantity that the walk computes. */
     ArcWork work();
 }

@@ -11,9 +11,9 @@ public interface SteppedEllipse extends EllipseRasterizer {
      */
     ArcWalk walk(int radiusX, int radiusY);
 
-    /** What {@link ArcWalk#decision} is, as a formula, and what it decides. */
+    /** The formula of {@link ArcWalk#decision}, and what it decides. */
     String decisionFormula();
 
-    /** What the walk computes. */
+    /** The quantity that the walk computes. */
     ArcWork work();
 }

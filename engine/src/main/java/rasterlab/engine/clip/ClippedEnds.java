@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is left of each segment, in their order.
+ * The rest of each segment, in their order.
  *
  * @param parts the coordinates of the first end, then of the second; empty where nothing is left
  * @param again how many parts were sent beyond the one each segment may have

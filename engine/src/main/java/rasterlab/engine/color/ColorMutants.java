@@ -103,7 +103,7 @@ final class ColorMutants {
         return answer;
     }
 
-    /** What black leaves is not taken for the whole. */
+    /** The share that black leaves is not taken for the whole. */
     private static double[] wholeInks(ColorModel from, double[] components, ColorModel to) {
         double[] answer = RIGHT.convert(from, components, to);
         if (to == ColorModel.CMYK) for (int i = 0; i < 3; i++) answer[i] *= 1 - answer[3];

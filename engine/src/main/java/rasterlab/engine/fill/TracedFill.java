@@ -12,6 +12,6 @@ public interface TracedFill extends SeedFiller {
      */
     void trace(PixelGrid picture, int x, int y, int with, int connectivity, FillObserver observer);
 
-    /** What {@link FillObserver#onRun} is told as waiting. */
+    /** The waiting count that {@link FillObserver#onRun} gets. */
     String waitingMeans();
 }

@@ -1,6 +1,6 @@
 package rasterlab.engine.format;
 
-/** What the value of a field is where inputs and answers are drawn. */
+/** The meaning of a field's value where inputs and answers are drawn. */
 public enum FieldKind {
     /** Numbers in a table, which are not drawn. */
     NUMBERS,

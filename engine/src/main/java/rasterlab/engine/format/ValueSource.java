@@ -14,8 +14,6 @@ public interface ValueSource {
 
     boolean startsArray();
 
-    boolean startsText();
-
     boolean isNull();
 
     /** Reads an object that has these fields and no others. */

@@ -4,7 +4,7 @@ import java.util.List;
 import rasterlab.contract.Reflection;
 
 /**
- * What is agreed on for a whole scene.
+ * The light model of a whole scene.
  *
  * @param globalAmbient light from everywhere, shares of red, green and blue, 0 to 1
  * @param localViewer whether each point has its own direction to the eye, or all have one
@@ -35,15 +35,10 @@ public record LightModel(
         lights = List.copyOf(lights);
     }
 
-    /** What OpenGL starts with: dim ambient light, a far viewer, fronts only, n·h. */
+    /** The model that OpenGL starts with: dim ambient light, a far viewer, fronts only, n·h. */
     public static LightModel openGl(Light... lights) {
         double[] ambient = {AMBIENT, AMBIENT, AMBIENT};
         return new LightModel(ambient, false, false, Reflection.BLINN_PHONG, List.of(lights));
-    }
-
-    /** The same with another specular term. */
-    public LightModel with(Reflection other) {
-        return new LightModel(globalAmbient, localViewer, twoSided, other, lights);
     }
 
     /** The same with a direction to the eye for each point. */

@@ -3,7 +3,7 @@ package rasterlab.engine.light;
 import rasterlab.contract.SurfaceMaterial;
 
 /**
- * What a surface is made of.
+ * The material of a surface.
  *
  * @param surface what it does with light
  * @param alpha how much it hides of what lies behind, 0 (nothing) to 1 (all)

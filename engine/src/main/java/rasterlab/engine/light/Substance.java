@@ -84,7 +84,7 @@ public enum Substance {
         return Named.find("material", name, List.of(values()), Substance::code);
     }
 
-    /** What it does with light; none has light of its own. */
+    /** The way it reflects light; none has light of its own. */
     public SurfaceMaterial surface() {
         return new SurfaceMaterial(ambient, diffuse, specular, new double[3], shininess);
     }

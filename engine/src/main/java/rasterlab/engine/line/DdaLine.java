@@ -47,7 +47,7 @@ public final class DdaLine implements SteppedLine {
     }
 
     /**
-     * What f is at the first end instead of 0, so that a tie goes to the smaller coordinate.
+     * The value of f at the first end instead of 0, so that a tie goes to the smaller coordinate.
      *
      * @param direction of the coordinate across, −1 where it falls
      * @param n steps along the longer axis

@@ -2,6 +2,7 @@ package rasterlab.engine.line;
 
 import java.util.Map;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * How much light a line gets for its length: the requirement of even brightness, measured.
@@ -15,6 +16,10 @@ import rasterlab.contract.LineRasterizer;
  */
 public record LineBrightness(long light, long length, double degrees) {
     private static final int BAND = 15;
+
+    public LineBrightness {
+        Bounds.require("degrees", degrees, 0, 45);
+    }
 
     /**
      * @throws IllegalArgumentException when the method refuses the segment

@@ -3,8 +3,8 @@ package rasterlab.engine.line;
 import java.util.Map;
 
 /**
- * What a method computed on its way along one segment: its work at a step, times the steps that it
- * made.
+ * The operations of a method on its way along one segment: its work at a step, times the steps that
+ * it made.
  */
 record LineCount(LineWork work, long pixels, long across) {
     static LineCount of(SteppedLine method, Segment segment) {

@@ -3,7 +3,7 @@ package rasterlab.engine.line;
 import rasterlab.engine.raster.Work;
 
 /**
- * What a method computes to choose a line's pixels.
+ * The work of a method to choose a line's pixels.
  *
  * @param start once for the line
  * @param pixel at every pixel

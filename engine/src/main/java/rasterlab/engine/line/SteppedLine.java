@@ -19,12 +19,12 @@ public interface SteppedLine extends LineRasterizer {
      */
     LineWalk walk(int x0, int y0, int x1, int y1);
 
-    /** What {@link LineWalk#decision} is, as a formula, and when it makes the line step aside. */
+    /** The formula of {@link LineWalk#decision}, and when it makes the line step aside. */
     String decisionFormula();
 
     /** Which pixel {@link LineWalk#decision} chooses. */
     Decides decides();
 
-    /** What the walk computes. */
+    /** The quantity that the walk computes. */
     LineWork work();
 }

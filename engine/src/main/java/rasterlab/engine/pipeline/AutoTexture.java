@@ -5,7 +5,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Appearance;
 
 /**
- * What {@code --texture auto} comes to: mipmaps on the faces that may be made smaller, the linear
+ * The choice of {@code --texture auto}: mipmaps on the faces that may be made smaller, the linear
  * filter on the others, where it gives the same pixels.
  */
 final class AutoTexture {

@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline;
 
 /**
- * What {@code auto} stood for.
+ * The choice that {@code auto} stood for.
  *
  * @param chosen a name of the same kind
  * @param reason why, in a few words

@@ -8,9 +8,9 @@ import rasterlab.engine.naming.Named;
 /** Which faces are left out by the side that the eye is on. */
 public enum Cull {
     NONE,
-    /** What is seen from its inner side. */
+    /** Faces seen from their inner side are left out. */
     BACK,
-    /** What is seen from its outer side. */
+    /** Faces seen from their outer side are left out. */
     FRONT;
 
     /** Lower-case name, as on the command line. */

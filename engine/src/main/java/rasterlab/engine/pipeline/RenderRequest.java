@@ -6,7 +6,8 @@ import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * What to draw and how; every name is known and every size allowed, or there is no request.
+ * A request for a picture: what to draw and how; every name is known and every size allowed, or
+ * there is no request.
  *
  * @param scene what is looked at
  * @param camera the view; one that stands on its head is drawn upright

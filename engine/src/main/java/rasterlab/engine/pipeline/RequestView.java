@@ -7,7 +7,7 @@ import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * What one eye sees of a request's scene.
+ * The view of one eye on a request's scene.
  *
  * @param scene what is left of it after culling
  * @param viewed its mesh

@@ -6,7 +6,7 @@ import java.util.Arrays;
 public final class Membership {
     private final boolean[] inside;
 
-    /** What judges one point. */
+    /** The judge of one point. */
     @FunctionalInterface
     public interface Judge {
         boolean contains(double x, double y);
@@ -29,11 +29,6 @@ public final class Membership {
 
     public boolean inside(int i) {
         return inside[i];
-    }
-
-    /** A copy, one value for each point. */
-    public boolean[] toArray() {
-        return inside.clone();
     }
 
     @Override

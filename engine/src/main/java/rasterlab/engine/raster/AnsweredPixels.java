@@ -21,7 +21,7 @@ public final class AnsweredPixels implements Pixels {
             Field.required("pixels", Shape.list(Shape.wholes(2))).as(FieldKind.PIXELS);
 
     /**
-     * What is drawn, for complaints.
+     * The name of the thing that is drawn, for complaints.
      *
      * @param noun such as "segment"
      * @param advice how to get fewer pixels

@@ -8,7 +8,7 @@ import java.util.Optional;
  * @param drawn what is drawn in its place, where that is one pixel
  */
 public record FirstDifference(Kind kind, Pixel pixel, Optional<Pixel> drawn) {
-    /** What is wrong there, if no pixel before it is. */
+    /** The fault there, if no pixel before it is wrong. */
     public enum Kind {
         MISSING("is missing"),
         EXTRA("is extra"),

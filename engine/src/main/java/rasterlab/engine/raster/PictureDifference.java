@@ -1,5 +1,7 @@
 package rasterlab.engine.raster;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * How a picture differs from the expected one, pixel by pixel.
  *
@@ -29,6 +31,10 @@ public record PictureDifference(
     public static final int EDGE = 0xFF101010;
 
     private static final int ARM_LENGTH = 2;
+
+    public PictureDifference {
+        Bounds.require("largestLevelDifference", largestLevelDifference, 0, 255);
+    }
 
     /**
      * @throws IllegalArgumentException if the sizes differ

@@ -5,7 +5,7 @@ import rasterlab.engine.color.Levels;
 import rasterlab.engine.light.Material;
 
 /**
- * What the faces of a mesh look like.
+ * The look of the faces of a mesh.
  *
  * @param front the material of outer sides
  * @param back the material of inner sides

@@ -179,7 +179,7 @@ public record Scene(
         return finishOf[face];
     }
 
-    /** What a face looks like. */
+    /** The look of a face. */
     public Appearance finish(int face) {
         return finishes.get(finishOf[face]);
     }
@@ -188,10 +188,5 @@ public record Scene(
     @Override
     public int[] finishOf() {
         return finishOf.clone();
-    }
-
-    /** The colour 0xRRGGBB of each face. */
-    public int[] faceRgb() {
-        return Arrays.stream(finishOf).map(finish -> finishes.get(finish).rgb()).toArray();
     }
 }

@@ -69,10 +69,6 @@ public final class TriangleMesh {
         return vertices.has(VertexQuantity.NORMAL_X);
     }
 
-    public boolean hasTexture() {
-        return vertices.has(VertexQuantity.TEXTURE_S);
-    }
-
     public boolean hasColors() {
         return vertices.has(VertexQuantity.RED);
     }

@@ -1,6 +1,6 @@
 package rasterlab.engine.scene;
 
-/** What a {@link TriangleMesh} can know of a vertex, one number each. */
+/** The quantities that a {@link TriangleMesh} can have for a vertex, one number each. */
 public enum VertexQuantity {
     /** World units. */
     X,

@@ -6,7 +6,7 @@ import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.Samples;
 
 /**
- * What one item cost.
+ * The cost of one item.
  *
  * @param medianNanos nanoseconds per item, the median of the rounds; 0 where nothing was timed
  * @param lowNanos first quartile of the rounds

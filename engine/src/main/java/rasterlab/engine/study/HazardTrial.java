@@ -35,7 +35,7 @@ public final class HazardTrial {
     }
 
     /**
-     * What a method made of an input, beside what is right.
+     * The answer of a method to an input, beside the right one.
      *
      * @param exact the right answer, cut where {@link Topic#mostItems} says
      * @param made the method's; empty where it gave none
@@ -79,23 +79,13 @@ public final class HazardTrial {
     }
 
     /**
-     * What {@code method} does with {@code hazard}.
+     * The verdict on {@code method} for {@code hazard}.
      *
      * @param wallLimit the longest it may take
      */
     public static <C, I, O> Verdict judge(
             Topic<C, I, O> topic, Method<C> method, Hazard<I> hazard, Duration wallLimit) {
         return tried(topic, method, hazard.input(), wallLimit).verdict();
-    }
-
-    /**
-     * Judges methods on {@code input}, whose right answer is worked out once for all of them.
-     *
-     * @param wallLimit the longest each may take
-     */
-    public static <C, I, O> Function<Method<C>, Verdict> judging(
-            Topic<C, I, O> topic, I input, Duration wallLimit) {
-        return trying(topic, input, wallLimit).andThen(Tried::verdict);
     }
 
     /**

@@ -137,7 +137,7 @@ public interface Topic<C, I, O> {
     }
 
     /**
-     * What a method does on one input, counted instead of timed and so free of noise.
+     * The work of a method on one input, counted instead of timed and so free of noise.
      *
      * @return name in the plural, such as "multiplications", to their number; empty where nothing
      *     is counted
@@ -170,7 +170,9 @@ public interface Topic<C, I, O> {
     /** The form of the topic's inputs and answers outside the engine. */
     Format<C, I, O> format();
 
-    /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
+    /**
+     * The unit that {@link #spend} counts, in the singular, for axis labels: "pixel", "segment".
+     */
     String item();
 
     /** Unit of {@link Deviation#worst}. */

@@ -3,7 +3,7 @@ package rasterlab.engine.study;
 import java.util.Locale;
 
 /**
- * What a method did with a hazard.
+ * The outcome of a method for a hazard.
  *
  * @param kind which of the six answers
  * @param deviation how far from exact; {@link Deviation#NONE} where there is no answer to compare

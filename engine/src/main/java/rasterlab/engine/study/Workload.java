@@ -3,7 +3,7 @@ package rasterlab.engine.study;
 import java.util.List;
 
 /**
- * What a study measures as one point of a chart: several inputs of one size.
+ * The inputs that a study measures as one point of a chart: several of one size.
  *
  * @param name lower-case with hyphens
  * @param size the size that the chart's axis shows, in the topic's items per input

@@ -3,7 +3,7 @@ package rasterlab.engine.surface;
 import java.util.Arrays;
 
 /**
- * What colour a filled pixel gets. It depends on the pixel's place in the picture, not in the
+ * The colour that a filled pixel gets. It depends on the pixel's place in the picture, not in the
  * figure, so neighbouring figures of one brush fit together.
  */
 @FunctionalInterface

@@ -87,7 +87,7 @@ final class Reduction {
             return cover;
         }
 
-        /** What share of texel {@code i} of m is texel {@code x} of n. */
+        /** The share of texel {@code i} of m that texel {@code x} of n covers. */
         private static double common(int x, int i, int n, int m) {
             int begin = Math.max(i * n, x * m);
             int end = Math.min((i + 1) * n, (x + 1) * m);

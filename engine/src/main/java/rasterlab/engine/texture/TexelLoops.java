@@ -5,7 +5,7 @@ final class TexelLoops {
     /** Added and taken away again it rounds to the nearest whole number. */
     private static final float ROUND = 0x1.8p23f;
 
-    /** What is left of its bits when they are taken from a sum's is that whole number. */
+    /** A number whose bits, taken from those of a sum, leave the whole number. */
     private static final int ROUND_BITS = Float.floatToRawIntBits(ROUND);
 
     /** Steps of a coordinate's fraction where texels are mixed, as a power of two. */

@@ -1,5 +1,7 @@
 package rasterlab.engine.texture;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * A texel that a filter looked up.
  *
@@ -9,4 +11,9 @@ package rasterlab.engine.texture;
  * @param share of the colour, 0 to 1; those of one colour add up to 1
  * @param argb 0xAARRGGBB
  */
-public record TexelShare(int level, int i, int j, double share, int argb) {}
+public record TexelShare(int level, int i, int j, double share, int argb) {
+    public TexelShare {
+        Bounds.requireAtLeast("level", level, 0);
+        Bounds.require("share", share, 0, 1);
+    }
+}

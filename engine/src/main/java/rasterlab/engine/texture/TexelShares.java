@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What {@link TextureSampler}'s filters mix a colour of: the texels that they look up, in their
- * order, and how much each counts. A repeated texture.
+ * The shares of which {@link TextureSampler}'s filters mix a colour: the texels that they look up,
+ * in their order, and how much each counts. A repeated texture.
  */
 public final class TexelShares {
     private static final int BITS = 8;

@@ -1,7 +1,6 @@
 package rasterlab.engine.texture;
 
 import java.util.List;
-import rasterlab.engine.raster.Raster;
 
 /**
  * A picture of any size with its levels of detail, unchangeable.
@@ -52,17 +51,6 @@ public final class Texture {
                 components,
                 Reduction.levels(new TextureLevel(width, height, texels)),
                 hiding == 255);
-    }
-
-    /** The picture of a raster, whose first row is the top one, with colour and alpha. */
-    public static Texture of(Raster picture) {
-        int width = picture.width();
-        int height = picture.height();
-        var texels = new int[width * height];
-        for (int y = 0; y < height; y++)
-            for (int x = 0; x < width; x++)
-                texels[(height - 1 - y) * width + x] = picture.argb(x, y);
-        return of(width, height, 4, texels);
     }
 
     private static void requireSize(String name, int size) {

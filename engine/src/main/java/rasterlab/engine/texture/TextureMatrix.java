@@ -32,28 +32,8 @@ public final class TextureMatrix {
     }
 
     /**
-     * Replaces pairs of coordinates.
-     *
-     * @param st s and t of each point, one after the other
-     * @throws IllegalArgumentException if a point goes to infinity; the message names it
+     * Replaces the coordinates of pixels, in place; what goes to infinity does so without a word.
      */
-    public void transform(double[] st) {
-        if (st.length % 2 != 0)
-            throw new IllegalArgumentException(
-                    "texture coordinates must be pairs, got " + st.length + " in all");
-        for (int i = 0; i < st.length; i += 2) {
-            double divisor = of(q, st[i], st[i + 1]);
-            if (divisor == 0)
-                throw new IllegalArgumentException(
-                        "texture coordinates %d, (%s, %s), go to infinity"
-                                .formatted(i / 2, st[i], st[i + 1]));
-            double newS = of(s, st[i], st[i + 1]) / divisor;
-            st[i + 1] = of(t, st[i], st[i + 1]) / divisor;
-            st[i] = newS;
-        }
-    }
-
-    /** The same for pixels, in place; what goes to infinity does so without a word. */
     public void transform(int count, float[] ofS, float[] ofT) {
         for (int i = 0; i < count; i++) {
             double divisor = of(q, ofS[i], ofT[i]);

@@ -1,6 +1,6 @@
 package rasterlab.engine.texture;
 
-/** What a texture is outside of 0 to 1, along s or t. */
+/** The rule that continues a texture outside of 0 to 1, along s or t. */
 public enum Wrap {
     /** The picture again and again. */
     REPEAT {

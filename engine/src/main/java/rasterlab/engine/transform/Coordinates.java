@@ -1,6 +1,6 @@
 package rasterlab.engine.transform;
 
-/** What every method demands of the numbers it is given. */
+/** Checks what every method demands of the numbers it is given. */
 public final class Coordinates {
     /** The largest magnitude of a coordinate in double: sums and turns of such never overflow. */
     public static final double LARGEST = 0x1p1000;

@@ -28,15 +28,6 @@ public final class CountingArithmetic {
         return a / b;
     }
 
-    /** Additions and subtractions so far. */
-    public long additions() {
-        return additions;
-    }
-
-    public long multiplications() {
-        return multiplications;
-    }
-
     /** Each kind by its name; divisions only where there are any. */
     public Map<String, Long> counts() {
         return divisions == 0

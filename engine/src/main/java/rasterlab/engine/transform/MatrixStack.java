@@ -51,11 +51,6 @@ public final class MatrixStack {
         return stacks.get(of).stream().map(Matrix4d::new).toList();
     }
 
-    /** How many matrices a stack holds, at least 1. */
-    public int depth(MatrixMode of) {
-        return stacks.get(of).size();
-    }
-
     /**
      * @throws IllegalStateException if the stack is full; nothing changes
      */

@@ -31,14 +31,6 @@ public final class PerspectiveAmount {
         return 1 + 2 * (depth / distance);
     }
 
-    /** The same measured in a picture at distance d, from the images of the three ends. */
-    public static double measured(double distance, double depth, double height, double d) {
-        double near = height * d / distance;
-        double middle = height * d / (distance + depth);
-        double far = height * d / (distance + 2 * depth);
-        return (near - middle) / (middle - far);
-    }
-
     /**
      * The chart of γ over z' in units of dz', evenly spaced.
      *

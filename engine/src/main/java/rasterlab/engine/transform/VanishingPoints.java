@@ -1,7 +1,5 @@
 package rasterlab.engine.transform;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -40,13 +38,6 @@ public final class VanishingPoints {
         double constant = projection.getColumn(3, new Vector4d()).w;
         if (along == 0) return Optional.empty();
         return Optional.of(new Vector3d().setComponent(axis, -constant / along));
-    }
-
-    /** All vanishing points of the axes: one, two or three of them name the perspective. */
-    public static List<Vector3d> all(Matrix4d projection) {
-        var points = new ArrayList<Vector3d>();
-        for (int axis = 0; axis < 3; axis++) of(projection, axis).ifPresent(points::add);
-        return points;
     }
 
     private static int checked(int axis) {

@@ -7,7 +7,7 @@ import java.util.OptionalDouble;
  * method stores them: whole numbers, nearness or a share of the range.
  */
 public interface BufferedWalk extends VisibilityWalk {
-    /** What a pixel of the picture holds; empty before any face was seen there. */
+    /** The content of a pixel of the picture; empty before any face was seen there. */
     OptionalDouble held(int x, int y);
 
     /** The depth of the last step's face there; empty where the face does not own the pixel. */

@@ -126,7 +126,7 @@ public final class ScreenPolygon {
         if (from < to) out.span(row, from, to);
     }
 
-    /** What is left of the polygon between the planes: x, y, z of each corner. */
+    /** The part of the polygon between the planes: x, y, z of each corner. */
     public double[] eyeCorners() {
         var corners = new double[3 * cut.size];
         for (int k = 0; k < cut.size; k++) {

@@ -8,7 +8,7 @@ public interface SteppedVisibility extends Visibility {
     /** A walk that has drawn nothing yet. */
     VisibilityWalk walk(ViewedMesh view, FacePaint paint, Raster out);
 
-    /** What a step's value is. */
+    /** The meaning of a step's value. */
     String decision();
 
     @Override

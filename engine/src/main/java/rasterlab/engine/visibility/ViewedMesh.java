@@ -12,8 +12,8 @@ import rasterlab.engine.transform.ViewTransform;
  */
 public final class ViewedMesh {
     /**
-     * What lies nearer to the eye than this share of ρ is not drawn in perspective. It keeps the
-     * division by z away from 0.
+     * The nearest depth that is drawn in perspective, as a share of ρ. It keeps the division by z
+     * away from 0.
      */
     public static final double NEAR_SHARE = 1e-3;
 

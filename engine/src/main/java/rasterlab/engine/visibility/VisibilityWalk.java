@@ -5,9 +5,9 @@ public interface VisibilityWalk {
     /** Does the next step; false when the picture is done. */
     boolean advance();
 
-    /** What was done last; only after {@link #advance} said true. */
+    /** The step done last; only after {@link #advance} returned true. */
     VisibilityStep step();
 
-    /** What was done so far. */
+    /** The work so far. */
     VisibilityWork work();
 }

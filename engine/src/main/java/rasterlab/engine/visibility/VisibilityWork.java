@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What a method did for one picture, counted and so free of noise.
+ * The work of a method for one picture, counted and so free of noise.
  *
  * @param comparisons of a face with another face, or with a window or box that may hold some of it
  * @param depthTests depths of a face computed at a pixel, a window's corner or along a ray

@@ -82,7 +82,7 @@ class LargeArcTest {
     }
 
     private static <C, I> Function<C, Kind> kinds(Topic<C, I, PixelRecording> topic, I input) {
-        var judging = HazardTrial.judging(topic, input, Duration.ofMinutes(2));
-        return method -> judging.apply(Method.failing("made-up", method)).kind();
+        var trying = HazardTrial.trying(topic, input, Duration.ofMinutes(2));
+        return method -> trying.apply(Method.failing("made-up", method)).verdict().kind();
     }
 }

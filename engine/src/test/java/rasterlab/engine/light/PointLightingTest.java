@@ -48,9 +48,18 @@ class PointLightingTest {
         assertArrayEquals(new float[] {0.5f, 0.5f, 0.5f, 1}, shade(lighting, 0, 0, 1, true));
     }
 
+    private static LightModel with(Reflection reflection, LightModel model) {
+        return new LightModel(
+                model.globalAmbient(),
+                model.localViewer(),
+                model.twoSided(),
+                reflection,
+                model.lights());
+    }
+
     @Test
     void localViewerSeesTheHighlightElsewhere() {
-        var model = dark(Light.from(light(1), 0, 0, 1)).with(Reflection.PHONG);
+        var model = with(Reflection.PHONG, dark(Light.from(light(1), 0, 0, 1)));
         var shiny = Material.dull(0, 0, 0).shiny(1, 1);
         var far = lighting(model, shiny);
         far.eye(3, 0, 4, 0, 0, 1);
@@ -103,8 +112,7 @@ class PointLightingTest {
     void allocatesNothingPerPoint() {
         var spot = light(1).through(new SpotCone(new double[] {0, 0, -1}, 60, 3));
         var model =
-                LightModel.openGl(SUN, Light.at(spot, 1, 1, 3))
-                        .with(Reflection.PHONG)
+                with(Reflection.PHONG, LightModel.openGl(SUN, Light.at(spot, 1, 1, 3)))
                         .withLocalViewer();
         var lighting = lighting(model, Material.dull(0.5, 0.5, 0.5).shiny(0.5, 30));
         lighting.eye(0, 0, 5, 0, 0, 1);

@@ -250,11 +250,20 @@ class LookTest {
                 List.of(renderer.render(request, () -> false).argb()[600]));
     }
 
+    private static LightModel lambert(LightModel model) {
+        return new LightModel(
+                model.globalAmbient(),
+                model.localViewer(),
+                model.twoSided(),
+                Reflection.LAMBERT,
+                model.lights());
+    }
+
     static Stream<Arguments> shadings() {
         var all = LightTerm.all();
         Scene shiny = LitScenes.shinyBall(LitScenes.lamps(Reflection.PHONG, true, true));
         Scene dull = LitScenes.shinyBall(LitScenes.lamps(Reflection.LAMBERT, true, true));
-        Scene spot = LitScenes.shinyBall(LitScenes.spot().with(Reflection.LAMBERT));
+        Scene spot = LitScenes.shinyBall(lambert(LitScenes.spot()));
         return Stream.of(
                 argumentSet(
                         "flat faces are smoothed",

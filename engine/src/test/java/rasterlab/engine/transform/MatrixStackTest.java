@@ -33,7 +33,7 @@ class MatrixStackTest {
                 "GL_STACK_OVERFLOW: the %s stack holds at most %d matrices"
                         .formatted(mode, mode.depth()),
                 error.getMessage());
-        assertEquals(mode.depth(), stack.depth(mode));
+        assertEquals(mode.depth(), stack.matrices(mode).size());
     }
 
     @ParameterizedTest(name = "{0} loses its last matrix")
@@ -89,8 +89,8 @@ class MatrixStackTest {
         stack.push();
         assertEquals(new Matrix4d(), stack.top(MatrixMode.MODELVIEW));
         assertEquals(new Matrix4d(), stack.top(MatrixMode.TEXTURE));
-        assertEquals(1, stack.depth(MatrixMode.TEXTURE));
-        assertEquals(2, stack.depth(MatrixMode.PROJECTION));
+        assertEquals(1, stack.matrices(MatrixMode.TEXTURE).size());
+        assertEquals(2, stack.matrices(MatrixMode.PROJECTION).size());
     }
 
     @Test

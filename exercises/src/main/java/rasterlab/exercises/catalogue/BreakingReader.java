@@ -28,7 +28,7 @@ import rasterlab.exercises.score.Phrase;
  * Exercise} with one case for each of them.
  */
 final class BreakingReader {
-    /** What is handed in where nothing has been found yet. */
+    /** The text that is handed in where nothing has been found yet. */
     static final String STARTER = "Starter.json";
 
     private static final int MOST_INPUTS = 20;

@@ -77,7 +77,7 @@ final class CaseReader {
         return cases;
     }
 
-    /** What a case asks for: its data, whether a seed draws it, and the property of it. */
+    /** The contents of a case: its data, whether a seed draws it, and its property. */
     private record Asked(String data, boolean generated, Optional<String> property) {}
 
     /** A case; empty where something is wrong, all of which is kept. */

@@ -76,7 +76,7 @@ public final class Catalogue {
     }
 
     /**
-     * What reading a folder came to.
+     * The outcome of reading a folder.
      *
      * @param exercise empty where there are faults
      * @param parts what can be looked at also then

@@ -16,7 +16,7 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.score.Phrase;
 
 /**
- * What lies in an instructor's folder. Only regular files are opened, since a pipe would be waited
+ * The files of an instructor's folder. Only regular files are opened, since a pipe would be waited
  * for and a device such as /dev/zero read without end; links are followed.
  */
 final class DiskFiles {
@@ -82,7 +82,7 @@ final class DiskFiles {
         }
     }
 
-    /** What the system says, without the path that the message already has. */
+    /** The message of the system, without the path that ours already has. */
     private static String reason(IOException e) {
         if (e instanceof FileSystemException file && file.getReason() != null)
             return file.getReason();

@@ -88,7 +88,7 @@ final class ExerciseFolder {
         return tested;
     }
 
-    /** What messages call a file of this folder. */
+    /** The name of a file of this folder in messages. */
     String place(String file) {
         return place + "/" + file;
     }

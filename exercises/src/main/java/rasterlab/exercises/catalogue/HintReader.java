@@ -75,7 +75,7 @@ final class HintReader {
         return hints;
     }
 
-    /** What each step costs; empty where something is wrong, all of which is kept. */
+    /** The cost of each step; empty where something is wrong, all of which is kept. */
     private Optional<List<Integer>> costs() {
         if (!fields.has(COSTS)) return Optional.of(NUMBERS.stream().map(one -> 0).toList());
         if (fields.tree(COSTS).size() != Hint.STEPS || !fields.tree(COSTS).isArray())
@@ -97,7 +97,7 @@ final class HintReader {
         return costs;
     }
 
-    /** What stands under each number; empty where something is wrong, all of which is kept. */
+    /** The text under each number; empty where something is wrong, all of which is kept. */
     private Optional<List<String>> steps(String file, String text) {
         List<String> found = new ArrayList<>();
         List<Integer> ends = new ArrayList<>();

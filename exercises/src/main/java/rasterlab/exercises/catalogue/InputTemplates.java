@@ -54,7 +54,7 @@ final class InputTemplates {
     }
 
     /**
-     * What a case says of drawing its inputs, with the template in the place of its name.
+     * The rule by which a case draws its inputs, with the template in place of its name.
      *
      * @param left names of fields that say something else and are left out
      */

@@ -43,7 +43,7 @@ final class CappedOutput extends OutputStream {
         return dropped;
     }
 
-    /** What was printed since the last call, cut. */
+    /** The output since the last call, cut. */
     synchronized String take() {
         String text = Wire.cut(beginning.toString(StandardCharsets.UTF_8));
         beginning.reset();

@@ -6,15 +6,16 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the student's code threw. Of a static initialiser it is what was thrown there first: neither
- * the error around that, nor those at later uses of the class, tell what it was or where.
+ * The exception that the student's code threw. Of a static initialiser it is what was thrown there
+ * first: neither the error around that, nor those at later uses of the class, tell what it was or
+ * where.
  *
  * @param error whose trace leads to the place
  * @param type name of the class that was thrown; in an initialiser behind that of the error around
  * @param kept the message where it is known without asking the error
  */
 record Thrown(Throwable error, String type, Optional<String> kept) {
-    /** What the virtual machine keeps, as text, of an exception in a static initialiser. */
+    /** The text that the virtual machine keeps of an exception in a static initialiser. */
     private static final Pattern IN_INITIALISER =
             Pattern.compile(
                     "Exception (\\S+?)(?:: (.*))? \\[in thread \"[^\"]*\"\\]", Pattern.DOTALL);

@@ -83,7 +83,7 @@ public final class Wire {
     /** Exit status after a request that cannot be read. */
     public static final int EXIT_PROTOCOL = 66;
 
-    /** What class files call the student's source. */
+    /** The name of the student's source in class files. */
     public static final String SOURCE_FILE = "Submission.java";
 
     public static final int MOST_CLASSES = 200;

@@ -17,8 +17,8 @@ import rasterlab.exercises.words.PluralForms;
 import rasterlab.exercises.words.TopicWords;
 
 /**
- * What the engine and readers and writers of files say in English, in the language of whoever reads
- * it: the sentences, and in each the numbers.
+ * Translates the sentences that the engine and readers and writers of files say in English to the
+ * language of the reader; the numbers in them are kept.
  *
  * <p>A sentence is found by the English pattern that it fits, the one with most words of its own
  * first; what stands in its places is translated likewise, but for what is quoted and, in a place
@@ -101,7 +101,7 @@ public final class ComplaintTexts {
                     own);
         }
 
-        /** What stands between places, with either form of words that go with a number. */
+        /** The text between places, with either form of words that go with a number. */
         private static String fixed(String words) {
             var pattern = new StringBuilder();
             Matcher forms = FORMS.matcher(words);

@@ -43,7 +43,7 @@ public record Chapter(String topic, List<Exercise> exercises) {
         return Topics.named(topic).lab();
     }
 
-    /** What that lab's tab is called, in that language. */
+    /** The name of that lab's tab, in that language. */
     public String labTitle(String language) {
         return texts(language).getString("lab." + lab());
     }

@@ -16,7 +16,7 @@ final class Ink {
 
     static final Color GIVEN = new Color(0x8A939E);
 
-    /** What is expected, and what agrees in a difference. */
+    /** The expected parts, and those that agree in a difference. */
     static final Color EXPECTED = new Color(0x2B3A4A);
 
     static final Color ACTUAL = new Color(0x0B62B8);

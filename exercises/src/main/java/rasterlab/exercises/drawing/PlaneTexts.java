@@ -70,7 +70,7 @@ final class PlaneTexts {
         return others > 0 ? said.and(Message.of("drawing.plane.turned", others)) : said;
     }
 
-    /** What part of the plane is shown, and how. */
+    /** The part of the plane that is shown, and how. */
     private Message plot() {
         PlaneBox box = view.box();
         Message said =

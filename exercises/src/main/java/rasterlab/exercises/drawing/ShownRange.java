@@ -2,6 +2,7 @@ package rasterlab.exercises.drawing;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * The rows or columns of a table that a picture has a place for.
@@ -13,6 +14,10 @@ import java.util.List;
 record ShownRange(int first, int count, int all) {
     /** The place in {@link #lines} of what is left out. */
     static final int GAP = -1;
+
+    ShownRange {
+        Bounds.requireAtLeast("first", first, 0);
+    }
 
     /** The range of at most so many, with one of them as near to the middle as the ends allow. */
     static ShownRange around(int center, int most, int all) {

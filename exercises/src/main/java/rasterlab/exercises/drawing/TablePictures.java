@@ -56,13 +56,6 @@ public final class TablePictures {
         return new TablePictures(new TableComparison(expected, actual, agreement), labels).drawn();
     }
 
-    /** A row of truth values as numbers: 1 for true, 0 for false. */
-    public static double[] numbers(boolean... values) {
-        var numbers = new double[values.length];
-        for (int i = 0; i < values.length; i++) numbers[i] = values[i] ? 1 : 0;
-        return numbers;
-    }
-
     private List<CasePicture> drawn() {
         return ThreePictures.of(
                 new Drawn(

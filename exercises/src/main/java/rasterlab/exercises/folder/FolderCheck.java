@@ -101,7 +101,7 @@ public final class FolderCheck {
                 .forEach((file, source) -> faults(parts, source).forEach(one -> add(file, one)));
     }
 
-    /** What is wrong with a source; where its contract is unknown, only that is not Java. */
+    /** The faults of a source; where its contract is unknown, only that it is not Java. */
     private static List<Diagnostic> faults(FolderParts parts, String source) {
         return parts.contract()
                 .map(one -> new SourceCheck(one).faults(source))

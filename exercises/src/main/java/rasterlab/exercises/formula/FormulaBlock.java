@@ -7,7 +7,7 @@ public final class FormulaBlock extends CustomBlock {
     private TexFormula formula = new TexFormula("", true);
     private boolean closed;
 
-    /** What stands before the closing dollars, or before the empty line where there are none. */
+    /** The text before the closing dollars, or before the empty line where there are none. */
     public TexFormula formula() {
         return formula;
     }

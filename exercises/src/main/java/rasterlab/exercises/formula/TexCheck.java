@@ -24,7 +24,7 @@ final class TexCheck {
     private Message mistake = Message.NONE;
 
     /**
-     * What has begun and not ended.
+     * A group that has begun and not ended.
      *
      * @param end what ends it; of a command, its name
      * @param lacking arguments that are still to come; 0 where {@code end} ends it
@@ -40,7 +40,7 @@ final class TexCheck {
         this.tex = tex;
     }
 
-    /** What is wrong with the formula; empty where nothing was found. */
+    /** The fault of the formula; empty where none was found. */
     static Optional<Message> mistake(String tex) {
         if (tex.isBlank()) return Optional.of(Message.of("formula.empty"));
         if (tex.length() > LONGEST)

@@ -19,6 +19,6 @@ public sealed interface Typeset {
         public static final double CAPITAL_HEIGHT = 0.683;
     }
 
-    /** What is wrong with it. */
+    /** The fault that was found. */
     record Mistaken(Message message) implements Typeset {}
 }

@@ -57,7 +57,7 @@ final class Typesetter {
         }
     }
 
-    /** What is to be done once. */
+    /** A task that is to be done once. */
     private static final class Library {
         static {
             DefaultTeXFontParser.registerFonts(false);

@@ -20,7 +20,7 @@ final class FormFigures {
         this.fields = fields;
     }
 
-    /** What is given, as far as it lies in the plane. */
+    /** The given figures, as far as they lie in the plane. */
     List<PlaneFigure> given() {
         List<PlaneFigure> given = new ArrayList<>();
         for (JsonNode one : fields.given(FieldKind.WINDOW)) window(one).ifPresent(given::add);

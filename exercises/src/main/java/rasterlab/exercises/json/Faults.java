@@ -10,7 +10,7 @@ import rasterlab.exercises.CatalogueException;
 public final class Faults {
     private final List<CatalogueException> found = new ArrayList<>();
 
-    /** What is read; empty where it cannot be, which is kept. */
+    /** The value that is read; empty where it cannot be, which is kept. */
     public <T> Optional<T> tried(Supplier<T> reading) {
         try {
             return Optional.of(reading.get());

@@ -149,13 +149,6 @@ public final class JsonFields {
         return required(field).texts();
     }
 
-    /** The object under that field as JSON text. */
-    public String json(String field) {
-        Value value = required(field);
-        value.requireObject();
-        return value.asJson();
-    }
-
     /** A field that must be there, as it stands. */
     public JsonNode tree(String field) {
         return required(field).node;

@@ -16,7 +16,10 @@ import rasterlab.exercises.score.Phrase;
 final class JsonMistake {
     private static final String BEYOND = "\\((\\d+)\\) exceeds the maximum allowed \\((\\d+).*";
 
-    /** What should stand there, by a part of the parser's own words; the first that is in them. */
+    /**
+     * The text that should stand there, by a part of the parser's own words; the first that is in
+     * them.
+     */
     private static final List<Map.Entry<String, String>> EXPECTED =
             List.of(
                     Map.entry("start field name", "json.name"),

@@ -107,10 +107,6 @@ public abstract class JsonPlace<P extends JsonPlace<P>> {
         return node.isTextual();
     }
 
-    public final boolean isNull() {
-        return node.isNull();
-    }
-
     /** Whether this is NaN or infinite, for which JSON has no number. */
     public final boolean isEndless() {
         return node.isFloatingPointNumber() && !Double.isFinite(node.doubleValue());

@@ -164,8 +164,7 @@ public final class StrictJson implements ValueSource {
         return parser.isExpectedStartArrayToken();
     }
 
-    @Override
-    public boolean startsText() {
+    private boolean startsText() {
         return parser.currentToken() == JsonToken.VALUE_STRING;
     }
 

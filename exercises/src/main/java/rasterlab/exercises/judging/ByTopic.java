@@ -196,7 +196,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return Failure.of(answer, demand.mayRefuse());
     }
 
-    /** What distinguishes that input from others, as codes of texts {@code where.CODE}. */
+    /** The traits of that input, as codes of texts {@code where.CODE}. */
     protected Set<String> traits(I input) {
         return Set.of();
     }
@@ -212,7 +212,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
         return Optional.empty();
     }
 
-    /** What the lab shows of a student's answer beside the right one. */
+    /** The view in the lab of a student's answer beside the right one. */
     protected Optional<MethodCase.Drawn> drawn(Answer answer) {
         return Optional.empty();
     }
@@ -308,7 +308,7 @@ public abstract class ByTopic<C, I, O> implements TopicGrading {
                         .orElseThrow();
     }
 
-    /** What is asked of an answer of which all is looked at. */
+    /** The demand on an answer of which all is looked at. */
     final Demand demand(I input, Tolerance tolerance) {
         int most = topic.mostItems();
         return new Demand(

@@ -3,7 +3,7 @@ package rasterlab.exercises.judging;
 import rasterlab.exercises.Exercise.Tolerance;
 
 /**
- * What a case asks of an answer.
+ * The demand of a case on an answer.
  *
  * @param mayRefuse whether an IllegalArgumentException is as good as the right answer
  * @param cut whether only the beginning of the answer is looked at; the method is stopped there

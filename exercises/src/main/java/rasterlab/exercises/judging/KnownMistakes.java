@@ -103,7 +103,7 @@ final class KnownMistakes<C, I, O> {
                 .allMatch(given -> given.filter(this::isRight).isPresent());
     }
 
-    /** What the exercise's tolerance takes for right does not tell one mistake from another. */
+    /** An answer within the exercise's tolerance does not tell one mistake from another. */
     private Predicate<O> sameAs(O actual) {
         Predicate<O> right = known -> grading.isRight(input, known, actual, demand.tolerance());
         return right.or(grading.sameAs(input, actual));

@@ -28,9 +28,9 @@ import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Phrase;
 
 /**
- * What a topic's right and faulty methods and its mutants do with an input that somebody chose. A
- * faulty one may go on without end or take all memory, so the process that asks must be one that
- * may be killed.
+ * Runs a topic's right and faulty methods and its mutants on an input that somebody chose. A faulty
+ * one may go on without end or take all memory, so the process that asks must be one that may be
+ * killed.
  */
 public final class MethodsOnInput<C, I, O> {
     /** The wall time of one method: much more than any needs for a small input. */
@@ -105,7 +105,7 @@ public final class MethodsOnInput<C, I, O> {
     }
 
     /**
-     * What one method did.
+     * The outcome of one method.
      *
      * @param said what is wrong with its answer, or why there is none; nothing where it is exact
      */

@@ -23,7 +23,7 @@ final class PixelsAmiss {
         this.difference = PixelDifference.of(right, actual);
     }
 
-    /** What differs from the right answer; nothing where they are the same. */
+    /** The difference from the right answer; empty where they are the same. */
     Message said() {
         Message said =
                 counted("pixel.missing", difference.missing())

@@ -151,7 +151,7 @@ final class PropertyCall<C, I, O> implements Call {
                 .orElseGet(() -> alone.check(its));
     }
 
-    /** What was recorded here; empty where the method did not get so far. */
+    /** The recorded answer; empty where the method did not get so far. */
     @SuppressWarnings("unchecked") // recorded by this class
     private Optional<Answers<I, O>> answers(Answer answer) {
         return answer.ending() == Answer.Ending.RETURNED
@@ -186,8 +186,9 @@ final class PropertyCall<C, I, O> implements Call {
     }
 
     /**
-     * What the property makes of another answer of the method is as wrong as that one, so it is
-     * told as such and never drawn: the pictures are those of the input whose answer is wrong.
+     * Tells a broken property in words only: the answer that the property expects comes from
+     * another answer of the method and may be as wrong, so the pictures are those of the input
+     * whose answer is wrong.
      *
      * @param mine the input whose answer is wrong
      * @param wrong what is told of it alone

@@ -170,8 +170,8 @@ final class TopicInputs<C, I> {
     }
 
     /**
-     * What draws inputs by the field {@code given}: a template, or an array of turns, each a
-     * template or an array of such that share the drawn numbers.
+     * The template that draws inputs by the field {@code given}: a template, or an array of turns,
+     * each a template or an array of such that share the drawn numbers.
      */
     Drawing<I> drawing(Phrase place, JsonFields fields, NamedNumbers let) {
         Phrase given = Phrase.of("field", place, "given");

@@ -20,7 +20,7 @@ import rasterlab.exercises.score.Message;
 record PixelEnds(
         PixelRecording wanted, PixelRecording actual, boolean cut, String first, String last) {
     /**
-     * What may be amiss at an end: so many pixels of the path, or of what was drawn, stand alone.
+     * A fault at an end of a path: so many pixels of the path, or of what was drawn, stand alone.
      */
     private enum Amiss {
         NOTHING(0, 0),

@@ -33,7 +33,7 @@ public record Question(
         return part(rules.asked().stream().map(Asked::field).toList());
     }
 
-    /** What is told and asked of a step, without what decides on it. */
+    /** The question about a step, without the value that decides on it. */
     public ObjectNode shown(JsonNode step) {
         ObjectNode shown = part(step, rules.told());
         return shown.setAll(part(step, rules.asked().stream().map(Asked::field).toList()));
@@ -100,7 +100,7 @@ public record Question(
         return StepValues.told(part);
     }
 
-    /** What decides on the step, with the value where there is one. */
+    /** The decision on the step, with the value where there is one. */
     public Message why() {
         String english = rules.reason().words("en");
         String russian = rules.reason().words("ru");

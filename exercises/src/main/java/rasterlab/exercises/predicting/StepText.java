@@ -22,7 +22,7 @@ public final class StepText {
 
     private static final Pattern POINT = Pattern.compile("(?<=\\d)\\.(?=\\d)");
 
-    /** What stands between a number, or a row of them, and the next, named or not. */
+    /** The separator between a number, or a row of them, and the next, named or not. */
     private static final Pattern BETWEEN =
             Pattern.compile("(?<=[\\d)]), (?=[-(]*\\d|[a-z]\\w* = )");
 
@@ -30,7 +30,7 @@ public final class StepText {
     private final StepWords words;
     private final char comma;
 
-    /** What stands between numbers: a semicolon where they have a decimal comma. */
+    /** The separator between numbers: a semicolon where they have a decimal comma. */
     private final String apart;
 
     public StepText(String topic, Locale language) {
@@ -40,7 +40,7 @@ public final class StepText {
         apart = comma == ',' ? "; " : ", ";
     }
 
-    /** What a field is called, in this language and on a sheet. */
+    /** The name of a field, in this language and on a sheet. */
     public String label(String field) {
         return words.label(topic, field);
     }

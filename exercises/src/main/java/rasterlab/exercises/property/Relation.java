@@ -7,7 +7,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.exercises.score.Message;
 
 /**
- * What holds between a method's answer to an input and its answers to inputs made of that one.
+ * A relation between a method's answer to an input and its answers to inputs made of that one.
  *
  * @param <I> one input
  * @param <O> one output

@@ -10,7 +10,7 @@ import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Phrase;
 
 /**
- * What was found about an exercise.
+ * The findings about an exercise.
  *
  * @param seed drew the generated cases
  * @param starter what the starter earns; empty where no judge was asked

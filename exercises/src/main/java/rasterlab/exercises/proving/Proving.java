@@ -69,7 +69,7 @@ public final class Proving {
                 model);
     }
 
-    /** What students begin with whose cases the seed draws. */
+    /** The sheet that students begin with whose cases the seed draws. */
     private static String starter(Exercise exercise, long seed) {
         return exercise.form() == Exercise.Form.PREDICT
                 ? SheetText.open(exercise, seed)

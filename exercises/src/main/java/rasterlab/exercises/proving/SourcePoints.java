@@ -5,7 +5,7 @@ import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.ScorePoints;
 
 /**
- * What the judge gives to a source of the exercise's folder.
+ * The points that the judge gives to a source of the exercise's folder.
  *
  * @param points 0 where the source is not accepted
  * @param why what the compiler or the checks say; empty where it is accepted

@@ -25,7 +25,9 @@ public final class TriedMethod {
     private static final String REFUSAL = IllegalArgumentException.class.getName();
 
     private final Exercise exercise;
-    private final Marking marking;
+
+    /** All that came of the cases, and what they pay. */
+    final Marking marking;
 
     private TriedMethod(Exercise exercise, Marking marking) {
         this.exercise = exercise;
@@ -33,17 +35,11 @@ public final class TriedMethod {
     }
 
     /**
-     * Tries a method on the exercise's cases.
+     * Tries a method on some of the exercise's cases.
      *
      * @param method of the topic's contract
      * @param seed draws the generated cases
      */
-    public static TriedMethod on(
-            Exercise exercise, TopicGrading grading, Object method, long seed) {
-        return on(exercise, exercise.cases(), grading, method, seed);
-    }
-
-    /** The same with some of its cases. */
     public static TriedMethod on(
             Exercise exercise, List<Case> cases, TopicGrading grading, Object method, long seed) {
         return on(exercise, calls(exercise, cases, grading, seed), method);
@@ -79,7 +75,7 @@ public final class TriedMethod {
         return new TriedMethod(exercise, marking);
     }
 
-    /** What a method of this program answers, or how it ends. */
+    /** The answer of a method of this program, or how it ends. */
     public static Answer answer(TopicGrading.Call call, Object method) {
         try {
             return Answer.with(
@@ -91,11 +87,6 @@ public final class TriedMethod {
         } catch (RuntimeException | StackOverflowError thrown) {
             return Answer.threw(thrown.getClass().getName(), "" + thrown.getMessage(), 0, "");
         }
-    }
-
-    /** All that came of the cases, and what they pay. */
-    public Marking marking() {
-        return marking;
     }
 
     /** Names of the cases that pay nothing. */

@@ -2,6 +2,7 @@ package rasterlab.exercises.published;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.score.Diagnostic;
 
 /**
@@ -11,6 +12,11 @@ import rasterlab.exercises.score.Diagnostic;
  * @param column from 1; 0 where no column is known
  */
 public record PublishedDiagnostic(int line, int column, String message) implements PublishedPart {
+    public PublishedDiagnostic {
+        Bounds.requireAtLeast("line", line, 0);
+        Bounds.requireAtLeast("column", column, 0);
+    }
+
     /**
      * The message in that language.
      *

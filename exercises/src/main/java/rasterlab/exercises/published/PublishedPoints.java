@@ -2,6 +2,7 @@ package rasterlab.exercises.published;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.score.ScorePoints;
 
 /**
@@ -12,6 +13,10 @@ import rasterlab.exercises.score.ScorePoints;
  */
 public record PublishedPoints(int accuracy, int stability, int speed, int hints, int total, int of)
         implements PublishedPart {
+    public PublishedPoints {
+        Bounds.requireAtLeast("total", total, 0);
+    }
+
     public static PublishedPoints of(ScorePoints points) {
         return of(points, 0);
     }

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.List;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.score.SpeedFigures;
@@ -32,11 +31,6 @@ public record PublishedSpeed(
                 named.errorUnit(),
                 SpeedPoints.fullUpTo(),
                 SpeedPoints.noneAbove());
-    }
-
-    /** All names of methods, as the figures have them. */
-    public List<SpeedFigures.Method> methods() {
-        return figures.methods();
     }
 
     @Override

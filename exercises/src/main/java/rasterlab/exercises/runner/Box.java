@@ -2,9 +2,9 @@ package rasterlab.exercises.runner;
 
 import java.util.List;
 
-/** What is put around a child's Java machine. */
+/** The protection around a child's Java machine. */
 interface Box {
-    /** What to tell people about it. */
+    /** The message about it. */
     Isolation isolation();
 
     /** Whether the command's process starts another, in which the child's Java machine runs. */

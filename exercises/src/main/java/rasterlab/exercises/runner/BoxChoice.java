@@ -105,7 +105,7 @@ final class BoxChoice {
     }
 
     /**
-     * What the program prints; less than fills a pipe, as it is read only when it has ended.
+     * The output of the program; less than fills a pipe, as it is read only when it has ended.
      *
      * @throws IOException when it cannot be started or does not end
      */

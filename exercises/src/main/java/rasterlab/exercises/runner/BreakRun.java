@@ -56,7 +56,7 @@ final class BreakRun {
         this.progress = progress;
     }
 
-    /** What a faulty method did, and with which input. */
+    /** The outcome of a faulty method, with its input. */
     private record Broken(Tried tried, String input, Message which) {}
 
     /**

@@ -37,7 +37,7 @@ final class CaseRun {
         this.student = student;
     }
 
-    /** What was printed in open cases. */
+    /** The output in open cases. */
     List<Diagnostic> printed() {
         return printed;
     }

@@ -73,7 +73,7 @@ final class Child implements AutoCloseable {
         return process.toHandle();
     }
 
-    /** What the process wrote to stderr first, for our own faults only. */
+    /** The first output of the process to stderr, for our own faults only. */
     String complaint() {
         return complaint;
     }

@@ -82,7 +82,7 @@ final class ChildJars implements AutoCloseable {
         }
     }
 
-    /** What a student's source may see. */
+    /** The classes that a student's source may see. */
     Path contract() {
         return folder().resolve(CONTRACT);
     }

@@ -3,7 +3,6 @@ package rasterlab.exercises.runner;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,7 +14,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 
 /**
- * What the compiling child made of a source.
+ * The answer of the compiling child to a source.
  *
  * @param verdict OK where there are classes
  * @param classes binary name to class file; empty where there are errors
@@ -23,12 +22,6 @@ import rasterlab.exercises.score.Message;
  */
 record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Diagnostic> errors) {
     private static final int MOST_ERRORS = 20;
-
-    /** The same with a limit of wall time alone. */
-    static Compilation of(String source, Child child, Duration wall)
-            throws ChildLost, InterruptedException {
-        return of(source, child, TimeLimit.wall(wall));
-    }
 
     /**
      * @throws ChildLost when the child ended by a fault that is not the source's
@@ -50,7 +43,7 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
     }
 
     /**
-     * What a compiler answered to the source.
+     * The answer of a compiler to the source.
      *
      * @param status of {@link Wire}
      * @param in the rest of its answer
@@ -88,7 +81,9 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
         for (int left = count(in, MOST_ERRORS); left > 0; left--)
             errors.add(
                     new Diagnostic(
-                            in.readInt(), in.readInt(), Message.quoted(Wire.cut(in.readUTF()))));
+                            Math.max(0, in.readInt()),
+                            Math.max(0, in.readInt()),
+                            Message.quoted(Wire.cut(in.readUTF()))));
         return errors;
     }
 

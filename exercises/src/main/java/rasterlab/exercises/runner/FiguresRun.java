@@ -54,7 +54,7 @@ final class FiguresRun {
                         models.classics().beside(exercise, topic, timing, reference, calls)));
     }
 
-    /** What hidden cases found is not told, and hazards ask for more than accuracy. */
+    /** Findings in hidden cases are not told, and hazards ask for more than accuracy. */
     private static boolean counts(CaseTrial tried) {
         return tried.one().kind() == Kind.ACCURACY && tried.one().visibility() == Disclosure.OPEN;
     }

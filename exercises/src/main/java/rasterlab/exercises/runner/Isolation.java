@@ -7,7 +7,7 @@ import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /**
- * What shuts the student's method in on this machine.
+ * The isolation of the student's method on this machine.
  *
  * @param name "bubblewrap" or "process limits only", as stored with a report; {@link
  *     Report#isolationIn} has it in other languages
@@ -37,7 +37,7 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
         return all;
     }
 
-    /** What stands between the method and the number of processes that the machine can bear. */
+    /** The limit on the number of processes that the method can start. */
     enum ProcessLimit {
         HOLDS,
         NO_PRLIMIT,
@@ -97,17 +97,12 @@ public record Isolation(String name, Message said, List<Message> missing, boolea
                 .toList();
     }
 
-    /** What there is, in that language, without what is missing of it. */
+    /** The protection in that language, without the layers that are missing. */
     public String holds(String language) {
         return new Message(said.sentences().subList(0, 1)).in(language);
     }
 
-    /** One honest line in English. */
-    public String describe() {
-        return describe("en");
-    }
-
-    /** The same in that language. */
+    /** One honest line in that language. */
     public String describe(String language) {
         return said.in(language);
     }

@@ -105,7 +105,7 @@ public final class Judge implements Grading, AutoCloseable {
         }
     }
 
-    /** What shuts the student's method in on this machine. */
+    /** The isolation of the student's method on this machine. */
     public Isolation isolation() {
         return box.isolation();
     }

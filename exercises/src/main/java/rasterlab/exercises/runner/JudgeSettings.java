@@ -75,20 +75,8 @@ public record JudgeSettings(
         return new JudgeSettings(compileLimit, callLimit, runLimit, wanted, speed, box);
     }
 
-    public JudgeSettings withoutSpeed() {
-        return withSpeed(Speed.OFF);
-    }
-
     public JudgeSettings withSpeed(Speed wanted) {
         return new JudgeSettings(compileLimit, callLimit, runLimit, spares, wanted, box);
-    }
-
-    public JudgeSettings withBox(Box wanted) {
-        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, speed, wanted);
-    }
-
-    public JudgeSettings withCallLimit(Duration wanted) {
-        return new JudgeSettings(compileLimit, wanted, runLimit, spares, speed, box);
     }
 
     private static void positive(String name, Duration limit) {

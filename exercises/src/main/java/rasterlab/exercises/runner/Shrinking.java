@@ -30,7 +30,7 @@ final class Shrinking {
 
     /** Asks a student's method for more than counts. */
     interface Asking {
-        /** What comes of it; empty where the method was stopped: then it is asked no more. */
+        /** The result of a batch; empty where the method was stopped: then it is asked no more. */
         Optional<TriedCall> aside(Call call) throws InterruptedException;
 
         /** Processor time that was spent so. */

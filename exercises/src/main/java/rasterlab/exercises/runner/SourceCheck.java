@@ -39,7 +39,7 @@ public final class SourceCheck {
         }
     }
 
-    /** What is wrong with the source; nothing where a student could hand it in. */
+    /** The faults of the source; none where a student could hand it in. */
     public List<Diagnostic> faults(String text) {
         String source = SourceText.withoutMark(text);
         var fault = SourceText.faultOf(source);
@@ -51,7 +51,7 @@ public final class SourceCheck {
                 .refusals();
     }
 
-    /** What does not compile in a source whose contract nobody knows. */
+    /** The compiler's errors in a source whose contract nobody knows. */
     public static List<Diagnostic> mistakes(String text) {
         String source = SourceText.withoutMark(text);
         return SourceText.faultOf(source)

@@ -122,7 +122,7 @@ final class SpeedTrial {
                 : new Outcome(theirs.wall(), ours.wall(), printed, Message.NONE);
     }
 
-    /** What one batch tells: why nothing could be measured, or no more than that it could. */
+    /** The message of one batch: why nothing could be measured, or no more than that it could. */
     Outcome once() throws ChildLost, InterruptedException {
         TopicGrading.Timing timing = timings.next();
         StudentRun.Timed reply = student.run().time(new TimedBatch(contract, timing, caps));

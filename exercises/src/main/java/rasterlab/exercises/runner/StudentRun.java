@@ -227,7 +227,8 @@ final class StudentRun {
                     (status, in) -> {
                         String message = Wire.cut(in.readUTF());
                         String printed = Wire.cut(in.readUTF());
-                        return Answer.threw(exception, message, in.readInt(), printed);
+                        int line = Math.max(0, in.readInt());
+                        return Answer.threw(exception, message, line, printed);
                     });
         } catch (ChildLost lost) {
             over = true;

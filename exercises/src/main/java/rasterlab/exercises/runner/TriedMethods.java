@@ -14,7 +14,7 @@ import rasterlab.exercises.judging.MethodsOnInput.Tried;
 import rasterlab.exercises.score.Message;
 
 /**
- * What right and faulty methods do with an input, tried in a process that can be killed.
+ * Tries right and faulty methods on an input in a process that can be killed.
  *
  * @param right those that promise to be right
  * @param faulty none where the right ones do not agree

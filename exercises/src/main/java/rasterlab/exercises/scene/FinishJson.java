@@ -7,7 +7,7 @@ import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.scene.Appearance;
 
-/** What faces look like, as JSON: a material, or one for the front and one for the back. */
+/** The JSON form of the look of faces: a material, or one for the front and one for the back. */
 final class FinishJson {
     private FinishJson() {}
 

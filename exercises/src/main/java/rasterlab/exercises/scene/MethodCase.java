@@ -82,12 +82,12 @@ public record MethodCase(
         this(topic, method, input, Optional.empty());
     }
 
-    /** What was plotted, as a method would have left it. */
+    /** The plotted pixels, as a method would have left them. */
     public Optional<Plotted> plotted() {
         return drawn.map(Drawn::plotted);
     }
 
-    @Override
+    /** The same as text; {@link SceneFile#read} gives back what is equal. */
     public String write() {
         return CaseJson.write(this);
     }

@@ -1,7 +1,7 @@
 package rasterlab.exercises.scene;
 
 /**
- * What a scene file holds.
+ * The contents of a scene file.
  *
  * <p>{@code {"version": 1, "topic": "line", "method": "bresenham", "input": {…}}} is a {@link
  * MethodCase}, which may have {@code "drawn"}, the pixels of a student's method, and {@code
@@ -11,7 +11,7 @@ package rasterlab.exercises.scene;
  * $.scene.faces[2].corners[0]}.
  */
 public sealed interface SceneFile permits MethodCase, SceneView {
-    /** What some editors begin a text in UTF-8 with. */
+    /** The mark that some editors begin a text in UTF-8 with. */
     String BYTE_ORDER_MARK = "\uFEFF";
 
     /** The only version there is. */
@@ -35,7 +35,4 @@ public sealed interface SceneFile permits MethodCase, SceneView {
         SceneJsonPlace file = SceneJsonPlace.root(text);
         return file.has("topic") ? CaseJson.read(file) : ViewJson.read(file);
     }
-
-    /** The same as text; {@link #read} gives back what is equal. */
-    String write();
 }

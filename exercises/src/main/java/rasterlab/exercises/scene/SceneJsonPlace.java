@@ -87,7 +87,7 @@ final class SceneJsonPlace extends JsonPlace<SceneJsonPlace> {
         names().forEach(name -> at(name).requireFinite());
     }
 
-    /** What {@code make} makes of this place; what it refuses is refused with the path. */
+    /** Calls {@code make} for this place; a refusal gets the path. */
     <T> T made(Function<SceneJsonPlace, T> make) {
         try {
             return make.apply(this);

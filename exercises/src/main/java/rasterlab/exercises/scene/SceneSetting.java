@@ -107,11 +107,11 @@ public final class SceneSetting<T> {
             number("eyes", LEAST_EYES, SphericalView.FARTHEST);
 
     /** The settings that a file has beside its scene. */
-    static final List<SceneSetting<?>> OF_VIEW =
+    public static final List<SceneSetting<?>> OF_VIEW =
             List.of(CAMERA, PROJECTION, ZOOM, NEAR, FAR, CLIP_PLANES);
 
     /** The settings that a file has under {@code look}. */
-    static final List<SceneSetting<?>> OF_LOOK =
+    public static final List<SceneSetting<?>> OF_LOOK =
             List.of(
                     VISIBILITY,
                     SHADING,
@@ -154,11 +154,6 @@ public final class SceneSetting<T> {
 
     private static SceneSetting<Boolean> flag(String field) {
         return new SceneSetting<>(field, SceneJsonPlace::flag, JSON::booleanNode);
-    }
-
-    /** All that a file can say. */
-    public static List<SceneSetting<?>> all() {
-        return Stream.concat(OF_VIEW.stream(), OF_LOOK.stream()).toList();
     }
 
     /** The setting's name in a file. */

@@ -9,7 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What a scene file says about how its scene is drawn; the rest is left to whoever draws it. */
+/**
+ * The settings of a scene file for how its scene is drawn; the rest is left to whoever draws it.
+ */
 public final class Settings {
     /** Nothing is said. */
     public static final Settings NONE = new Settings(Map.of());

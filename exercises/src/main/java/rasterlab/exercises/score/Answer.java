@@ -2,9 +2,10 @@ package rasterlab.exercises.score;
 
 import java.util.Optional;
 import java.util.stream.Stream;
+import rasterlab.engine.geometry.Bounds;
 
 /**
- * What a student's method did with one input, as the child told it.
+ * The result of a student's method for one input, as the child told it.
  *
  * @param output of the topic; empty where there is none
  * @param items number of items of the output
@@ -26,6 +27,10 @@ public record Answer(
         int line,
         String printed,
         Message said) {
+    public Answer {
+        Bounds.requireAtLeast("line", line, 0);
+    }
+
     /** The ways in which a call ends. */
     public enum Ending {
         RETURNED,

@@ -39,9 +39,4 @@ public record CasePicture(String kind, byte[] png, Message text, Optional<Pictur
     public static Optional<CasePicture> of(List<CasePicture> pictures, String kind) {
         return pictures.stream().filter(one -> one.kind.equals(kind)).findFirst();
     }
-
-    /** The rows of characters alone; none where it is no grid of pixels. */
-    public List<String> rows() {
-        return PixelRows.of(text.in("en"), part);
-    }
 }

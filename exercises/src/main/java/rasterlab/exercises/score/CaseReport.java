@@ -74,7 +74,10 @@ public record CaseReport(
         return HIDDEN + " " + number;
     }
 
-    /** What is called so in every exercise, in that language; empty for a case's name. */
+    /**
+     * The text for a name that is the same in every exercise, in that language; empty for a case's
+     * name.
+     */
     public static Optional<String> ownTitle(String name, String language) {
         Matcher numbered = NUMBERED.matcher(name);
         if (numbered.matches())

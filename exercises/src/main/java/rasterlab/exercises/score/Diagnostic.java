@@ -1,5 +1,7 @@
 package rasterlab.exercises.score;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * A message about a place in the student's source.
  *
@@ -7,6 +9,11 @@ package rasterlab.exercises.score;
  * @param column from 1; 0 where no column is known
  */
 public record Diagnostic(int line, int column, Message said) {
+    public Diagnostic {
+        Bounds.requireAtLeast("line", line, 0);
+        Bounds.requireAtLeast("column", column, 0);
+    }
+
     /** The diagnostic in English; may have several lines. */
     public String message() {
         return message("en");

@@ -3,7 +3,7 @@ package rasterlab.exercises.score;
 import java.util.List;
 
 /**
- * What is to be said about one answer.
+ * The finding about one answer.
  *
  * @param said what is wrong; nothing when nothing is
  * @param pictures that show it; none where nothing can be shown

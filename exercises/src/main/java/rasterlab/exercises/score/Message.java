@@ -15,8 +15,8 @@ import rasterlab.exercises.document.OwnJson;
 import rasterlab.exercises.words.PluralForms;
 
 /**
- * What a report says to a student, as data: it is put into words of a language only where somebody
- * reads it. The words stand in {@code messages.properties} beside this class.
+ * A sentence of a report to a student, as data: it is put into words of a language only where
+ * somebody reads it. The words stand in {@code messages.properties} beside this class.
  */
 public record Message(List<Sentence> sentences) {
     public static final Message NONE = new Message(List.of());
@@ -155,7 +155,7 @@ public record Message(List<Sentence> sentences) {
                 List.of(new Sentence(key, Stream.of(arguments).map(String::valueOf).toList())));
     }
 
-    /** What somebody else says, in the language it is in; nothing where the text is empty. */
+    /** The words of somebody else, in the language they are in; empty where the text is. */
     public static Message quoted(String text) {
         return text.isEmpty() ? NONE : of("quoted", text);
     }
@@ -203,7 +203,7 @@ public record Message(List<Sentence> sentences) {
     }
 
     /**
-     * What {@link #data} wrote.
+     * Reads back the text that {@link #data} wrote.
      *
      * @param english taken instead where another version wrote it, with texts that are not here
      */

@@ -26,7 +26,7 @@ public record Phrase(String key, List<Object> arguments) {
         return new Phrase(one.key(), List.copyOf(one.arguments()));
     }
 
-    /** What somebody else says, in the language it is in. */
+    /** The words of somebody else, in the language they are in. */
     public static Phrase quoted(String text) {
         return of("quoted", text);
     }

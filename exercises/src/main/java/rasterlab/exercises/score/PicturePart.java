@@ -56,7 +56,7 @@ public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
         }
     }
 
-    /** What {@link #data} wrote; empty where it is nothing of that form. */
+    /** Reads back the text that {@link #data} wrote; empty where it is nothing of that form. */
     public static Optional<PicturePart> ofData(String data) {
         try {
             return Optional.ofNullable(OwnJson.MAPPER.readValue(data, PicturePart.class));

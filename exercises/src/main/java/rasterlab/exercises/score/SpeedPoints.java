@@ -60,17 +60,6 @@ public final class SpeedPoints {
                 .anyMatch(band -> ratio > band.upTo() / TOLERANCE && ratio < band.upTo() * STAYS);
     }
 
-    /** The line of the report on speed for a source that was not measured before. */
-    public static CaseReport measured(double nanos, double reference, boolean printed, int of) {
-        return measured(
-                UnaryOperator.identity(),
-                nanos,
-                reference,
-                printed,
-                of,
-                band(nanos / reference, OptionalInt.empty()));
-    }
-
     /**
      * The line of the report on speed.
      *

@@ -4,7 +4,9 @@ import java.util.Locale;
 import java.util.ResourceBundle;
 import rasterlab.exercises.words.TopicWords;
 
-/** What the fields of steps and of inputs are called in one language, and what their words mean. */
+/**
+ * The names of the fields of steps and of inputs in one language, and the meaning of their words.
+ */
 public final class StepWords {
     private final ResourceBundle shared;
 
@@ -23,8 +25,7 @@ public final class StepWords {
     }
 
     /**
-     * What a field is called: a word before the name that it has on a sheet, unless that is the
-     * word.
+     * The name of a field: a word before the name that it has on a sheet, unless that is the word.
      *
      * @param topic whose own word comes first
      */

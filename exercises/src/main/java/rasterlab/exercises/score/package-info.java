@@ -1,5 +1,6 @@
 /**
- * What a student is told: verdict, points with the reason for each lost one, pictures, diagnostics.
+ * The report that a student gets: verdict, points with the reason for each lost one, pictures,
+ * diagnostics.
  *
  * <p>Start with {@link rasterlab.exercises.score.Report}.
  */

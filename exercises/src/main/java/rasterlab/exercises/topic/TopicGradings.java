@@ -40,7 +40,7 @@ public final class TopicGradings {
         return Gradable.NAMES;
     }
 
-    /** What a student may be asked to implement. */
+    /** The contracts that a student may be asked to implement. */
     public static List<Class<?>> contracts() {
         return Stream.<Class<?>>concat(
                         gradable().map(Topic::contract),

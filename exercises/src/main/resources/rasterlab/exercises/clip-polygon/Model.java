@@ -35,7 +35,7 @@ public class Model implements PolygonClipper {
         return twice / 2;
     }
 
-    /** What lies to the left of the line from a to b, or on it. */
+    /** The part to the left of the line from a to b, or on it. */
     private static double[] cut(double[] ring, double ax, double ay, double bx, double by) {
         double[] left = new double[2 * ring.length];
         int size = 0;

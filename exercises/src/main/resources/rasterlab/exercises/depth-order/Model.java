@@ -75,7 +75,7 @@ public class Model implements DepthOrder {
         return Math.abs(d) <= ON_THE_PLANE ? 0 : d;
     }
 
-    /** What lies on that side of the plane; nothing where no vertex is off the plane there. */
+    /** The part on that side of the plane; empty where no vertex is off the plane there. */
     private static double[] part(double[] p, double[] plane, int sign) {
         double[] part = new double[p.length + 6];
         int size = 0;

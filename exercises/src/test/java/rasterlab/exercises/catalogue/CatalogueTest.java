@@ -64,7 +64,9 @@ class CatalogueTest {
             }
     }
 
-    /** What comes with the program is read without this check, which draws every input. */
+    /**
+     * Exercises that come with the program are read without this check, which draws every input.
+     */
     @Test
     void builtInExercisesHaveNoFaultOfInstructorsFolders() {
         for (String id : Catalogue.builtIn().ids())

@@ -19,6 +19,7 @@ import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.PixelRows;
 
 class PixelPicturesTest {
     @Test
@@ -101,7 +102,10 @@ class PixelPicturesTest {
         assertEquals(
                 List.of(place + ".#", place + "#.", place + "+-"),
                 pictures.stream().map(one -> one.text().in("en")).toList());
-        assertEquals(List.of("#".repeat(78) + ".#"), pictures.get(0).rows());
+        CasePicture expected = pictures.get(0);
+        assertEquals(
+                List.of("#".repeat(78) + ".#"),
+                PixelRows.of(expected.text().in("en"), expected.part()));
     }
 
     @Test

@@ -24,9 +24,9 @@ import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.proving.Marked;
 import rasterlab.exercises.proving.Proof;
 import rasterlab.exercises.proving.Proving;
-import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
@@ -82,7 +82,7 @@ class NewFolderTest {
     private static Report forNothing(Exercise exercise, CaseSelection cases) {
         TopicGrading grading = TopicGradings.of(exercise);
         Object nothing = Nothing.of(grading.contract());
-        Marking marking = TriedMethod.on(exercise, grading, nothing, cases.seed()).marking();
+        Marking marking = Marked.cases(exercise, grading, nothing, cases.seed());
         int earned = marking.reports().stream().mapToInt(CaseReport::points).sum();
         assertEquals(0, earned, "points for nothing");
         return new Report(

@@ -32,6 +32,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.marking.Marking;
 import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.proving.Marked;
 import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Disclosure;
@@ -232,7 +233,7 @@ class TopicExercisesTest {
     private static Tried tried(String id, Object method, long seed) {
         Exercise exercise = Catalogue.builtIn().named(id);
         TopicGrading grading = TopicGradings.of(exercise);
-        return new Tried(exercise, TriedMethod.on(exercise, grading, method, seed).marking());
+        return new Tried(exercise, Marked.cases(exercise, grading, method, seed));
     }
 
     /** The plain method beside the grading; where the exercise has a model instead, the topic's. */

@@ -49,7 +49,6 @@ class JsonSentencesTest {
         readers.put(
                 "integers",
                 fields -> Arrays.toString(fields.get(Field.required("f", Shape.wholes(4)))));
-        readers.put("json", fields -> fields.json("f"));
         readers.put("object", fields -> fields.object("f", "a", "b").has("a"));
         readers.put("objects", fields -> fields.objects("f", "a", "b").size());
         readers.put("one", fields -> fields.integer("f", 1, 1));

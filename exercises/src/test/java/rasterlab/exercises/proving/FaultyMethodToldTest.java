@@ -101,6 +101,6 @@ class FaultyMethodToldTest {
         Exercise exercise = Catalogue.builtIn().named(id);
         var calls = TriedMethod.calls(exercise, TopicGradings.of(exercise), SEED);
         Object faulty = Topics.named(exercise.topic()).method(method).implementation();
-        return TriedMethod.on(exercise, calls, faulty).marking();
+        return TriedMethod.on(exercise, calls, faulty).marking;
     }
 }

@@ -21,7 +21,8 @@ class ProvedExercisesTest {
     private static final long SEED = 20261127;
 
     @RegisterExtension
-    static final StartedJudge JUDGE = new StartedJudge(JudgeSettings.once().withoutSpeed());
+    static final StartedJudge JUDGE =
+            new StartedJudge(JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF));
 
     static List<String> exercises() {
         return Catalogue.builtIn().all().stream()

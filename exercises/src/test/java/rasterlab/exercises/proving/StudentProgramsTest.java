@@ -56,7 +56,8 @@ class StudentProgramsTest {
     private static final Map<String, Map<Case, List<TopicGrading.Call>>> CALLS = new HashMap<>();
 
     @RegisterExtension
-    static final StartedJudge JUDGE = new StartedJudge(JudgeSettings.once().withoutSpeed());
+    static final StartedJudge JUDGE =
+            new StartedJudge(JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF));
 
     @AfterAll
     static void forgetCalls() {
@@ -134,7 +135,7 @@ class StudentProgramsTest {
         if (isMarked(file, "unnamed")) return;
         String mistake = file.getFileName().toString().split("\\.")[0];
         for (String language : List.of("en", "ru")) {
-            String told = told(tried.marking(), language);
+            String told = told(tried.marking, language);
             assertTrue(told.contains(said(exercise(file).topic(), mistake, language)), told);
         }
     }
@@ -165,7 +166,7 @@ class StudentProgramsTest {
                         SEED);
         String mistake = file.getFileName().toString().split("\\.")[0];
         for (String language : List.of("en", "ru")) {
-            String told = told(tried.marking(), language);
+            String told = told(tried.marking, language);
             assertTrue(told.contains(said(exercise.topic(), mistake, language)), told);
         }
     }

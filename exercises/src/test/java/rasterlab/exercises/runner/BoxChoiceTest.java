@@ -55,7 +55,9 @@ class BoxChoiceTest {
                 Launcher launcher = new Launcher(jars)) {
             Box box = new BoxChoice(launcher, jars, limit).inBubblewrap(program.toString());
             assertEquals("process limits only", box.isolation().name());
-            assertTrue(box.isolation().describe().contains(said), box.isolation()::describe);
+            assertTrue(
+                    box.isolation().describe("en").contains(said),
+                    () -> box.isolation().describe("en"));
         }
     }
 

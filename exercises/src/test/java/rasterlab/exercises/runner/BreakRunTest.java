@@ -15,7 +15,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.exercises.Exercise.Breaking;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.runner.JudgeSettings.Box;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
@@ -33,7 +32,7 @@ class BreakRunTest {
 
     @BeforeAll
     static void start() {
-        judge = Judge.start(JudgeSettings.once().withBox(Box.PROCESS_LIMITS_ONLY));
+        judge = Judge.start(OtherSettings.onceInNoBox());
     }
 
     @AfterAll
@@ -151,9 +150,7 @@ class BreakRunTest {
                 "[{\"center\": [0, 0], \"radius\": 2000000000}, {\"center\": [1, 2], \"radius\": 3}]";
         Report report;
         JudgeSettings hasty =
-                JudgeSettings.once()
-                        .withBox(Box.PROCESS_LIMITS_ONLY)
-                        .withCallLimit(Duration.ofMillis(300));
+                OtherSettings.withCallLimit(Duration.ofMillis(300), OtherSettings.onceInNoBox());
         try (Judge impatient = Judge.start(hasty)) {
             report = report(impatient, "break-circle", sent);
         }

@@ -26,7 +26,7 @@ class BubblewrapTest {
         assertEquals(
                 "bubblewrap",
                 unscanned.box.isolation().name(),
-                unscanned.box.isolation()::describe);
+                () -> unscanned.box.isolation().describe("en"));
     }
 
     @AfterAll

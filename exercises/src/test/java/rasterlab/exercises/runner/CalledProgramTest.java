@@ -35,7 +35,9 @@ class CalledProgramTest {
     static void start() {
         judge =
                 Judge.start(
-                        JudgeSettings.once().withoutSpeed().withCallLimit(Duration.ofMillis(500)));
+                        OtherSettings.withCallLimit(
+                                Duration.ofMillis(500),
+                                JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF)));
     }
 
     @AfterAll

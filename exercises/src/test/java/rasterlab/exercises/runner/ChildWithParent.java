@@ -26,7 +26,7 @@ final class ChildWithParent {
                 Child compiler = unscanned.child(ChildKind.COMPILE);
                 Child child = unscanned.child(ChildKind.RUN)) {
             Daemons.named("teller").newThread(() -> tell(begun, child)).start();
-            Compilation compiled = Compilation.of(endless(begun), compiler, LONG);
+            Compilation compiled = Compilation.of(endless(begun), compiler, TimeLimit.wall(LONG));
             StudentRun run = new StudentRun(child, Unscanned.CONTRACT, LONG, new Patience(() -> 0));
             run.load("Mine", compiled.classes());
             run.call(LongLine.call(), LongLine.call().caps());

@@ -35,7 +35,8 @@ class GradingLifeTest {
     @Test
     void anInterruptedGradingLeavesNoProcess() throws Exception {
         ExecutorService threads = Executors.newSingleThreadExecutor();
-        JudgeSettings patient = JudgeSettings.once().withCallLimit(Duration.ofMinutes(5));
+        JudgeSettings patient =
+                OtherSettings.withCallLimit(Duration.ofMinutes(5), JudgeSettings.once());
         Set<ProcessHandle> before = children();
         try (Judge judge = Judge.start(patient)) {
             CountDownLatch firstCaseDone = new CountDownLatch(1);
@@ -131,12 +132,12 @@ class GradingLifeTest {
 
     @Test
     void withoutBubblewrapItGradesAndSaysHonestlyWhatThatProtects() throws Exception {
-        JudgeSettings plain = JudgeSettings.once().withBox(JudgeSettings.Box.PROCESS_LIMITS_ONLY);
+        JudgeSettings plain = OtherSettings.onceInNoBox();
         try (Judge judge = Judge.start(plain)) {
             assertFalse(judge.isolation().exam());
             assertTrue(
-                    judge.isolation().describe().contains("not against a determined attacker"),
-                    judge.isolation()::describe);
+                    judge.isolation().describe("en").contains("not against a determined attacker"),
+                    () -> judge.isolation().describe("en"));
             Report report = grade(judge, Sources.RIGHT);
             assertEquals(GradingVerdict.OK, report.verdict(), report::toString);
             assertEquals("process limits only", report.isolation());

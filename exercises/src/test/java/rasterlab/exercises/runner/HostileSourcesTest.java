@@ -27,13 +27,16 @@ import rasterlab.exercises.score.Report;
 @Tag("slow")
 class HostileSourcesTest {
     @RegisterExtension
-    static final StartedJudge JUDGE = new StartedJudge(JudgeSettings.once().withoutSpeed());
+    static final StartedJudge JUDGE =
+            new StartedJudge(JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF));
 
     /** What never ends is stopped as well after less processor time. */
     @RegisterExtension
     static final StartedJudge STRICT =
             new StartedJudge(
-                    JudgeSettings.once().withoutSpeed().withCallLimit(Duration.ofMillis(500)));
+                    OtherSettings.withCallLimit(
+                            Duration.ofMillis(500),
+                            JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF)));
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("texts")

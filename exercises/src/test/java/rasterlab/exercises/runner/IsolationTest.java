@@ -22,7 +22,7 @@ class IsolationTest {
     void examsNeedALimitOnProcesses(ProcessLimit limit) {
         Isolation isolation = Isolation.bubblewrap("bubblewrap 0.8.0", limit, List.of());
         assertEquals(limit == ProcessLimit.HOLDS, isolation.exam());
-        assertEquals(!isolation.exam(), isolation.describe().contains("not for exams: "));
+        assertEquals(!isolation.exam(), isolation.describe("en").contains("not for exams: "));
         assertEquals(isolation.exam(), isolation.missingForExams().isEmpty());
         for (Message one : isolation.missing())
             assertFalse(one.toString().matches("(without|not for|no) .*"), one::toString);
@@ -37,7 +37,9 @@ class IsolationTest {
         Message missing = Message.of("missing.limit-fails", "Max file size unlimited");
         assertTrue(isolation.missing().contains(missing));
         assertEquals(missing, isolation.missingForExams());
-        assertTrue(isolation.describe().contains("Max file size unlimited"), isolation::describe);
+        assertTrue(
+                isolation.describe("en").contains("Max file size unlimited"),
+                () -> isolation.describe("en"));
     }
 
     @ParameterizedTest(name = "who has {0} is held by a limit on processes")
@@ -81,7 +83,7 @@ class IsolationTest {
     void whatIsMissingIsSaid() {
         Isolation isolation =
                 Isolation.bubblewrap("bubblewrap 0.8.0", ProcessLimit.HOLDS, List.of());
-        assertTrue(isolation.describe().contains("without a system call filter"));
+        assertTrue(isolation.describe("en").contains("without a system call filter"));
         assertTrue(isolation.describe("ru").contains("нет фильтра системных вызовов"));
     }
 }

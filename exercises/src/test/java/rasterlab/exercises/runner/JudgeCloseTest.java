@@ -34,7 +34,7 @@ class JudgeCloseTest {
         var before = children();
         var threads = Executors.newSingleThreadExecutor();
         var judging = new CountDownLatch(1);
-        var settings = JudgeSettings.defaults().withCallLimit(Duration.ofMinutes(5));
+        var settings = OtherSettings.withCallLimit(Duration.ofMinutes(5), JudgeSettings.defaults());
         var judge = Judge.start(settings);
         try {
             var exercise = Catalogue.builtIn().named("line-bresenham");

@@ -20,6 +20,7 @@ import rasterlab.exercises.marking.TriedCall;
 import rasterlab.exercises.proving.TriedMethod;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.PixelRows;
 import rasterlab.exercises.topic.TopicGradings;
 
 /** The smallest input on which a property breaks takes the place of the first. */
@@ -128,7 +129,8 @@ class ShrinkingTest {
     }
 
     private static List<String> rows(List<CasePicture> pictures, String kind) {
-        return CasePicture.of(pictures, kind).orElseThrow().rows();
+        CasePicture picture = CasePicture.of(pictures, kind).orElseThrow();
+        return PixelRows.of(picture.text().in("en"), picture.part());
     }
 
     /** The lab is to show the input that the pictures are of. */

@@ -19,13 +19,16 @@ import rasterlab.exercises.score.Report;
 @Tag("slow")
 class StoppedTest {
     @RegisterExtension
-    static final StartedJudge JUDGE = new StartedJudge(JudgeSettings.once().withoutSpeed());
+    static final StartedJudge JUDGE =
+            new StartedJudge(JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF));
 
     /** Every call that hangs takes all of its processor time, so there is less of it. */
     @RegisterExtension
     static final StartedJudge STRICT =
             new StartedJudge(
-                    JudgeSettings.once().withoutSpeed().withCallLimit(Duration.ofMillis(500)));
+                    OtherSettings.withCallLimit(
+                            Duration.ofMillis(500),
+                            JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF)));
 
     @Test
     @DisplayName("a loop on single points takes the later cases away")

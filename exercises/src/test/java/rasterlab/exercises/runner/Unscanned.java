@@ -30,7 +30,8 @@ final class Unscanned implements AutoCloseable {
     /** Loads the class "Mine" and draws one line with it. */
     Answer draw(Child runner, String source) throws ChildLost, InterruptedException {
         try (Child compiler = child(ChildKind.COMPILE)) {
-            Compilation compiled = Compilation.of(source, compiler, Duration.ofMinutes(2));
+            Compilation compiled =
+                    Compilation.of(source, compiler, TimeLimit.wall(Duration.ofMinutes(2)));
             if (!compiled.errors().isEmpty())
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
             StudentRun run = new StudentRun(runner, CONTRACT, CALL_LIMIT, new Patience(() -> 0));
@@ -44,7 +45,8 @@ final class Unscanned implements AutoCloseable {
         Patience patience = new Patience(() -> 0);
         try (Child compiler = child(ChildKind.COMPILE);
                 Child runner = child(ChildKind.RUN)) {
-            Compilation compiled = Compilation.of(source, compiler, Duration.ofMinutes(2));
+            Compilation compiled =
+                    Compilation.of(source, compiler, TimeLimit.wall(Duration.ofMinutes(2)));
             StudentRun run = new StudentRun(runner, CONTRACT, Duration.ofMinutes(1), patience);
             run.load("Mine", compiled.classes());
             Request request =

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,24 +59,28 @@ class SettingsTest {
     @Test
     @DisplayName("a setting is lost on its way through a file, or is not tried here")
     void everySettingRoundTrips() {
-        for (SceneSetting<?> setting : SceneSetting.all())
+        for (SceneSetting<?> setting : all())
             assertTrue(ALL.get(setting).isPresent(), setting + " is not tried");
         assertEquals(ALL, readBack(ALL));
         assertEquals(Settings.NONE, readBack(Settings.NONE));
     }
 
     @ParameterizedTest(name = "{0} alone is lost, or brings another setting with it")
-    @MethodSource("rasterlab.exercises.scene.SceneSetting#all")
+    @MethodSource("all")
     <T> void oneSettingRoundTrips(SceneSetting<T> setting) {
         Settings one = Settings.NONE.with(setting, ALL.get(setting).orElseThrow());
         assertEquals(one, readBack(one));
         Map<Boolean, Long> found =
-                SceneSetting.all().stream()
+                all().stream()
                         .collect(
                                 Collectors.partitioningBy(
                                         each -> readBack(one).get(each).isPresent(),
                                         Collectors.counting()));
         assertEquals(1, found.get(true));
+    }
+
+    static List<SceneSetting<?>> all() {
+        return Stream.concat(SceneSetting.OF_VIEW.stream(), SceneSetting.OF_LOOK.stream()).toList();
     }
 
     private static Settings readBack(Settings settings) {

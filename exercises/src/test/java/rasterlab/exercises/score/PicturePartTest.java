@@ -27,14 +27,14 @@ class PicturePartTest {
         assertEquals("столбцы 460..539 из 0..1000, строки 0..0 из 0..0", part.said().in("ru"));
         assertEquals(
                 part.said().in("en"), picture.text().in("ru").lines().findFirst().orElseThrow());
-        assertEquals(List.of("#".repeat(80)), picture.rows());
+        assertEquals(List.of("#".repeat(80)), rows(picture));
     }
 
     @Test
     @DisplayName("a whole picture is called a part")
     void aWholePictureIsNone() {
         assertTrue(line(80, 0).part().orElseThrow().isWhole());
-        assertEquals(List.of("#".repeat(80)), line(80, 0).rows());
+        assertEquals(List.of("#".repeat(80)), rows(line(80, 0)));
     }
 
     @Test
@@ -62,6 +62,10 @@ class PicturePartTest {
             })
     void whatIsNoPartIsNone(String data) {
         assertEquals(Optional.empty(), PicturePart.ofData(data));
+    }
+
+    private static List<String> rows(CasePicture picture) {
+        return PixelRows.of(picture.text().in("en"), picture.part());
     }
 
     private static CasePicture line(int pixels, int around) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -75,7 +76,12 @@ class ReportTest {
         "8.9, 0"
     })
     void speedIsPaidInBands(double ratio, int points) {
-        assertEquals(points, SpeedPoints.measured(2 * ratio, 2, false, 10).points());
+        assertEquals(points, measured(2 * ratio, 2, false, 10).points());
+    }
+
+    private static CaseReport measured(double nanos, double reference, boolean printed, int of) {
+        int band = SpeedPoints.band(nanos / reference, OptionalInt.empty());
+        return SpeedPoints.measured(UnaryOperator.identity(), nanos, reference, printed, of, band);
     }
 
     @ParameterizedTest(name = "{0} times, before in band {1}: not in band {2}")
@@ -112,7 +118,7 @@ class ReportTest {
     @ParameterizedTest(name = "a speed that earns nothing is called right: {0} of {1}")
     @CsvSource({"9, 10, TOO_SLOW", "7.9, 10, OK", "9, 0, OK"})
     void speedWithoutPointsIsTooSlow(double ratio, int of, GradingVerdict verdict) {
-        CaseReport speed = SpeedPoints.measured(ratio, 1, false, of);
+        CaseReport speed = measured(ratio, 1, false, of);
         assertEquals(verdict, speed.verdict());
         var told = PublishedVerdict.of(verdict);
         assertEquals("ok", told.code(), "scripts know no other");
@@ -127,14 +133,14 @@ class ReportTest {
                 + " none above 8'",
     })
     void speedTellsWhatWasMeasured(String language, double nanos, String said) {
-        assertEquals(said, SpeedPoints.measured(nanos, 2, false, 10).message(language));
+        assertEquals(said, measured(nanos, 2, false, 10).message(language));
     }
 
     @Test
     void printingIsNamedWhereItCostPoints() {
         String printing = "printing is part of that time";
-        assertTrue(SpeedPoints.measured(9, 1, true, 10).message().contains(printing));
-        assertFalse(SpeedPoints.measured(1.2, 1, true, 10).message().contains(printing));
+        assertTrue(measured(9, 1, true, 10).message().contains(printing));
+        assertFalse(measured(1.2, 1, true, 10).message().contains(printing));
     }
 
     @Test

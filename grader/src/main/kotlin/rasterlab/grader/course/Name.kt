@@ -3,7 +3,7 @@ package rasterlab.grader.course
 import rasterlab.grader.problem.Rejection
 import java.text.Normalizer
 
-/** What people call a course or a student: NFC, 1 to 80 code points, no control or formatting characters. */
+/** The name of a course or a student: NFC, 1 to 80 code points, no control or formatting characters. */
 class Name private constructor(
     val text: String,
 ) {

@@ -12,7 +12,7 @@ import rasterlab.grader.problem.Rejection
 
 const val SESSION_COOKIE = "rasterlab"
 
-/** What the browser keeps of its session, as it was sent: our sessions need no decoding, and it may be anything. */
+/** The session cookie of the browser, as it was sent: our sessions need no decoding, and it may be anything. */
 fun ApplicationCall.sessionCookie(): String? = request.cookies[SESSION_COOKIE, CookieEncoding.RAW]
 
 /**

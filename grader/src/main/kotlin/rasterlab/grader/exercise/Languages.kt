@@ -4,7 +4,7 @@ import io.ktor.server.application.ApplicationCall
 import io.ktor.server.request.acceptLanguageItems
 import rasterlab.grader.problem.Rejection
 
-/** What exercises and pages are written in; the first is for those who speak none of them. */
+/** The languages of exercises and pages; the first is for those who speak none of them. */
 val LANGUAGES = listOf("en", "ru")
 
 /** The one that `?lang=` names, or else the header. */

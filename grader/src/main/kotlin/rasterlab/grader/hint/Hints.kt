@@ -71,7 +71,7 @@ class Hints(
         }
     }
 
-    /** What was shown to the students of a course in an exercise, the earliest first. */
+    /** The hints that were shown to the students of a course in an exercise, the earliest first. */
     fun ofCourse(
         course: String,
         exercise: String,
@@ -81,7 +81,7 @@ class Hints(
             mapOf("course" to course, "exercise" to exercise),
         )
 
-    /** What was shown lately, the latest first. */
+    /** The hints that were shown lately, the latest first. */
     fun latest(): List<HintUse> = uses("ORDER BY taken_at DESC, step DESC LIMIT $LISTED", emptyMap())
 
     private fun insert(

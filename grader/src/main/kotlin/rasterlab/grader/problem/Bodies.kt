@@ -45,7 +45,7 @@ fun Application.waitForBodies(patience: Duration) {
     }
 }
 
-/** What [read] makes of the body, if all of it comes in time. */
+/** Applies [read] to the body, if all of it comes in time. */
 suspend fun <T : Any> ApplicationCall.inTime(read: suspend () -> T): T {
     val patience = application.attributes[PATIENCE]
     return withTimeoutOrNull(patience) { read() } ?: throw Rejection.TooSlow(patience.inWholeSeconds)

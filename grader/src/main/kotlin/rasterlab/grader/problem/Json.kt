@@ -10,7 +10,7 @@ import rasterlab.exercises.json.JsonFields
 
 private const val JSON_BYTES = 16 * 1024
 
-/** What [read] makes of the object that the body is, in which only the [known] fields may occur. */
+/** Applies [read] to the object that the body is, in which only the [known] fields may occur. */
 suspend fun <T> ApplicationCall.receiveJson(
     vararg known: String,
     read: (JsonFields) -> T,

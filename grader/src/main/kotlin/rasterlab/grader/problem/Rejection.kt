@@ -31,7 +31,7 @@ sealed class Rejection(
     /** Names the text that a page shows: the code, or more exactly what was met. */
     open val pageText get() = code
 
-    /** What a page adds to that text, in its language, one thing each. */
+    /** The sentences that a page adds to that text, in its language. */
     open fun details(language: String): List<String> = emptyList()
 
     class NotSignedIn :

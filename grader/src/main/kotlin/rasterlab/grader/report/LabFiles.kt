@@ -3,7 +3,7 @@ package rasterlab.grader.report
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.catalogue.Catalogue
 
-/** What the lab on a student's machine calls the exercise that a program was written for. */
+/** The name that the lab on a student's machine gives the exercise that a program was written for. */
 sealed interface InLab {
     /** The lab has it itself. */
     data object Known : InLab
@@ -19,7 +19,7 @@ sealed interface InLab {
     companion object {
         private val builtIn by lazy { Catalogue.builtIn().all().filter { it.form() == Exercise.Form.WRITE } }
 
-        /** What [exercise] is there; one that is not here any more is taken for one of the lab's. */
+        /** The kind of [exercise]; one that is not here any more is taken for one of the lab's. */
         fun of(exercise: Exercise?): InLab {
             if (exercise == null || exercise.form() != Exercise.Form.WRITE) return Known
             val like = builtIn.filter { it.topic() == exercise.topic() && it.contract() == exercise.contract() }
@@ -47,7 +47,7 @@ class LabFiles(
 ) {
     val asksForPrograms = form == Exercise.Form.WRITE
 
-    /** What was handed in. */
+    /** The text that was handed in. */
     val source = "$exercise-$attempt.${form.ending()}"
 
     fun scene(case: String) = "$exercise-$attempt-$case.scene.json"

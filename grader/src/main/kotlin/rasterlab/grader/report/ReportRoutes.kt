@@ -32,7 +32,7 @@ import kotlin.jvm.optionals.getOrNull
 /** Ends the name of a picture. */
 private const val PNG = ".png"
 
-/** What there is to know about one submission. */
+/** The state of one submission, with its report. */
 class Results(
     private val submissions: Submissions,
     private val reports: Reports,
@@ -105,7 +105,7 @@ class Results(
         return SavedFile(files(submissions.seenBy(who, id)).scene(case), "application/json", scene)
     }
 
-    /** What was handed in, as a file. */
+    /** The text that was handed in, as a file. */
     fun source(
         who: Identity,
         id: String,

@@ -69,7 +69,7 @@ class GradedAgainst(
 )
 
 /**
- * What the deadline means for a submission.
+ * The effect of the deadline on a submission.
  *
  * @param at the deadline, or null where there is none
  * @param late whether it was handed in after it
@@ -90,7 +90,7 @@ class Due(
     }
 }
 
-/** What is said beside a case, in one language. */
+/** The words beside a case, in one language. */
 class CaseWords(
     val language: String,
     val title: (CaseReport) -> String,
@@ -119,7 +119,7 @@ object CaseAsPublished : AsPublished<PublishedCase>()
 
 object DiagnosticAsPublished : AsPublished<PublishedDiagnostic>()
 
-/** What is left of a report for these eyes. */
+/** The part of a report that this viewer may see. */
 fun Report.seenBy(
     who: Identity,
     due: Due,

@@ -17,7 +17,7 @@ class Repeatable(
     private val key: String?,
     private val fingerprint: String,
 ) {
-    /** What an earlier request of this key made, or null if this is the first. */
+    /** The submission that an earlier request of this key made, or null if this is the first. */
     fun made(handle: Handle): String? {
         if (key == null) return null
         val earlier =

@@ -21,7 +21,7 @@ object Secrets {
     fun newSeed(): Long = random.nextLong()
 
     /**
-     * What is stored instead of a token. A plain SHA-256 is enough: a slow, salted hash protects
+     * The hash that is stored instead of a token. A plain SHA-256 is enough: a slow, salted hash protects
      * passwords that people choose, and nobody can search 2²⁵⁶ random tokens.
      */
     fun hash(text: String): String =

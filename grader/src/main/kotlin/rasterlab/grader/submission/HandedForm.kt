@@ -7,7 +7,7 @@ import rasterlab.grader.storage.Secrets
 import kotlin.jvm.optionals.getOrNull
 
 /**
- * What a page's form hands in: a file, a text, or the answers to the questions of a sheet.
+ * The contents that a page's form hands in: a file, a text, or the answers to the questions of a sheet.
  *
  * @property answers null where the form has no questions
  */
@@ -42,7 +42,7 @@ internal class HandedForm private constructor(
             ?.decodeToString()
             .orEmpty()
 
-    /** What is handed in; a sheet as the JSON document that programs send. */
+    /** The text that is handed in; a sheet is the JSON document that programs send. */
     fun source(): String {
         if (answers == null) return sourceOf(fields)
         if (answers.faults.isNotEmpty()) throw Rejection.BadAnswers(answers.faults.size)

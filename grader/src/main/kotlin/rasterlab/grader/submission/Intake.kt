@@ -133,7 +133,7 @@ class Intake(
                    coalesce((SELECT max(round) FROM submissions WHERE state = 'done'), 0),
                    coalesce((SELECT max(round) + 1 FROM submissions WHERE student_id = :student), 0))"""
 
-        /** What the hints cost that were shown to the student by now. */
+        /** The cost of the hints that were shown to the student by now. */
         const val HINTS =
             "(SELECT coalesce(sum(cost), 0) FROM hints WHERE student_id = :student AND exercise = :exercise)"
 

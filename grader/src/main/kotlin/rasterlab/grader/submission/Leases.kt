@@ -28,7 +28,7 @@ class Leases(
     private val clock: InstantSource,
     private val steady: InstantSource,
 ) {
-    /** What is measured again when nothing waits; that, too, is done under a lease. */
+    /** A submission that is measured again when nothing waits; that, too, is done under a lease. */
     val measurements = Measurements(database, reports, steady)
 
     /** Begins an attempt at the submission whose turn it is, or null if none waits. */

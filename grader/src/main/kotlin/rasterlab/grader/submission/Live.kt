@@ -7,8 +7,7 @@ import kotlinx.coroutines.flow.update
 import rasterlab.exercises.score.CaseReport
 
 /**
- * What happens just now, for those who watch: cases judged so far, and a counter that grows whenever
- * the queue moves. Watchers read the rest from the database, so a missed count costs nothing.
+ * The present progress, for those who watch: cases judged so far, and a counter that grows whenever the queue moves. Watchers read the rest from the database, so a missed count costs nothing.
  */
 class Live {
     private val moves = MutableStateFlow(0L)

@@ -56,7 +56,7 @@ internal class PartHead {
         file = parameters["filename"]
     }
 
-    /** What stands behind the first semicolon: `name=token` or `name="text"`, apart by semicolons. */
+    /** The parameters behind the first semicolon: `name=token` or `name="text"`, separated by semicolons. */
     private inner class Parameters(
         private val value: String,
     ) {

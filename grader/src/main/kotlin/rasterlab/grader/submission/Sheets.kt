@@ -20,7 +20,7 @@ import kotlin.jvm.optionals.getOrNull
 class Sheets(
     private val database: Database,
 ) {
-    /** What somebody begins with; with a sheet where the exercise asks for predictions. */
+    /** The starter; a sheet where the exercise asks for predictions. */
     fun starter(
         who: Identity,
         exercise: Exercise,

@@ -16,7 +16,7 @@ const val LONGEST_SOURCE_BYTES = Grading.MOST_SOURCE_BYTES
 private const val FORM_EXTRA_BYTES = 16 * 1024
 private const val KOTLIN = "text/x-kotlin"
 
-/** What is handed in, in the body: alone, or as the multipart field `source`. */
+/** The text that is handed in, in the body: alone, or as the multipart field `source`. */
 suspend fun ApplicationCall.receiveSource(form: Form): String {
     if (request.headers[HttpHeaders.ContentType].orEmpty().startsWith(KOTLIN)) throw Rejection.Kotlin()
     val alone = ContentType.parse(form.mediaType())

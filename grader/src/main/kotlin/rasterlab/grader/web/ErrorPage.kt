@@ -87,7 +87,7 @@ object ErrorPage : ProblemPage {
     private val OUR_FAULT = setOf("storage", "internal")
 }
 
-/** What happened and what to do, for people and for whoever they ask. */
+/** Tells people, and whoever they ask, what happened and what to do. */
 fun FlowContent.problem(
     texts: PageTexts,
     status: HttpStatusCode,

@@ -35,7 +35,7 @@ import java.time.InstantSource
 import java.time.ZoneOffset
 import java.time.format.DateTimeFormatter
 
-/** What there is to do, and where to hand it in. */
+/** Shows what there is to do, and where to hand it in. */
 fun Route.exercisePages(
     accounts: Accounts,
     deadlines: Deadlines,

@@ -19,7 +19,7 @@ private const val UNITS_PER_EM = 1000
 private const val STEPS_PER_EM = 10
 private const val DEEPEST = 40
 
-/** What is left of a displayed formula's width, at least, where the page is too narrow for it. */
+/** The least share of a displayed formula's width where the page is too narrow for it. */
 private const val LEAST_SHARE = 0.75
 
 /**

@@ -11,7 +11,7 @@ import kotlinx.html.summary
 /** The most characters of JSON that stand within a sentence. */
 private const val IN_SENTENCE = 120
 
-/** What is left of longer JSON there. */
+/** The length to which longer JSON is cut there. */
 private const val BEGINNING = 40
 
 /**
@@ -41,7 +41,7 @@ fun FlowOrPhrasingContent.sentence(message: String) =
         if (part.json) code { +shown(part) } else +part.text
     }
 
-/** What [sentence] leaves out. */
+/** The part that [sentence] leaves out. */
 fun FlowContent.folded(
     texts: PageTexts,
     message: String,

@@ -27,7 +27,7 @@ class PageTexts private constructor(
     /** The name of a kind of picture; the kind itself where there is none. */
     fun picture(kind: String): String = if (wording.has("picture.$kind")) say("picture.$kind") else kind
 
-    /** What times are per, as it stands behind "per"; in English where it has no translation. */
+    /** The unit of the times, as it stands behind "per"; in English where it has no translation. */
     fun item(english: String): String = own("item", english)
 
     /** The unit of errors; in English where it has no translation. */
@@ -42,7 +42,7 @@ class PageTexts private constructor(
         return if (wording.has(key)) say(key) else english
     }
 
-    /** What happened and what to do about it. */
+    /** Tells what happened and what to do about it. */
     fun problem(code: String): String = say(if (wording.has("problem.$code")) "problem.$code" else "problem.other")
 
     companion object {

@@ -36,7 +36,7 @@ fun Route.pages(
     instructorPages(accounts, courses, exercises, submissions, hints, live, isolation)
 }
 
-/** What the pages ask and tell. */
+/** The services that the pages ask. */
 class PageParts(
     val accounts: Accounts,
     val courses: Courses,

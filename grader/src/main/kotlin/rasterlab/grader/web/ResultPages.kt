@@ -51,7 +51,7 @@ fun Route.resultPages(
     }
 }
 
-/** What the deadline means for this submission, where there is one. */
+/** The effect of the deadline on this submission, where there is one. */
 private fun FlowContent.deadline(
     texts: PageTexts,
     view: SubmissionView,

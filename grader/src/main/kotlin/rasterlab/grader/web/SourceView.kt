@@ -20,8 +20,7 @@ fun FlowContent.sourceLines(source: String) {
 }
 
 /**
- * What a message about that place is read beside: the line, or of a long one some of it around the column,
- * with "…" where something is left out. Empty where there is no such line.
+ * The source beside a message about that place: the line, or of a long one some of it around the column, with "…" where something is left out. Empty where there is no such line.
  */
 internal fun partOfLine(
     source: String,

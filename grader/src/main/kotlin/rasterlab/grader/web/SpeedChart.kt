@@ -67,7 +67,7 @@ private fun FlowContent.figures(
     }
 }
 
-/** What a chart of speed says and how it is drawn, in one language. */
+/** The words and the drawing of a chart of speed, in one language. */
 private class SpeedDrawing(
     private val texts: PageTexts,
     private val speed: PublishedSpeed,

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.BeforeEach
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Report
@@ -22,6 +23,7 @@ import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
 import java.util.Optional
+import java.util.OptionalInt
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.TimeUnit.SECONDS
 
@@ -41,8 +43,13 @@ class MeasurementsTest {
     private val unsettled = report(GradingVerdict.OK, accuracy = 6, nanos = 0.0, SpeedPoints.unsettled(1, 0))
     private val figures = Optional.of(SpeedFigures(90.0, 9.0, 0.0, listOf(SpeedFigures.Method("dda", 2.0, 0.0))))
     private val slow =
-        report(GradingVerdict.WRONG, accuracy = 2, nanos = 90.0, SpeedPoints.measured(90.0, 9.0, false, 1))
+        report(GradingVerdict.WRONG, accuracy = 2, nanos = 90.0, tenTimesSlower())
             .with(figures)
+
+    private fun tenTimesSlower(): CaseReport {
+        val band = SpeedPoints.band(10.0, OptionalInt.empty())
+        return SpeedPoints.measured({ it }, 90.0, 9.0, false, 1, band)
+    }
 
     @BeforeEach
     fun open() {

@@ -40,7 +40,7 @@ class ReadmeTest {
             else if (anchor != null && !anchors(Repository.text(file)).contains(anchor))
                 broken.add(target + anchor);
         }
-        assertEquals(List.of(), broken);
+        assertEquals(List.of(), broken, name + ": no file or heading is there; mend the link");
     }
 
     /** The headings of a text as links name them. */
@@ -58,13 +58,17 @@ class ReadmeTest {
         var block = SCENE_FILE.matcher(Readme.text(name));
         assertTrue(block.find(), name + " shows no scene file");
         var view = (SceneView) SceneFile.read(block.group(1));
-        for (var setting : SceneSetting.all())
-            assertTrue(view.settings().get(setting).isPresent(), setting + " is not shown");
+        for (var settings : List.of(SceneSetting.OF_VIEW, SceneSetting.OF_LOOK))
+            for (var setting : settings)
+                assertTrue(view.settings().get(setting).isPresent(), name + ": show " + setting + " in the scene file");
     }
 
     @Test
     void bothLanguagesHaveTheSameCommands() {
-        assertEquals(Readme.commands(), Readme.commands(Readme.text("README.ru.md")));
+        assertEquals(
+                Readme.commands(),
+                Readme.commands(Readme.text("README.ru.md")),
+                "README.ru.md must have the commands of README.md, in the same order");
     }
 
     @Test
@@ -73,10 +77,10 @@ class ReadmeTest {
         var russian = Readme.codes(Readme.text("README.ru.md"));
         var missing = new TreeSet<>(english);
         missing.removeAll(russian);
-        assertEquals(new TreeSet<>(), missing, "README.ru.md does not name");
+        assertEquals(new TreeSet<>(), missing, "name these in README.ru.md, or take them out of README.md");
         var extra = new TreeSet<>(russian);
         extra.removeAll(english);
-        assertEquals(new TreeSet<>(), extra, "README.md does not name");
+        assertEquals(new TreeSet<>(), extra, "name these in README.md, or take them out of README.ru.md");
     }
 
     @ParameterizedTest

@@ -47,6 +47,8 @@ class DocOpeningTest {
                 "Pixels. | true",
                 "Back to how the lab opens. | true",
                 "In pixels. | true",
+                "What was done last. | true",
+                "The step done last. | false",
                 "Dimension: 2 or 3. | false",
                 "The slope of the edge, in pixels a row. | false",
                 "Red, green and blue of each point. | false",

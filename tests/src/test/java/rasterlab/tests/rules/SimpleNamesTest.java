@@ -18,7 +18,7 @@ import rasterlab.tests.Repository;
 /** A simple name stands for one thing in all modules, so that a search for it finds that thing. */
 class SimpleNamesTest {
     /** Names of two types; strike off what is renamed, add none. */
-    private static final Set<String> DOUBLED = Set.of("Dyadic", "PixelGrid", "Spans");
+    private static final Set<String> DOUBLED = Set.of("PixelGrid");
 
     /** A type of Kotlin that stands in no other. */
     private static final Pattern KOTLIN_TYPE =

@@ -36,7 +36,7 @@ public final class Copying {
     private volatile int request;
 
     /**
-     * What is done off the event thread for a request.
+     * The work that is done off the event thread for a request.
      *
      * @param work answers what is run on the event thread afterwards
      * @param onFailure told what the work threw, on the event thread
@@ -122,7 +122,7 @@ public final class Copying {
         steps.ask(new Step(asked, work, onFailure));
     }
 
-    /** What comes after the step: what it asks for, or word of its failure. */
+    /** The action after the step: the one that it asks for, or word of its failure. */
     private static Runnable taken(Step step) {
         try {
             return step.work().get();

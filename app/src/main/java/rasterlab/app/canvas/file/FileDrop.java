@@ -53,8 +53,8 @@ public final class FileDrop extends TransferHandler {
     }
 
     /**
-     * What takes files around the text that something is put into, if that is for it: files that
-     * are dropped, or pasted without text. With text, it is their names that are pasted.
+     * The component around a text that takes files which are dropped there, or pasted without text.
+     * With text, it is their names that are pasted.
      */
     public static Optional<FileDrop> around(TransferSupport support) {
         boolean text = support.isDataFlavorSupported(DataFlavor.stringFlavor);

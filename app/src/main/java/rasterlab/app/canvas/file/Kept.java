@@ -8,7 +8,7 @@ package rasterlab.app.canvas.file;
 public interface Kept<C> {
     Class<C> keptType();
 
-    /** What the user chose. */
+    /** The user's choice. */
     C kept();
 
     /**

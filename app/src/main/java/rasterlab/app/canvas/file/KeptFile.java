@@ -33,7 +33,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         Object place(S shown);
 
         /**
-         * What reads kept files, on any thread; empty where there are none.
+         * The reader of kept files, on any thread; empty where there are none.
          *
          * @param before what was shown when they were first asked for
          */
@@ -45,7 +45,7 @@ public final class KeptFile<K, S, A> implements Kept<K> {
         /** Shows what was kept, if it can; answers what is to be told of it, "" for nothing. */
         String restore(K kept, A read);
 
-        /** What was told last of files; "" for nothing. */
+        /** The last remark on files; "" for none. */
         String told();
 
         void tell(String problem);

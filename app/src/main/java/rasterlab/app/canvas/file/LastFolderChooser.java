@@ -38,7 +38,7 @@ public class LastFolderChooser extends JFileChooser {
     }
 
     /**
-     * What is chosen.
+     * The chosen folder or file.
      *
      * @throws Complaint if the system has no file of such a name
      */

@@ -8,7 +8,7 @@ import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.SvgDrawing;
 
 /**
- * What a lab shows, as it is copied and saved.
+ * The picture that a lab shows, as it is copied and saved.
  *
  * @param name of its file, without an ending
  * @param dots drawn dot by dot
@@ -20,14 +20,14 @@ public record ShownPicture(
         Supplier<BufferedImage> dots,
         Supplier<SvgDrawing> svg,
         Consumer<Runnable> whenDrawn) {
-    /** What a component shows, which is never waited for. */
+    /** The picture that a component shows; nothing is waited for. */
     public ShownPicture(String name, JComponent shown, Supplier<SvgDrawing> svg) {
         this(name, () -> dotsOf(shown), svg, Runnable::run);
     }
 
     /**
-     * What a component shows, at the screen's own resolution, without what serves the mouse and the
-     * keyboard.
+     * The picture that a component shows, at the screen's own resolution, without the marks that
+     * serve mouse and keyboard.
      */
     public static BufferedImage dotsOf(JComponent shown) {
         return DevicePixels.painted(

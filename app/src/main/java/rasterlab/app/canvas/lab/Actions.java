@@ -44,7 +44,7 @@ public final class Actions extends JPanel {
     private final transient MigLayout grid;
     private final Map<String, JButton> buttons = new HashMap<>();
 
-    /** What came of the button pressed last, where that is not seen elsewhere. */
+    /** The outcome of the button pressed last, where it is not seen elsewhere. */
     private final WrappedText status = new WrappedText("status");
 
     private transient Optional<History<?>> history = Optional.empty();

@@ -166,7 +166,10 @@ public final class Chips extends JPanel {
         menu().show(more, 0, more.getHeight());
     }
 
-    /** What there was no room for; a light menu would be hidden by a window of OpenGL. */
+    /**
+     * The menu of those chips for which there was no room; a light menu would be hidden by a window
+     * of OpenGL.
+     */
     JPopupMenu menu() {
         var menu = new JPopupMenu();
         menu.setName("chips.menu");

@@ -21,7 +21,7 @@ import rasterlab.app.language.Texts;
 public final class Inspector extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
 
-    /** What sizes rounded one by one can be larger than their rounded sum. */
+    /** The most by which sizes rounded one by one can be larger than their rounded sum. */
     private static final int ROUNDING = 6;
 
     private final transient Texts texts;

@@ -13,9 +13,9 @@ public abstract class LabPanel extends JPanel implements AutoCloseable {
     }
 
     /**
-     * What is still to be made of the panel before it first shows anything: each once, in this
-     * order, in an open window in an event of its own, between which the window answers. Until then
-     * the panel can only be closed.
+     * The parts of the panel that are still to be made before it first shows anything: each once,
+     * in this order, in an open window in an event of its own, between which the window answers.
+     * Until then the panel can only be closed.
      */
     public List<Runnable> parts() {
         return List.of();

@@ -8,7 +8,8 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * What stands above the stage in each mode of a lab, such as its hazards; made when first seen.
+ * The rows above the stage in each mode of a lab, such as its hazards; a row is made when first
+ * seen.
  *
  * @param <M> the modes
  */

@@ -8,7 +8,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Verdict;
 
 /**
- * What is said beside a hazard that a tab cannot show as it is, or that a method fails on.
+ * A remark beside a hazard that a tab cannot show as it is, or that a method fails on.
  *
  * @param verdict on the method, for the hazard's own numbers
  * @param unlike in what the picture is other

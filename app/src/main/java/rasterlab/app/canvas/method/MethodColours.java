@@ -64,7 +64,7 @@ public final class MethodColours {
                     BROWN, new Color(0x915F1A),
                     SLATE, new Color(0x3D8CFF));
 
-    /** What methods without a colour of their own are given, those first that differ most. */
+    /** The colours of methods without one of their own, those first that differ most. */
     static final List<Color> PALETTE =
             List.of(
                     BLUE,

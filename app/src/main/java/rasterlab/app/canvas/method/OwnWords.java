@@ -59,8 +59,8 @@ public final class OwnWords {
     }
 
     /**
-     * What stands in the place of a number that a method did not find: the user's program may have
-     * been stopped instead of refusing.
+     * The words in place of a number that a method did not find: the user's program may have been
+     * stopped instead of refusing.
      *
      * @param refused the word for a method that refused
      */

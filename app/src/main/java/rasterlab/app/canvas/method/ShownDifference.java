@@ -14,7 +14,7 @@ import rasterlab.app.language.Texts;
  *     them once more as they are
  */
 public record ShownDifference(Kind kind, List<Object> parts) {
-    /** What is other; each is a sentence. */
+    /** The kind of a difference; each is a sentence. */
     public enum Kind {
         /** The picture has only those faces of a body that the method calls visible. */
         FACES_FOUND,
@@ -30,7 +30,7 @@ public record ShownDifference(Kind kind, List<Object> parts) {
         PAINTED_AS_GIVEN,
         /** The picture has another size. */
         PICTURE_SIZE,
-        /** What is long and low is made higher. */
+        /** A picture that is long and low is made higher. */
         STRETCHED,
         /** A corner is moved, so that its face has an area. */
         CORNER_MOVED,

@@ -9,7 +9,7 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-/** What a verdict says in English beside its kind, in the language of the window. */
+/** Translates the English detail of a verdict to the language of the window. */
 public final class VerdictDetail {
     private static final Pattern PLACE = Pattern.compile("\\((-?\\d+), (-?\\d+)\\)");
 

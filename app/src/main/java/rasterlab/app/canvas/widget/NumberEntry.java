@@ -36,7 +36,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     /** The digits after the decimal sign of a number in a sentence. */
     private static final int DIGITS = 5;
 
-    /** What the caret takes, and what padding that is scaled may be rounded by. */
+    /** Room for the caret and for the rounding of scaled padding. */
     private static final int SPARE = 3;
 
     private final transient Format format;
@@ -83,7 +83,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         tip.tell(reason);
     }
 
-    /** What is wrong may change while a text goes on being refused. */
+    /** The fault may change while a text goes on being refused. */
     private final class WhileRefused implements DocumentListener {
         private final JSpinner spinner;
 
@@ -168,7 +168,9 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         return getTextField().getFontMetrics(type).stringWidth(text) <= free;
     }
 
-    /** What a field keeps free on both sides of its text: FlatLaf's padding is no inset. */
+    /**
+     * The room that a field keeps free on both sides of its text: FlatLaf's padding is no inset.
+     */
     private static int beside(JTextField field) {
         Insets insets = field.getInsets();
         int beside = insets.left + insets.right;
@@ -188,7 +190,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
 
         private String shown = "";
 
-        /** What would be shown if there were room. */
+        /** The text that would be shown if there were room. */
         private String whole = "";
 
         private double number;

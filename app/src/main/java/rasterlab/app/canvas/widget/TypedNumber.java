@@ -6,7 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What numbers a typed text may be.
+ * The numbers that a typed text may be.
  *
  * <p>A number has a sign (−, - or +) or none, a whole part, a decimal sign with a fraction, and a
  * power of ten as in {@code 1.5e-7}; the last two may be missing. In every language both the point

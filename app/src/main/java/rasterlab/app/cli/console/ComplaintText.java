@@ -9,8 +9,8 @@ import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 
 /**
- * What is wrong with a command line or what it names, in one language. Numbers stay as they are
- * typed: scripts and people may take them from here.
+ * Says in one language what is wrong with a command line or with the things that it names. Numbers
+ * stay as they are typed: scripts and people may take them from here.
  */
 public record ComplaintText(ReportLanguage language) {
     public String of(ParameterException e) {

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * What a command reads from and writes to.
+ * The streams that a command reads from and writes to.
  *
  * @param out results only
  * @param err progress and complaints

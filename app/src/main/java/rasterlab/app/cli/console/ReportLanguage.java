@@ -31,7 +31,10 @@ public enum ReportLanguage {
         throw new TypeConversionException("expected one of " + codes + ", got '" + code + "'");
     }
 
-    /** What {@code --lang} says, whatever is wrong with the other arguments; else English. */
+    /**
+     * The language that {@code --lang} asks for, whatever is wrong with the other arguments; else
+     * English.
+     */
     public static ReportLanguage asked(String[] args) {
         String words = String.join("\n", args) + "\n";
         return words.matches("(?is)(.*\\n)?--lang[\\n=]ru\\n.*") ? RU : EN;

@@ -126,8 +126,8 @@ final class LookOptions {
     private EyesOption.Distance eyes;
 
     /**
-     * What only another shading, method or projection has a use for is refused where the command
-     * line says it and passed over where the file does.
+     * Makes the look. An option that only another shading, method or projection has a use for is
+     * refused on the command line and passed over in the file.
      *
      * @param shown may say what the command line does not
      * @param rho the camera's distance from the origin

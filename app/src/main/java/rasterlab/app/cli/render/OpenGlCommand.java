@@ -137,7 +137,7 @@ public final class OpenGlCommand implements Callable<Integer> {
         }
     }
 
-    /** What the options say, each setting once. */
+    /** The settings that the options give, each once. */
     private Map<Setting, String> given() {
         Map<Setting, String> given = new EnumMap<>(Setting.class);
         for (String each : settings) set(each, given);

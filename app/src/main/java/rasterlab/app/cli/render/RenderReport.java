@@ -21,7 +21,7 @@ import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /**
- * What {@code ./lab render} prints.
+ * The report that {@code ./lab render} prints.
  *
  * @param milliseconds wall time of the rendering alone
  * @param work what the visibility method counted
@@ -76,7 +76,10 @@ record RenderReport(
         json.writeNumberField("height", request.height());
     }
 
-    /** What is used under its own name, and why it is under the name with {@code Because}. */
+    /**
+     * Writes the method that is used under its own name, and the reason under the name with {@code
+     * Because}.
+     */
     private static void writeChoice(JsonGenerator json, String name, Choice choice)
             throws IOException {
         json.writeStringField(name, choice.chosen());

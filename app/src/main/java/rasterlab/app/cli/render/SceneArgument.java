@@ -20,7 +20,7 @@ import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.Settings;
 
-/** What {@code ./lab render} shows: a scene by name, or a file. */
+/** The scene that {@code ./lab render} draws, given by its name or as a file. */
 final class SceneArgument {
     @Parameters(
             index = "0",

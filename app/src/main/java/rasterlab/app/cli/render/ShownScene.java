@@ -22,7 +22,8 @@ import rasterlab.exercises.scene.Settings;
 record ShownScene(
         Scene scene, Settings said, Optional<Path> file, Predicate<String> onCommandLine) {
     /**
-     * What counts for an option: the command line before the file, the file before the default.
+     * The value of an option: that of the command line before that of the file, and that before the
+     * default.
      *
      * @param value from the command line, or else the default
      */
@@ -49,7 +50,7 @@ record ShownScene(
         return counts ? Optional.of(setting) : Optional.empty();
     }
 
-    /** What {@code make} makes; what it refuses is refused with the setting's place in the file. */
+    /** Calls {@code make}; a refusal gets the setting's place in the file. */
     <T, R> R placed(Optional<SceneSetting<T>> setting, Supplier<R> make) {
         try {
             return make.get();

@@ -8,7 +8,7 @@ import rasterlab.engine.format.GivenUp;
 import rasterlab.engine.format.Misfit;
 import rasterlab.engine.study.Guard;
 
-/** What the command line says when a method refuses, crashes or does not end under guard. */
+/** Says on the command line that a method refused, crashed or did not end under guard. */
 final class Watch {
     private final Duration limit;
 

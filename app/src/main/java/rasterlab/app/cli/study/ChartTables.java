@@ -16,7 +16,7 @@ import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 import rasterlab.engine.visibility.hidden.Growth;
 
-/** What {@code ./lab chart} prints of each chart, in one language. */
+/** The tables that {@code ./lab chart} prints, one for each chart, in one language. */
 final class ChartTables {
     private final Texts texts;
 

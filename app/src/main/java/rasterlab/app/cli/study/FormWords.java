@@ -11,8 +11,8 @@ import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 
 /**
- * What the JSON of a topic looks like, in one language; names of fields and values are the same in
- * each. English is taken where a form has no words.
+ * Describes the JSON of a topic in one language; names of fields and values are the same in each.
+ * English is taken where a form has no words.
  */
 record FormWords(Language language) {
 

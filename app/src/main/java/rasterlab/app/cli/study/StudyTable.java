@@ -19,7 +19,7 @@ final class StudyTable {
     /** The columns of a terminal or page that the narrow table keeps to. */
     static final int WIDTH = 100;
 
-    /** What a method that did not end or crashed has instead of numbers. */
+    /** The sign in place of the numbers of a method that did not end or crashed. */
     private static final String NOT_TIMED = "–";
 
     private final Study study;

@@ -94,7 +94,7 @@ public final class ClipRecord {
     }
 
     /**
-     * What a step left of a segment: nothing where the interval of t has come to an end before its
+     * The part of a segment that a step left: none where the interval of t ends before its
      * beginning, or is no interval.
      */
     double[] remaining(double[] ends, double[] left) {

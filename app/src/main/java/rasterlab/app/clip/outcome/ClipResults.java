@@ -10,7 +10,7 @@ import rasterlab.app.clip.scene.VolumeScene;
 import rasterlab.engine.clip.ClippedEnds;
 
 /**
- * What was clipped for one scene, by both methods, beside the one exact answer.
+ * The results of both methods for one scene, beside the one exact answer.
  *
  * @param exact coordinates of what is left, part after part
  * @param clipping by the chosen method

@@ -1,6 +1,7 @@
 package rasterlab.app.clip.outcome;
 
 import java.util.Arrays;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * One step of a method.
@@ -23,6 +24,11 @@ public record ClipStep(
         double[] left) {
     /** A method without steps, such as the user's program, sent this for an item. */
     private static final String WRITTEN = "written";
+
+    public ClipStep {
+        Bounds.requireAtLeast("item", item, 0);
+        Bounds.requireAtLeast("border", border, -1);
+    }
 
     /**
      * The step of a method that tells nothing but what it sent.

@@ -2,10 +2,11 @@ package rasterlab.app.clip.outcome;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.study.Deviation;
 
 /**
- * What one method made of the scene, beside the exact answer.
+ * The result of one method for the scene, beside the exact answer.
  *
  * @param method its name
  * @param decidesByCode whether its steps decide by a region's code, not by t
@@ -42,7 +43,11 @@ public record Clipping(
      * @param item index of the segment; 0 for a polygon
      * @param coordinates point after point
      */
-    public record Part(int item, double[] coordinates) {}
+    public record Part(int item, double[] coordinates) {
+        public Part {
+            Bounds.requireAtLeast("item", item, 0);
+        }
+    }
 
     public Clipping {
         steps = List.copyOf(steps);

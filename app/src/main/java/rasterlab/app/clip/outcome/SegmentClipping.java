@@ -38,7 +38,7 @@ public final class SegmentClipping {
                         : Border.convex(scene.window().xy());
     }
 
-    /** What is left without rounding; nothing where the window is not convex. */
+    /** The exact rest, without rounding; empty where the window is not convex. */
     static ClippedEnds exact(SegmentClipTopic topic, SegmentScene scene) {
         if (scene.window().upright()) return topic.exact(input(scene), scene.segments().size());
         double[] corners = scene.window().xy();

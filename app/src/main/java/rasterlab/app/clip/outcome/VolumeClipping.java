@@ -25,7 +25,7 @@ final class VolumeClipping {
         borders = Border.volume(scene.zmin());
     }
 
-    /** What is left without rounding. */
+    /** The exact rest, without rounding. */
     static ClippedEnds exact(VolumeClipTopic topic, VolumeScene scene) {
         return topic.exact(input(scene), scene.segments().size());
     }

@@ -1,5 +1,7 @@
 package rasterlab.app.clip.scene;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * A point of the scene that can be moved.
  *
@@ -7,7 +9,12 @@ package rasterlab.app.clip.scene;
  * @param end 0 or 1 for the first or second end of a segment, else 0
  */
 public record ClipGrip(Kind kind, int index, int end) {
-    /** What a grip belongs to. */
+    public ClipGrip {
+        Bounds.requireAtLeast("index", index, 0);
+        Bounds.require("end", end, 0, 1);
+    }
+
+    /** The thing that a grip belongs to. */
     public enum Kind {
         WINDOW,
         CORNER,

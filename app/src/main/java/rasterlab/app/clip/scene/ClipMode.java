@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
-/** What the lab clips. */
+/** The kinds of things that the lab clips. */
 public enum ClipMode {
     SEGMENTS("clip-segment"),
     POLYGON("clip-polygon"),

@@ -2,7 +2,7 @@ package rasterlab.app.clip.scene;
 
 import java.util.Map;
 
-/** What one mode of the lab clips, and by which methods; immutable, with {@code equals}. */
+/** The figures that one mode of the lab clips, with its methods; immutable, with {@code equals}. */
 public sealed interface ClipScene permits SegmentScene, PolygonClipScene, VolumeScene {
     ClipMode mode();
 

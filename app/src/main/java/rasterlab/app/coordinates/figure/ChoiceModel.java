@@ -82,7 +82,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
         show(earlier.choice());
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public final History<?> history() {
         return history;
     }

@@ -1,7 +1,7 @@
 package rasterlab.app.coordinates.figure;
 
 /**
- * What a mark stands for, which decides how it looks.
+ * The meaning of a mark, which decides how it looks.
  *
  * @param method whose colour it has, for {@link Role#METHOD}
  */
@@ -40,10 +40,10 @@ public record MarkInk(Role role, String method) {
 
     public static final MarkInk EYE = new MarkInk(Role.EYE, "");
 
-    /** What must not be drawn so. */
+    /** The ink of things that must not be drawn so. */
     public static final MarkInk WRONG = new MarkInk(Role.WRONG, "");
 
-    /** What a faulty method made instead of the right thing. */
+    /** The ink of the wrong result of a faulty method. */
     public static final MarkInk PRINTED = new MarkInk(Role.PRINTED, "");
 
     public static final MarkInk LEFT_EYE = new MarkInk(Role.LEFT_EYE, "");

@@ -52,7 +52,7 @@ public final class MatrixFormulas {
                 DoubleStream.of(numbers).mapToObj(each -> Shown.number(each, 3, locale)));
     }
 
-    /** What stands between numbers: a semicolon where they have a decimal comma. */
+    /** The separator between numbers: a semicolon where they have a decimal comma. */
     public static String apart(Locale locale) {
         return Shown.apart(locale);
     }

@@ -50,7 +50,7 @@ public final class NamedControls {
         return table;
     }
 
-    /** What is told about a method, under its heading. */
+    /** The text about a method, under its heading. */
     public AboutText about() {
         column.heading("heading.about");
         var about = new AboutText("about", texts.language());

@@ -2,6 +2,8 @@ package rasterlab.app.coordinates.figure;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.engine.geometry.Bounds;
+import rasterlab.engine.geometry.Finite;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**
@@ -12,6 +14,11 @@ import rasterlab.engine.transform.matrix.MatrixCall;
  */
 public record Viewpoint(double alphaDegrees, double betaDegrees) {
     public static final Viewpoint FIRST = new Viewpoint(-32, 20);
+
+    public Viewpoint {
+        Finite.require("alphaDegrees", alphaDegrees);
+        Bounds.require("betaDegrees", betaDegrees, -90, 90);
+    }
 
     /** The viewpoint turned further; β stops at its ends. */
     public Viewpoint turned(double alpha, double beta) {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Map;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 
-/** What a matrix is added to a list with. */
+/** The numbers with which a matrix is added to a list. */
 final class FirstNumbers {
     private static final Map<String, double[]> NUMBERS =
             Map.ofEntries(

@@ -40,7 +40,7 @@ final class ItemFields extends JPanel {
         for (int i = 0; i < fields.size(); i++) fields.get(i).show(item.numbers().get(i));
     }
 
-    /** What the numbers are called; the cells of a free matrix by row and column. */
+    /** The names of the numbers; the cells of a free matrix are called by row and column. */
     private List<String> names(ListItem item) {
         var names = new ArrayList<String>();
         if (item.free()) {

@@ -8,7 +8,7 @@ import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param points of the subject, which can be dragged in the plane
  * @param items as a program writes them

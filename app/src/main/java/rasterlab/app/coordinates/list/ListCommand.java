@@ -10,7 +10,7 @@ import rasterlab.engine.format.Written;
 final class ListCommand {
     private ListCommand() {}
 
-    /** What is shown of a trial, or of the steps that are done. */
+    /** The command for the trial that is shown, or for the steps that are done. */
     static String of(ListLabModel model) {
         return model.shownTrial()
                 .flatMap(shown -> model.choice().trial())

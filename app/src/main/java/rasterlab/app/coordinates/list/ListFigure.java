@@ -8,7 +8,7 @@ import rasterlab.app.coordinates.figure.MarkInk;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.coordinates.figure.Wireframe;
 
-/** What the stage shows of a list after some of its steps. */
+/** The figure that the stage shows after some steps of a list. */
 final class ListFigure {
     /** An axis is so many times as long as the subject reaches. */
     private static final double LONGER = 1.3;

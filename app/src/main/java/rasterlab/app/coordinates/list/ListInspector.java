@@ -25,7 +25,7 @@ final class ListInspector {
     private static final List<String> EXAMPLES =
             Stream.of(Example.values()).map(Example::code).toList();
 
-    /** What is in the list of examples while another list is shown. */
+    /** The entry in the list of examples while another list is shown. */
     private static final String OWN = "own";
 
     private final ListLabModel model;

@@ -175,8 +175,8 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
     }
 
     /**
-     * What a method made of the hazard: the method of the choice, or the one before until that has
-     * answered. Empty before the first answer and where nothing is tried.
+     * The result of a method for the hazard: the method of the choice, or the one before until that
+     * has answered. Empty before the first answer and where nothing is tried.
      */
     Optional<TrialScene> trial() {
         return trial;
@@ -187,7 +187,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         return trial.filter(known -> step == last());
     }
 
-    /** What was made of the same hazard by another method stays until the answer is there. */
+    /** The result of another method for the same hazard stays until the answer is there. */
     private void ask(Optional<Trial> next) {
         if (next.equals(asked)) return;
         asked = next;

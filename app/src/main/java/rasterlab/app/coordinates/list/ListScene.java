@@ -6,6 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.contract.MatrixFormula;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 
 /**
@@ -22,6 +23,10 @@ record ListScene(
         List<double[]> right,
         int refused,
         String refusal) {
+    ListScene {
+        Bounds.requireAtLeast("refused", refused, -1);
+    }
+
     static ListScene of(MatrixTopic topic, ListChoice choice) {
         MatrixFormula method = topic.method(choice.method()).implementation();
         MatrixFormula formula = topic.method("formula").implementation();

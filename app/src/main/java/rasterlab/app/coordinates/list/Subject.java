@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.naming.Named;
 
-/** What is transformed. */
+/** The figure that is transformed. */
 public enum Subject {
     SQUARE(Wireframe.square()),
     TRIANGLE(Wireframe.triangle()),

@@ -15,7 +15,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
-/** What is tried and what it came to, in words and numbers of one language. */
+/** Describes a trial and its outcome in words and numbers of one language. */
 final class TrialReadings {
     private static final String NONE = "—";
 
@@ -34,14 +34,14 @@ final class TrialReadings {
         verdicts = Texts.of("study", texts.language());
     }
 
-    /** What the chosen method came to; empty until that is known. */
-    /** What the chosen method made of the hazard; empty until that is found. */
+    /** The result of the chosen method; empty until it is known. */
+    /** The result of the chosen method for the hazard; empty until it is found. */
     Optional<TrialScene> known() {
         return model.trial()
                 .filter(scene -> model.choice().trial().equals(Optional.of(scene.trial())));
     }
 
-    /** What is special about the hazard. */
+    /** The special thing about the hazard. */
     String hazard() {
         return model.choice()
                 .trial()
@@ -70,7 +70,7 @@ final class TrialReadings {
                 .orElse(NONE);
     }
 
-    /** What the error is measured in. */
+    /** The unit of the error. */
     String unit() {
         return model.choice().trial().map(trial -> unit(trial.topic())).orElse("");
     }
@@ -167,7 +167,7 @@ final class TrialReadings {
         return IntStream.range(0, a.length).mapToDouble(i -> a[i] - b[i]).toArray();
     }
 
-    /** What is rounding beside the point's largest coordinate reads as 0. */
+    /** A number that is only rounding beside the point's largest coordinate reads as 0. */
     private List<String> coordinates(String name, TrialScene.Placed placed, int point) {
         double[] xyz = placed.of(point);
         double largest = Arrays.stream(xyz).map(Math::abs).max().orElse(0);

@@ -99,7 +99,7 @@ final class TrialRows {
         about.show(said.texts(), method.name(), "", refusal());
     }
 
-    /** What the method says to the hazard, where it says that it cannot, or why it was stopped. */
+    /** The words of the method that refuses the hazard, or the reason why it was stopped. */
     private String refusal() {
         return new TrialReadings(model, texts)
                 .known()

@@ -11,7 +11,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.Images;
 
 /**
- * What a method made of a hazard's points, beside where they belong.
+ * The images that a method gave a hazard's points, beside the right ones.
  *
  * @param given the points, three numbers each
  * @param exact where they belong
@@ -81,7 +81,7 @@ record TrialScene(
         }
     }
 
-    /** What became of a point. */
+    /** The fate of a point. */
     enum Fate {
         RIGHT,
         /** The point has an image of other numbers, be it only its H. */

@@ -8,7 +8,7 @@ import rasterlab.engine.geometry.Vector;
 import rasterlab.engine.geometry.meeting.PlaneAndLines;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param plane n·p = c
  * @param point of the plane, where one is known: n·p = c need not hold there, as c is rounded

@@ -98,7 +98,7 @@ final class MeetingReadings {
         return model.scene().answers().indexOf(model.scene().chosen());
     }
 
-    /** What cannot be seen; "" where all is in sight. */
+    /** Says what is out of sight; "" where all is in sight. */
     String note() {
         double exact = model.scene().exact();
         if (!model.view().reached()) return texts.text("note.plane");

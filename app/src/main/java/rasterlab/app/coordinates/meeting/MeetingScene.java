@@ -8,7 +8,7 @@ import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.study.Method;
 
 /**
- * What every method says of one line and one plane.
+ * The answers of all methods for one line and one plane.
  *
  * @param exact the right μ; NaN where there is none, or none within doubles
  * @param answers in the methods' order

@@ -4,7 +4,7 @@ import java.util.List;
 import rasterlab.app.coordinates.figure.Viewpoint;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param commands the program
  */

@@ -73,12 +73,12 @@ public enum StackOp {
         return call;
     }
 
-    /** What its numbers are called. */
+    /** The names of its numbers. */
     List<String> names() {
         return names;
     }
 
-    /** What it is added with. */
+    /** The numbers that it is added with. */
     List<Double> first() {
         return first;
     }

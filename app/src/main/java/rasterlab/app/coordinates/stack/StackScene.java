@@ -11,7 +11,7 @@ import rasterlab.engine.transform.MatrixMode;
 import rasterlab.engine.transform.MatrixStack;
 
 /**
- * What the first commands of a program leave behind.
+ * The state that the first commands of a program leave behind.
  *
  * @param stacks every stack's matrices, the one on top first
  * @param mode the stack that the next command means
@@ -29,7 +29,7 @@ record StackScene(
      */
     record Error(Kind kind, String message) {}
 
-    /** What went wrong. */
+    /** The error that a command ended with. */
     enum Kind {
         OVERFLOW,
         UNDERFLOW,

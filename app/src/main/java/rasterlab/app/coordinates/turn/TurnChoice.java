@@ -3,7 +3,7 @@ package rasterlab.app.coordinates.turn;
 import rasterlab.engine.transform.rotate.Turns;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param degrees of one turn
  * @param times how many turns

@@ -7,6 +7,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.coordinates.figure.StagePoint;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.PlaneRotation;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -44,7 +45,11 @@ record TurnScene(
      * @param formula what was computed, "" for a whole turn
      * @param value what that gave
      */
-    record Step(int turn, String formula, double value, StagePoint at) {}
+    record Step(int turn, String formula, double value, StagePoint at) {
+        Step {
+            Bounds.requireAtLeast("turn", turn, 1);
+        }
+    }
 
     /**
      * How one method does.

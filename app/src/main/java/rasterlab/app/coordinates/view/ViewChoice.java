@@ -5,7 +5,7 @@ import java.util.Map;
 import rasterlab.app.coordinates.figure.Viewpoint;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param numbers of all kinds; each kind uses its own
  * @param stable whether the picture plane stands at d = ρ, so that the picture keeps its size

@@ -17,7 +17,7 @@ import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.transform.VanishingPoints;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
-/** What the stage shows of a scene. */
+/** The picture of a scene on the stage. */
 final class ViewFigure {
     /** Sizes of the house between it and the farthest vanishing point that is brought in sight. */
     private static final double FARTHEST = 3;

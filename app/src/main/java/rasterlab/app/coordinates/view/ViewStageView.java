@@ -21,7 +21,7 @@ final class ViewStageView extends JPanel implements AutoCloseable {
 
     private static final double DEGREES_PER_DOT = 0.5;
 
-    /** What the name of a component may not be twice, the visible one having it. */
+    /** The suffix of a component's name that a visible component has already. */
     private static final String NAME = "stage";
 
     private final transient ViewLabModel model;

@@ -48,7 +48,7 @@ final class ViewStages {
                 new ViewStage(Space.SCREEN, stages.screen()));
     }
 
-    /** What moves the eye's space to where the projection expects it. */
+    /** The matrix that moves the eye's space to where the projection expects it. */
     static List<MatrixCall> toPlane(ViewChoice choice) {
         return new ViewStages(choice).toPlane();
     }

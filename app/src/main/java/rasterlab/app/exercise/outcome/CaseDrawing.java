@@ -34,7 +34,7 @@ public record CaseDrawing(
     private static final int SIDE = 24;
 
     /**
-     * What there is room for.
+     * The size that there is room for.
      *
      * @param place in the pictures, in their pixels
      * @param said which part it is; empty where it is all

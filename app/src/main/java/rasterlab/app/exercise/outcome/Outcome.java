@@ -3,13 +3,14 @@ package rasterlab.app.exercise.outcome;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.ScorePoints;
 
 /**
- * What a check or a server answered to one source.
+ * The answer of a check or a server to one source.
  *
  * @param source the text that was tried
  * @param attempt the server's number of the submission; 0 for a check on this machine

@@ -14,8 +14,8 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.scene.SceneFile;
 
 /**
- * What was last said to a source, in a file beside it: with the text that was tried, so that it is
- * told where the text is another one by now.
+ * The last outcome of a source, kept in a file beside it with the text that was tried, so that a
+ * later change of the text is noticed.
  */
 public final class OutcomeFile {
     /**
@@ -47,8 +47,8 @@ public final class OutcomeFile {
     }
 
     /**
-     * What was kept; empty where that is nothing, nothing that can be used, or of another revision
-     * of the exercise: the next check says it anew.
+     * The kept outcome; empty where there is none that can be used, or where it is of another
+     * revision of the exercise: the next check says it anew.
      */
     public static Optional<Outcome> read(Path file, Exercise exercise) {
         if (FileToRead.obstacle(file, FileKind.RESULT).isPresent()) return Optional.empty();

@@ -128,7 +128,7 @@ public final class CaseTable extends JTable {
         return widest + margin();
     }
 
-    /** What a cell says, or will say when its case is tried. */
+    /** The text of a cell, now or once its case is tried. */
     private String longest(int row, int column) {
         int of = rows.cases.get(row).of();
         return column == 2 ? of + "/" + of : String.valueOf(rows.getValueAt(row, column));

@@ -19,7 +19,7 @@ import rasterlab.app.language.Texts;
 public final class ExercisePanes extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** What all three need, in sizes of the type. */
+    /** The room that all three need, in sizes of the type. */
     private static final int WIDE = 80;
 
     private static final int HIGH = 34;

@@ -48,7 +48,9 @@ final class JoinForm extends JPanel {
     /** Whether a server is asked, so that nothing can be typed. */
     private transient BooleanSupplier joining = () -> false;
 
-    /** What a later form begins with, for the server may refuse it. A token is typed anew. */
+    /**
+     * The text that a later form begins with, for the server may refuse it. A token is typed anew.
+     */
     record Typed(String address, String code, String student) {
         static Typed first(Optional<Account> account) {
             return new Typed(

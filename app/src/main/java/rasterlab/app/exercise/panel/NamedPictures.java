@@ -31,7 +31,7 @@ public record NamedPictures(List<Rectangle> places, Font type) {
     private static final int LEAST_PART = 8;
 
     /**
-     * What is to be placed.
+     * The things that are to be placed.
      *
      * @param raster pixels of each picture, across and down
      * @param type of the names, where they have room

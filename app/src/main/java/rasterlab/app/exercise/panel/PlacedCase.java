@@ -26,7 +26,7 @@ public record PlacedCase(Rectangle part, NamedPictures pictures, List<String> wo
     private static final int MOST_LINES = 6;
 
     /**
-     * What is to be placed.
+     * The things that are to be placed.
      *
      * @param whole all of each picture, with the type and names
      * @param said a part in words

@@ -13,7 +13,7 @@ import javax.swing.ListSelectionModel;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.language.Texts;
 
-/** What is said about lines of the source; a choice leads there. */
+/** The remarks about lines of the source; choosing one leads there. */
 final class RemarkList extends JList<Outcome.Remark> {
     private static final long serialVersionUID = 1L;
 

@@ -24,7 +24,7 @@ final class RemarkNotices extends AbstractParser {
         language = in;
     }
 
-    /** What is said of one place together, one below the other: only one notice is read there. */
+    /** Joins the remarks on one place, one below the other: only one notice is read there. */
     static List<Outcome.Remark> byPlace(List<Outcome.Remark> remarks) {
         var places = new LinkedHashMap<List<Integer>, Outcome.Remark>();
         for (Outcome.Remark one : remarks)
@@ -57,7 +57,7 @@ final class RemarkNotices extends AbstractParser {
     }
 
     /**
-     * What is underlined.
+     * The text that is underlined.
      *
      * @param start in the document
      */

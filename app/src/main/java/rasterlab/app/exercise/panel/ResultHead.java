@@ -21,7 +21,7 @@ import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.topic.TopicGradings;
 
-/** What a result says of the whole: verdict, points and origin, or how far the work on it is. */
+/** The head of a result: verdict, points and origin, or how far the work on it is. */
 final class ResultHead extends JPanel {
     private static final long serialVersionUID = 1L;
 

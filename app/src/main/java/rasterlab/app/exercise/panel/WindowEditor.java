@@ -22,7 +22,7 @@ public final class WindowEditor {
         return rooms;
     }
 
-    /** What was typed last for a course; empty before anything was. */
+    /** The text that was typed last for a course; empty before anything was. */
     Optional<JoinForm.Typed> typed() {
         return typed;
     }

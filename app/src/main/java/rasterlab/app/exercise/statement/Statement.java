@@ -36,7 +36,7 @@ final class Statement {
     private final StatementFormulas formulas;
     private final String html;
 
-    /** What draws the pictures. */
+    /** The component that draws the pictures. */
     interface Painter {
         /** Rows of pixels: {@code #} lit, {@code .} not. */
         Image pixels(List<String> rows);
@@ -69,7 +69,7 @@ final class Statement {
         return html;
     }
 
-    /** What the pictures' addresses in the HTML stand for. */
+    /** The pictures that the addresses in the HTML stand for. */
     Hashtable<URL, Image> pictures() {
         return pictures;
     }

@@ -37,7 +37,7 @@ final class StatementFormulas {
         return Map.copyOf(drawn);
     }
 
-    /** What was not set yet. */
+    /** The settings that were not set yet. */
     List<TexFormula> awaited() {
         return List.copyOf(awaited);
     }

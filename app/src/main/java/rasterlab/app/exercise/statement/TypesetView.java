@@ -28,7 +28,10 @@ final class TypesetView extends View {
     /** The distance in em by which a formula may leave its line without the lines moving apart. */
     private static final double LEEWAY = 0.1;
 
-    /** What is wider than its line shrinks at most to this part, and only then makes it wider. */
+    /**
+     * The smallest part to which a thing shrinks that is wider than its line; only then the line
+     * gets wider.
+     */
     private static final double SMALLEST = 0.4;
 
     private static final FontRenderContext EXACT = new FontRenderContext(null, true, true);

@@ -50,7 +50,10 @@ final class ColourInspector {
         hex = column.value("hex");
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         return List.of(this::addModels, this::addTrip, this::addAbout);
     }

@@ -68,7 +68,7 @@ final class CubeStage extends SelfDrawn {
         return new Dimension(800, 600);
     }
 
-    /** What is shown, as an SVG document. */
+    /** The picture that is shown, as an SVG document. */
     SvgDrawing svg() {
         return SvgPicture.of(this, this::paintAll);
     }

@@ -10,7 +10,7 @@ import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the curves of a chart mean, above it: in one row, or in as many as the width asks for. */
+/** The legend above a chart: in one row, or in as many as the width asks for. */
 record Legend(List<Entry> entries) {
     /** View units from the beginning of a curve's sample to its name. */
     private static final int TO_NAME = 28;

@@ -1,5 +1,7 @@
 package rasterlab.app.light.panel;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * Something on the pictures that can be dragged.
  *

@@ -111,7 +111,10 @@ final class LightInspector {
         mach = box("mach", on -> model.choose(choice -> choice.withMach(on)));
     }
 
-    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    /**
+     * The sections that the constructor leaves out, in the column's order, as {@link
+     * LabPanel#parts}.
+     */
     List<Runnable> sections() {
         return List.of(
                 this::addFormula,

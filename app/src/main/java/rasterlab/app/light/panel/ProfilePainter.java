@@ -23,7 +23,7 @@ final class ProfilePainter {
     private static final int BESIDE = 8;
     private static final int RIGHT = 14;
 
-    /** What the eye reports runs over by so much at most. */
+    /** The most by which the eye's report overshoots. */
     private static final double LEAST = -0.15;
 
     private static final double MOST = 1.15;

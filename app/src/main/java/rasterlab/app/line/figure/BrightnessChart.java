@@ -21,7 +21,7 @@ import rasterlab.app.line.trace.LineMode;
 
 /** Light that lines get for each pixel of their length, over their angle in degrees. */
 public final class BrightnessChart {
-    /** What the lab shows first. */
+    /** The choice that the lab shows first. */
     private static final List<String> USUAL = List.of("bresenham", "naive-textbook");
 
     private static final double HIGHEST = 1.2;

@@ -20,7 +20,7 @@ record BrightnessPicture(
         SlopeFigure figure, List<String> methods, List<List<Double>> light, Words words)
         implements PlanePicture {
     /**
-     * What is written over it.
+     * The text that is written over it.
      *
      * @param even at the line of even brightness
      * @param degrees along the angles

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.Map;
 import rasterlab.app.line.trace.RasterPoint;
 
-/** What a mode draws, in pixel coordinates; immutable. */
+/** The figure of a mode, in pixel coordinates; immutable. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "figure")
 @JsonSubTypes({
     @JsonSubTypes.Type(value = ArcFigure.class, name = "arc"),
@@ -13,7 +13,7 @@ import rasterlab.app.line.trace.RasterPoint;
     @JsonSubTypes.Type(value = SlopeFigure.class, name = "slope")
 })
 public sealed interface DrawnFigure permits ArcFigure, PenFigure, SlopeFigure {
-    /** What can be moved: the name of its handle and its place. */
+    /** The points that can be moved, by the names of their handles. */
     Map<String, RasterPoint> grips();
 
     DrawnFigure moved(String grip, RasterPoint to);

@@ -19,7 +19,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 
 /**
- * What one method made of a figure.
+ * The outcome of one method for a figure.
  *
  * @param message what it said when it refused or crashed, in English; "" otherwise
  * @param pixels in the order in which they were sent

@@ -4,7 +4,7 @@ import java.util.Optional;
 import rasterlab.engine.raster.PixelDifference;
 
 /**
- * What the methods of one choice drew.
+ * The drawings of the methods of one choice.
  *
  * @param drawing by the chosen method
  * @param other by the second one, if one is compared

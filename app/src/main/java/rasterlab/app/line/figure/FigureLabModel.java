@@ -21,8 +21,8 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 /**
- * What the lab of lines draws besides segments, without its window: circles, ellipses, lines of a
- * pen, and how bright lines are.
+ * The model of all that the lab of lines draws besides segments: circles, ellipses, lines of a pen,
+ * and how bright lines are.
  *
  * <p>Drawing runs on a thread of the model's own; answers and commands all run on the thread of the
  * executor it is given. Each change publishes a new immutable {@link FigureState}.
@@ -217,7 +217,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         return new Remembered(kept(), state.arrangement(), state.sought());
     }
 
-    /** What can be undone and redone. */
+    /** The choices that can be undone and redone. */
     public History<?> history() {
         return history;
     }

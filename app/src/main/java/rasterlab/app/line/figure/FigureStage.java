@@ -169,7 +169,7 @@ public final class FigureStage extends JPanel implements AutoCloseable {
         return new BrightnessPicture((SlopeFigure) figure, methods, light, words);
     }
 
-    /** What the picture alone would not tell; of two pictures also whose each is. */
+    /** A note on what the picture alone would not tell; with two pictures also whose each is. */
     private String note(FigureDrawing drawing, boolean named) {
         String method = OwnWords.called(drawing.method(), texts.language());
         return switch (drawing.ending()) {
@@ -211,7 +211,7 @@ public final class FigureStage extends JPanel implements AutoCloseable {
                 texts.text("figure.keys", said));
     }
 
-    /** What mouse and keyboard mean for the model. */
+    /** Passes what mouse and keyboard do on to the model. */
     private final class Edits implements PlaneEdits {
         @Override
         public void beginDrag() {

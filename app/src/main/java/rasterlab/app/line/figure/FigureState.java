@@ -23,7 +23,7 @@ public record FigureState(
         return drawings.drawing();
     }
 
-    /** What the second method draws, if one is compared. */
+    /** The drawing of the second method, if one is compared. */
     public Optional<FigureDrawing> other() {
         return drawings.other();
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
-/** What the lab draws. */
+/** The kinds of figures that the lab draws. */
 public enum LineMode {
     SEGMENT,
     CIRCLE,

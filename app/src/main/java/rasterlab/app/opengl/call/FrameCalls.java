@@ -155,7 +155,7 @@ public final class FrameCalls {
         }
     }
 
-    /** What the calls of a shape depend on. */
+    /** The key of a shape: all that its calls depend on. */
     private String key(GlShape shape) {
         return shape.name()
                 + " "

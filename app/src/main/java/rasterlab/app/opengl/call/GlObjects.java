@@ -7,7 +7,10 @@ import java.util.Set;
 import org.lwjgl.opengl.GL11;
 import rasterlab.engine.texture.Texture;
 
-/** What a context keeps between frames: textures and display lists. Dies with its context. */
+/**
+ * The objects that a context keeps between frames: textures and display lists. Dies with its
+ * context.
+ */
 public final class GlObjects {
     /**
      * The most objects that are kept, more than a user compares; the oldest are no use to anybody.

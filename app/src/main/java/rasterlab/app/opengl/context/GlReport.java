@@ -6,7 +6,7 @@ import org.lwjgl.opengl.GL11;
 import org.lwjgl.opengl.GLCapabilities;
 
 /**
- * What the current context says of itself.
+ * The report of the current context on itself.
  *
  * @param version OpenGL's, with what the driver adds
  * @param renderer what draws

@@ -29,7 +29,7 @@ public final class OffscreenContext implements AutoCloseable {
         this.capabilities = capabilities;
     }
 
-    /** What a context has of OpenGL. */
+    /** The part of OpenGL that a context has. */
     public enum Profile {
         /** Everything since 1.0, for programs of OpenGL 1 and 2. */
         OLD(2, 1, 0),
@@ -131,7 +131,7 @@ public final class OffscreenContext implements AutoCloseable {
                 display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_CONTEXT);
     }
 
-    /** What draws, such as llvmpipe. */
+    /** The name of the program that draws, such as llvmpipe. */
     public String renderer() {
         return Optional.ofNullable(GL11C.glGetString(GL11C.GL_RENDERER)).orElse("unnamed")
                 + ", "

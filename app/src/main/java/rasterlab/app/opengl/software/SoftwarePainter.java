@@ -106,7 +106,7 @@ public final class SoftwarePainter implements AutoCloseable {
         return choice.get(setting).substring("GL_".length());
     }
 
-    /** What the engine has of alpha test, blending and depth test. */
+    /** The engine's form of alpha test, blending and depth test. */
     private static Blending blending(GlChoice choice) {
         boolean mixed = choice.is(Setting.BLEND, "GL_SRC_ALPHA:GL_ONE_MINUS_SRC_ALPHA");
         Blending blending = mixed ? Blending.OVER : Blending.OPAQUE;

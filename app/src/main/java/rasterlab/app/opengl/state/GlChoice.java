@@ -8,7 +8,7 @@ import java.util.Optional;
 import rasterlab.engine.texture.Texture;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param options one option of every setting
  * @param turn of the scene about its vertical axis, degrees in [0, 360)
@@ -62,7 +62,7 @@ public record GlChoice(
         return option;
     }
 
-    /** What the lab opens with: the wire sphere with the hollow cylinder. */
+    /** The choice that the lab opens with: the wire sphere with the hollow cylinder. */
     public static GlChoice first() {
         var options = new EnumMap<Setting, String>(Setting.class);
         for (Setting each : Setting.values()) options.put(each, each.options().get(0));

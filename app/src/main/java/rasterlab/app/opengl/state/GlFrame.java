@@ -20,7 +20,7 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
     /** The environment's colour, for GL_BLEND, 0xAARRGGBB. */
     public static final int ENVIRONMENT = 0xFFFFCC33;
 
-    /** What the alpha test compares with. */
+    /** The share that the alpha test compares with. */
     public static final double ALPHA_REFERENCE = 0.5;
 
     /** Half the height that is seen at distance 1. */
@@ -100,7 +100,7 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
         return GlMaterial.named(choice.get(Setting.BACK_MATERIAL));
     }
 
-    /** What turns with the scene, in drawing order. */
+    /** The shapes that turn with the scene, in drawing order. */
     public List<GlShape> shapes() {
         return GlShapes.of(choice);
     }

@@ -1,7 +1,7 @@
 package rasterlab.app.opengl.state;
 
 /**
- * What a side is made of, shares of red, green and blue.
+ * The material of a side, in shares of red, green and blue.
  *
  * <p>Source of brass, emerald and plastic: M. J. Kilgard, the program teapots.c, 1994, after M.
  * Woo, J. Neider, T. Davis, OpenGL Programming Guide.

@@ -152,12 +152,12 @@ public enum Setting {
         return group;
     }
 
-    /** What sets it in a program, such as {@code glShadeModel}. */
+    /** The call that sets it in a program, such as {@code glShadeModel}. */
     public String call() {
         return call;
     }
 
-    /** What it may be, the first being what the lab opens with. */
+    /** The values that it may have; the lab opens with the first. */
     public List<String> options() {
         return options;
     }

@@ -1,5 +1,5 @@
 /**
- * What the lab of OpenGL shows, apart from who draws it: the states that a control sets, the
+ * The contents of the OpenGL lab, apart from who draws them: the states that a control sets, the
  * scene's shapes, lights and materials, the matrices.
  *
  * <p>World: x right, y up, z to the viewer; eye: the world turned and moved away along −z. Colours

@@ -1,12 +1,18 @@
 package rasterlab.app.polygon.figure;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * A point of the figure that can be moved.
  *
  * @param index of a corner, counted from 0; 0 for the others, of which there is one
  */
 public record Grip(Kind kind, int index) {
-    /** What a grip belongs to. */
+    public Grip {
+        Bounds.requireAtLeast("index", index, 0);
+    }
+
+    /** The thing that a grip belongs to. */
     public enum Kind {
         CORNER,
         /** The point that is judged step by step. */

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.Map;
 
-/** What a mode shows before any method works on it; immutable. */
+/** The figure of a mode before any method works on it; immutable. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "figure")
 @JsonSubTypes({
     @JsonSubTypes.Type(value = InsideFigure.class, name = "inside"),
@@ -13,7 +13,7 @@ import java.util.Map;
     @JsonSubTypes.Type(value = SeedFigure.class, name = "seed")
 })
 public sealed interface PolygonFigure permits InsideFigure, CutFigure, FillFigure, SeedFigure {
-    /** What can be moved, by name and place. */
+    /** The points that can be moved, by name and place. */
     Map<Grip, PolygonPoint> grips();
 
     PolygonFigure moved(Grip grip, PolygonPoint to);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
-/** What the lab does with a polygon. */
+/** The task that the lab solves for a polygon. */
 public enum PolygonMode {
     TRIANGLE("point-in-triangle", false),
     POLYGON("point-in-polygon", false),

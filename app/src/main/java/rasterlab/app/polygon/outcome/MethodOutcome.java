@@ -3,7 +3,7 @@ package rasterlab.app.polygon.outcome;
 import rasterlab.engine.study.Deviation;
 
 /**
- * What one method made of a figure.
+ * The outcome of one method for a figure.
  *
  * @param message what it said when it refused or crashed, in English; "" otherwise
  * @param deviation from the exact answer

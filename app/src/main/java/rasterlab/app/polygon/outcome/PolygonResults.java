@@ -9,7 +9,7 @@ import rasterlab.app.polygon.figure.PolygonScene;
 import rasterlab.app.polygon.figure.SeedFigure;
 
 /**
- * What was found for one scene.
+ * The results for one scene.
  *
  * @param outcome of the chosen method
  * @param other of the second method, if one is compared

@@ -101,7 +101,7 @@ public record PolygonTopics(
     }
 
     /**
-     * What tells where a point is by that method of one of the modes that judge.
+     * The judge of points by that method of one of the modes that judge.
      *
      * @param corners three for a triangle
      */

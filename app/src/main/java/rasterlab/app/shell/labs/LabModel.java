@@ -79,7 +79,10 @@ final class LabModel<M> implements AutoCloseable {
         return made;
     }
 
-    /** What is kept of the model, by the names under which it is kept; nothing of an unmade one. */
+    /**
+     * The kept parts of the model, by the names under which they are kept; none of a model that is
+     * not made.
+     */
     Map<String, Kept<?>> kept() {
         return made.map(this::kept).orElseGet(Map::of);
     }

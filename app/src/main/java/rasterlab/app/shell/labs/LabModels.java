@@ -56,7 +56,7 @@ public final class LabModels implements AutoCloseable {
     private final Consumer<Map<String, Kept<?>>> restore;
     private final Consumer<Throwable> onFailure;
 
-    /** What the labs showed when they were made, by the name under which it is kept. */
+    /** The states of the labs when they were made, by the names under which they are kept. */
     private final Map<String, Object> asMade = new ConcurrentHashMap<>();
 
     private LabModels(
@@ -207,7 +207,7 @@ public final class LabModels implements AutoCloseable {
         return kept;
     }
 
-    /** What the made labs showed when they were made, by the same names. */
+    /** The states of the labs when they were made, by the same names. */
     Map<String, Object> asMade() {
         return Map.copyOf(asMade);
     }

@@ -94,7 +94,7 @@ public final class LabOpening implements OpenInLab {
         return card(topic).isPresent() ? Optional.empty() : Optional.of(NotShown.NO_TAB);
     }
 
-    /** What takes long comes once it is found. */
+    /** Opens the hazard; results that take long come once they are found. */
     @Override
     public void showHazard(String topic, String hazard, String method) {
         TopicInput input = input(topic, hazard);
@@ -144,7 +144,7 @@ public final class LabOpening implements OpenInLab {
                 : Optional.of(new HazardNote(input.hazard(), method, verdict, unlike));
     }
 
-    /** What the method does with the hazard's own numbers. */
+    /** The verdict on the method for the hazard's own numbers. */
     static <C, I, O> Verdict verdict(Topic<C, I, O> topic, String hazard, String method) {
         Hazard<I> found = Named.find("hazard", hazard, topic.hazards(), Hazard::name);
         return HazardTrial.judge(topic, topic.method(method), found, HazardTrial.WALL_LIMIT);

@@ -31,7 +31,7 @@ import rasterlab.exercises.json.JsonText;
 import rasterlab.exercises.json.NotJson;
 
 /**
- * What every lab shows, kept between runs in a JSON file beside the window's settings.
+ * Keeps the state of every lab between runs in a JSON file beside the window's settings.
  *
  * <p>A lab whose part is missing or broken opens as on the first run, and the others as they were
  * left. What an older version did not keep of a lab yet is as on the first run.
@@ -63,7 +63,7 @@ public final class LabsFile {
         return new LabsFile(settings.resolveSibling("labs.json"), problem);
     }
 
-    /** What the file holds, read but not looked into. */
+    /** The content of the file, read but not looked into. */
     public static final class Content {
         private final byte[] text;
         private final ObjectNode root;
@@ -152,7 +152,7 @@ public final class LabsFile {
         refusedParts.add(name);
     }
 
-    /** What was kept, and of the record's components that it has not, the usual ones. */
+    /** The kept values, completed by the usual ones where a component of the record is missing. */
     private static JsonNode completed(JsonNode kept, JsonNode usual, Class<?> type) {
         if (!type.isRecord() || !kept.isObject() || !usual.isObject()) return kept;
         ObjectNode whole = KeptJson.MAPPER.createObjectNode().setAll((ObjectNode) kept);
@@ -167,7 +167,7 @@ public final class LabsFile {
         return whole;
     }
 
-    /** What a part's own check says of it, else where it is. */
+    /** The complaint of a part's own check, else the place of the part. */
     private static String reasonOf(JsonMappingException part) {
         if (part.getCause() instanceof IllegalArgumentException refusal) return reason(refusal);
         String path =
@@ -184,7 +184,7 @@ public final class LabsFile {
         return choices(models.kept());
     }
 
-    /** What those labs show. On the thread that uses them. */
+    /** The states of those labs. On the thread that uses them. */
     static Map<String, Object> choices(Map<String, Kept<?>> labs) {
         var choices = new LinkedHashMap<String, Object>();
         labs.forEach((name, lab) -> choices.put(name, lab.kept()));
@@ -220,7 +220,7 @@ public final class LabsFile {
         }
     }
 
-    /** What the file holds now; empty where it cannot be used, and then it is set aside. */
+    /** The present content of the file; empty where it cannot be used, and then it is set aside. */
     private synchronized Optional<Content> held() {
         if (Files.exists(file)) {
             try {

@@ -6,7 +6,7 @@ import rasterlab.app.canvas.file.LastChosen;
 import rasterlab.app.language.Language;
 
 /**
- * What the window keeps between runs.
+ * The settings that the window keeps between runs.
  *
  * @param tab name of the tab that was shown
  * @param bounds where the window was on the screen, in view units; empty before the first run

@@ -6,7 +6,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
- * What is wrong with a file of the user's, told in any language.
+ * A fault of a user's file, told in any language.
  *
  * @param key of a text of this package
  * @param arguments of that text; a problem among them, and what readers of files say, is told in

@@ -67,7 +67,7 @@ public final class SettingsFile {
         return file.toAbsolutePath().getParent();
     }
 
-    /** What the file holds; the given settings where it holds nothing or nonsense. */
+    /** The settings in the file; the given ones where it holds nothing or nonsense. */
     public synchronized LabSettings load(LabSettings otherwise) {
         if (!Files.exists(file)) return otherwise;
         Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);

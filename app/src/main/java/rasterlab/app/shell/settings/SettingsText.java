@@ -17,7 +17,7 @@ final class SettingsText {
 
     private SettingsText() {}
 
-    /** What stands in the lines is not what the window writes. */
+    /** The lines hold something else than the window writes. */
     static final class Wrong extends Exception {
         private static final long serialVersionUID = 1L;
 

@@ -47,7 +47,7 @@ public final class LabTab implements AutoCloseable {
         return title;
     }
 
-    /** What shortens the first call of {@link #panel}, for another thread. */
+    /** A task for another thread that shortens the first call of {@link #panel}. */
     Runnable preparation() {
         return preparation;
     }

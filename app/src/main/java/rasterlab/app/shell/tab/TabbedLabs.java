@@ -171,7 +171,7 @@ public final class TabbedLabs extends JTabbedPane {
         return tabs.indexOf(Named.find("tab", tab, tabs, LabTab::name));
     }
 
-    /** What fails leaves the tab that is seen the chosen one. */
+    /** Runs a step; where it fails, the tab that is seen stays the chosen one. */
     private void attempt(Runnable step) {
         try {
             step.run();
@@ -192,7 +192,7 @@ public final class TabbedLabs extends JTabbedPane {
         else prepare(index);
     }
 
-    /** What fails here fails again where the panel is made. */
+    /** Prepares a panel; a failure here comes again where the panel is made. */
     private void prepare(int index) {
         CompletableFuture.runAsync(
                         tabs.get(index).preparation(), work -> new Thread(work, "tab").start())

@@ -3,13 +3,14 @@ package rasterlab.app.spline.curve;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.Curve;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.spline.curve.CurvePlace;
 import rasterlab.engine.spline.curve.DeCasteljauCurve;
 import rasterlab.engine.spline.curve.PointStep;
 import rasterlab.engine.spline.curve.SpanForm;
 
 /**
- * What is at one t: the point, how it is constructed, and the span's matrix form.
+ * The curve at one t: the point, how it is constructed, and the span's matrix form.
  *
  * @param curve which curve, from 0
  * @param construction de Casteljau's triangle row by row
@@ -18,6 +19,10 @@ import rasterlab.engine.spline.curve.SpanForm;
 public record CurveAt(
         int curve, CurvePlace place, List<PointStep> construction, Optional<SpanForm> form) {
     private static final int MOST_DEGREE = 4;
+
+    public CurveAt {
+        Bounds.requireAtLeast("curve", curve, 0);
+    }
 
     /**
      * @param t over all curves, in [0, 1]

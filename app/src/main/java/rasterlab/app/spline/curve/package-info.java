@@ -1,6 +1,6 @@
 /**
- * What the lab shows of a curve beside its line: points and their construction, the blending
- * functions, the comb of curvature, and how two curves meet.
+ * The details of a curve that the lab shows beside its line: points and their construction, the
+ * blending functions, the comb of curvature, and how two curves meet.
  *
  * <p>Pixels, t in [0, 1]. Start with {@link rasterlab.app.spline.curve.CurveAt} and {@link
  * rasterlab.app.spline.curve.Sampling}; the panels that show these stand in {@code

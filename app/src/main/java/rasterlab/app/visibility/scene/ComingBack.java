@@ -18,7 +18,7 @@ public record ComingBack(OpenedFiles.View view, UpAxis up, VisibilityChoice befo
         return view.scene().or(view::picture).orElseThrow();
     }
 
-    /** What is said where nothing comes back. */
+    /** The message where nothing comes back. */
     String instead() {
         return "; the scene " + before.scene() + " is shown instead";
     }
@@ -60,7 +60,7 @@ public record ComingBack(OpenedFiles.View view, UpAxis up, VisibilityChoice befo
                 problem);
     }
 
-    /** What the user chose since the reading began stays. */
+    /** Opens the file that was read; a choice that the user made since stays. */
     private VisibilityChoice seen(VisibilityChoice now, SceneChoice scene) {
         VisibilityChoice chosen = now.alike(scene);
         VisibilityChoice next =

@@ -7,8 +7,8 @@ import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * What of the user's files is shown, as it is kept between runs: by its place, for it may be
- * another one by then.
+ * The user's files that are shown, as they are kept between runs: by their places, for they may
+ * have changed by then.
  *
  * @param view empty where no name of the lab's scenes lacks anything
  * @param up the axis of a model that points up

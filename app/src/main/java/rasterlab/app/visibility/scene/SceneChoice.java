@@ -11,7 +11,7 @@ import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 
 /**
- * What is looked at.
+ * The scene that is looked at.
  *
  * @param name one of {@link Scenes#names()}, or the file's
  * @param file where it was read from; empty for a scene that the lab has
@@ -60,7 +60,10 @@ public record SceneChoice(
         return new SceneChoice(name, file, image, scene, up, known, Optional.of(input));
     }
 
-    /** What {@link #named} brings back; only scenes that the lab has are kept between runs. */
+    /**
+     * The name by which {@link #named} finds it; only scenes that the lab has are kept between
+     * runs.
+     */
     @JsonValue
     String kept() {
         return name;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
-/** What the stage shows. */
+/** The view that the stage shows. */
 public enum StageView {
     /** The picture. */
     COLOURS,
@@ -13,7 +13,7 @@ public enum StageView {
     DEPTHS,
     /** How the methods' work grows. */
     GROWTH,
-    /** What depth buffers tell apart. */
+    /** The chart of what depth buffers tell apart. */
     PRECISION;
 
     public String code() {

@@ -11,7 +11,7 @@ import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * What the user chose, and what undo brings back.
+ * The user's choice, which undo brings back.
  *
  * @param shown the scene
  * @param visibility a visibility method's name

@@ -16,7 +16,7 @@ public final class ExactClip {
     private ExactClip() {}
 
     /**
-     * What is left of a plane segment in a window.
+     * The part of a plane segment in a window.
      *
      * @param window xmin, ymin, xmax, ymax
      * @param ends x0, y0, x1, y1
@@ -37,7 +37,7 @@ public final class ExactClip {
     }
 
     /**
-     * What is left of a plane segment in a convex window with an area.
+     * The part of a plane segment in a convex window with an area.
      *
      * @param corners x and y of each in turn, in either direction
      * @param ends x0, y0, x1, y1
@@ -64,7 +64,7 @@ public final class ExactClip {
     }
 
     /**
-     * What is left of a segment in the normalised view volume.
+     * The part of a segment in the normalised view volume.
      *
      * @param zmin distance of the nearest plane
      * @param ends x0, y0, z0, x1, y1, z1

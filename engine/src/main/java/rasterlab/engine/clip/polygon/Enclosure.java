@@ -3,7 +3,7 @@ package rasterlab.engine.clip.polygon;
 import java.math.BigDecimal;
 import java.util.Optional;
 
-/** What is left where the subject's boundary does not pass the window's rim. */
+/** The result where the subject's boundary does not pass the window's rim. */
 final class Enclosure {
     private static final BigDecimal THREE = BigDecimal.valueOf(3);
 

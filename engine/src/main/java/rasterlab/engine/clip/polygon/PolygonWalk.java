@@ -11,7 +11,7 @@ public interface PolygonWalk {
     /** Makes the next step; false when there is none, and then again each time. */
     boolean advance();
 
-    /** What the last step did, in a few words. */
+    /** The last step, in a few words. */
     String at();
 
     /** x and y of each corner of the polygon that the last step made or went on with. */

@@ -1,5 +1,5 @@
 /**
- * What is left of simple polygons in a convex window.
+ * The parts of simple polygons in a convex window.
  *
  * <p>Plane coordinates: x grows to the right, y grows up, any unit; rings are counter-clockwise.
  * Start with {@link rasterlab.engine.clip.polygon.SutherlandHodgman}, which leaves one ring, then

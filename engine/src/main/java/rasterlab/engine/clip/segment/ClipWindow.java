@@ -31,8 +31,8 @@ public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
     }
 
     /**
-     * What errors are measured in: the larger extent, or a 1024th of the largest coordinate where
-     * that is more, so that 10⁻¹² of it is never less than four steps between doubles.
+     * The unit of errors: the larger extent, or a 1024th of the largest coordinate where that is
+     * more, so that 10⁻¹² of it is never less than four steps between doubles.
      */
     public double unit() {
         double far = 0;

@@ -3,8 +3,8 @@ package rasterlab.engine.clip.segment;
 import rasterlab.contract.SegmentSink;
 
 /**
- * What the listings in real numbers share: ends that are moved, and swapped so that it is always
- * the first that is. NaN lies on no side.
+ * Base of the listings in real numbers: ends are swapped so that it is always the first that is
+ * moved. NaN lies on no side.
  */
 abstract class MovedEnds implements SegmentWalk {
     final ClipWindow window;

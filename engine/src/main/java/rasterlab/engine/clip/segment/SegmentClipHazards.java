@@ -29,7 +29,7 @@ final class SegmentClipHazards {
         return all;
     }
 
-    /** What the listings get wrong even in plain cases. */
+    /** The mistakes that the listings make even in plain cases. */
     private static List<Hazard<SegmentsInWindow>> ordinary() {
         return List.of(
                 hazard(

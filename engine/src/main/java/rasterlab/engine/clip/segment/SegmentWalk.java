@@ -11,7 +11,7 @@ public interface SegmentWalk {
     /** Makes the next step; false when there is none, and then again each time. */
     boolean advance();
 
-    /** What the last step looked at, in a word: a side of the window, an end. */
+    /** The thing that the last step looked at, in a word: a side of the window, an end. */
     String at();
 
     /**

@@ -20,7 +20,7 @@ public interface SteppedSegmentClipper extends SegmentClipper {
             double x1,
             double y1);
 
-    /** What {@link SegmentWalk#decision} is, as a formula. */
+    /** The formula of {@link SegmentWalk#decision}. */
     String decisionFormula();
 
     @Override

@@ -3,7 +3,7 @@ package rasterlab.engine.clip.segment;
 import rasterlab.contract.SegmentSink;
 
 /**
- * What the walks of all methods share: window, segment, and whether doubles are good enough.
+ * Base of the walks of all methods: window, segment, and whether doubles are good enough.
  *
  * <p>With u = 2⁻⁵³, a difference of two doubles and a quotient each err by a share u at most, so a
  * t computed as (side − x0)/(x1 − x0) errs by a share of 3·u, and p0 + t·(p1 − p0) by 5·u·|p1 − p0|

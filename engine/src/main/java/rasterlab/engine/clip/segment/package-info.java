@@ -1,5 +1,5 @@
 /**
- * What is left of segments in an upright rectangle, or in any convex window.
+ * The parts of segments in an upright rectangle, or in any convex window.
  *
  * <p>Plane coordinates: x grows to the right, y grows up, any unit. Start with {@link
  * rasterlab.engine.clip.segment.FourLines}, the definition, then {@link

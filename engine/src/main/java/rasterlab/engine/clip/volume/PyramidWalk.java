@@ -3,8 +3,8 @@ package rasterlab.engine.clip.volume;
 import rasterlab.contract.SpaceSegmentSink;
 
 /**
- * What the walks of the right methods share: the segment in eye coordinates, the part not yet cut
- * off, enter ≤ t ≤ leave, and whether doubles are good enough.
+ * Base of the walks of the right methods: the segment in eye coordinates, the part not yet cut off,
+ * enter ≤ t ≤ leave, and whether doubles are good enough.
  *
  * <p>Up to {@value #LONGEST} times the volume's depth, a t that errs by 2⁻⁵¹ moves an end by less
  * than 5·10⁻¹³; longer segments, and numbers that are not finite, are {@link #unsure} from the

@@ -12,7 +12,7 @@ public interface SteppedVolumeClipper extends VolumeClipper {
      */
     VolumeWalk walk(double zmin, double x0, double y0, double z0, double x1, double y1, double z1);
 
-    /** What {@link VolumeWalk#decision} is, as a formula. */
+    /** The formula of {@link VolumeWalk#decision}. */
     String decisionFormula();
 
     @Override

@@ -27,7 +27,7 @@ final class ExactMeeting implements LinePlane {
         return new Ratio(normal, c, from, through).mu();
     }
 
-    /** What is right of each line of an input. */
+    /** The right answer for each line of an input. */
     static Meetings all(PlaneAndLines input) {
         var mu = new double[input.size()];
         var parts = new Line.Part[mu.length];

@@ -68,7 +68,7 @@ final class LinePlaneMutants {
         return n[0] * (q[0] - p[0]) + n[1] * (q[1] - p[1]) + n[2] * (q[2] - p[2]);
     }
 
-    /** What is right but for μ = 1, of which it makes a little more. */
+    /** The right answer but for μ = 1, of which it makes a little more. */
     private static final class BeyondAtOnce implements LinePlane {
         @Override
         public double meets(double[] n, double c, double[] p, double[] q) {

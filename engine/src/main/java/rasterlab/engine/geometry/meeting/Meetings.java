@@ -25,7 +25,7 @@ public final class Meetings {
         this.points = points;
     }
 
-    /** What the μ of a method name. */
+    /** The part of the line that the μ of a method names. */
     static Meetings of(double[] mu, PlaneAndLines input) {
         var parts = new Line.Part[mu.length];
         var points = new double[mu.length][];
@@ -115,7 +115,7 @@ public final class Meetings {
         return Double.isFinite(size) ? Math.max(error, apart / size) : error;
     }
 
-    /** What is wrong of a line in words, if anything is. */
+    /** The fault of a line in words, if there is one. */
     private Optional<String> difference(int line, Meetings actual, double error, boolean both) {
         if (both && parts[line] != actual.parts[line])
             return Optional.of(

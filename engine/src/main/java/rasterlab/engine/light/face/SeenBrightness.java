@@ -50,8 +50,9 @@ public final class SeenBrightness {
     }
 
     /**
-     * What the eye reports: each place is held down by its neighbourhood, b + 1.2·(b − mean), the
-     * mean over {@code reach} samples on each side; so it runs over at steps and at bends.
+     * The brightness that the eye reports: each place is held down by its neighbourhood, b + 1.2·(b
+     * − mean), the mean over {@code reach} samples on each side; so it overshoots at steps and at
+     * bends.
      *
      * <p>Source: E. Mach, 1865 (the report depends on the second derivative); F. Ratliff, Mach
      * Bands: Quantitative Studies on Neural Networks in the Retina, 1965 (lateral inhibition).

@@ -11,7 +11,7 @@ public interface NormalsWalk {
     /** The vertex to whose sum it was added. */
     int vertex();
 
-    /** What its normal of length 1 was multiplied by. */
+    /** The factor of its normal of length 1. */
     double weight();
 
     /** x, y, z of that vertex's sum with it. */
@@ -20,6 +20,6 @@ public interface NormalsWalk {
     /** How many faces were passed over so far because they have no area. */
     int leftOut();
 
-    /** What is made of the sums; to be asked once, when all are added. */
+    /** The normals from the sums; to be asked once, when all are added. */
     double[] normals();
 }

@@ -9,7 +9,7 @@ public interface SteppedNormals extends VertexNormals {
      */
     NormalsWalk walk(double[] vertices, int[] triangles);
 
-    /** What {@link NormalsWalk#weight} is. */
+    /** The meaning of {@link NormalsWalk#weight}. */
     String weightFormula();
 
     @Override

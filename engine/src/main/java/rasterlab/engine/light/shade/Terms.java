@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.engine.color.Levels;
 
 /**
- * What the terms of the formula add to red, green and blue, all factors multiplied in.
+ * The amounts that the terms of the formula add to red, green and blue, all factors multiplied in.
  *
  * @param emission light of its own
  * @param globalAmbient light from everywhere

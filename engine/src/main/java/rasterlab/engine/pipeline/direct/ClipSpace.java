@@ -86,7 +86,7 @@ final class ClipSpace {
                 : sum(2 / deep, eyeRow(2), -(far + near) / deep, one);
     }
 
-    /** What one view coordinate is of x, y, z and 1. */
+    /** The factors of x, y, z and 1 in one view coordinate. */
     private double[] eyeRow(int axis) {
         double origin = transform.toEye(axis, 0, 0, 0);
         return new double[] {

@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline.fast;
 
 /**
- * What becomes of a pixel that is nearer than what is there.
+ * The treatment of a pixel that is nearer than the present one.
  *
  * <p>Mixed: {@code I = I₁·α + I₂·(1 − α)} for each of red, green and blue, rounded to the nearest
  * level, I₁ and α being the pixel's, I₂ what the picture has; the picture's alpha becomes {@code α

@@ -3,9 +3,9 @@ package rasterlab.engine.pipeline.fast;
 /** Which triangles are left out by the way they turn on the picture. */
 public enum Culling {
     NONE,
-    /** What turns clockwise, seen from its inner side, is left out. */
+    /** Triangles that turn clockwise, seen from their inner side, are left out. */
     BACK,
-    /** What turns counter-clockwise, seen from its outer side, is left out. */
+    /** Triangles that turn counter-clockwise, seen from their outer side, are left out. */
     FRONT;
 
     /**

@@ -37,14 +37,6 @@ public final class DepthRaster {
         this.depth = depth;
     }
 
-    public int width() {
-        return raster.width();
-    }
-
-    public int height() {
-        return raster.height();
-    }
-
     /** The colours, not a copy. */
     public Raster raster() {
         return raster;

@@ -4,7 +4,9 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
-/** What is being drawn now, for all stages. One frame at a time; arrays stay for the next. */
+/**
+ * The frame that is being drawn now, for all stages. One frame at a time; arrays stay for the next.
+ */
 final class FrameState {
     static final VertexQuantity[] QUANTITIES = VertexQuantity.values();
 
@@ -21,7 +23,7 @@ final class FrameState {
     int attributeCount;
     int bands;
 
-    /** What each attribute is, in the enumeration's order: colours are the last ones. */
+    /** The quantity of each attribute, in the enumeration's order: colours are the last ones. */
     final VertexQuantity[] attribute = new VertexQuantity[QUANTITIES.length];
 
     /** Whether a triangle has one colour only, that of its third vertex. */

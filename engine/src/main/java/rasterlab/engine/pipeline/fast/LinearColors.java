@@ -35,7 +35,7 @@ final class LinearColors {
     double bb;
     double bc;
 
-    /** What each grows by from a pixel to the next on its right. */
+    /** The growth of each from a pixel to the next on its right. */
     int stepRed;
 
     int stepGreen;

@@ -115,16 +115,12 @@ public final class PixelBatch {
     }
 
     /**
-     * Makes the pixels' colours of shares, each channel's nearest level, opaque.
+     * Packs shares of colour, 0 to 1, into the pixels, each to its nearest level.
      *
      * @param red 0 to 1, or beyond by no more than some ulps, as the others; one of the batch's own
      *     arrays, as the others
+     * @param alpha counts where the pixels are not opaque
      */
-    public void pack(float[] red, float[] green, float[] blue) {
-        PixelLevels.pack(count, red, green, blue, argb);
-    }
-
-    /** The same with an alpha where it counts. */
     public void pack(float[] red, float[] green, float[] blue, float[] alpha) {
         PixelLevels.pack(count, red, green, blue, argb);
         if (!opaque) PixelLevels.setAlpha(count, alpha, argb);

@@ -6,9 +6,10 @@ import rasterlab.engine.scene.VertexQuantity;
 /** Gives pixels their colours: light by Phong's way and textures plug in here. */
 public interface PixelColors {
     /**
-     * What is wanted of a pixel: {@code X, Y, Z} in eye space; the normal in eye space, of any
-     * length above 0; texture coordinates as the mesh has them; colours of the vertices, 0 to 1, as
-     * {@link Surface.PerPixel#under} makes them, but alpha is 1 where nothing depends on it.
+     * The quantities that are wanted of a pixel: {@code X, Y, Z} in eye space; the normal in eye
+     * space, of any length above 0; texture coordinates as the mesh has them; colours of the
+     * vertices, 0 to 1, as {@link Surface.PerPixel#under} makes them, but alpha is 1 where nothing
+     * depends on it.
      */
     Set<VertexQuantity> wants();
 

@@ -17,7 +17,7 @@ final class PixelSlopes {
     /** The pixel after each run's last. */
     final int[] end = new int[PixelBatch.SIZE];
 
-    /** What 1/w grows by to the right and down, in each run. */
+    /** The growth of 1/w to the right and down, in each run. */
     final float[] nearnessRight = new float[PixelBatch.SIZE];
 
     final float[] nearnessDown = new float[PixelBatch.SIZE];
@@ -74,12 +74,12 @@ final class PixelSlopes {
         runs++;
     }
 
-    /** What n grows by to the right in each run. */
+    /** The growth of n to the right in each run. */
     float[] right(VertexQuantity quantity) {
         return right[quantity.ordinal()];
     }
 
-    /** What it grows by downward. */
+    /** Its growth downward. */
     float[] down(VertexQuantity quantity) {
         return down[quantity.ordinal()];
     }

@@ -29,7 +29,7 @@ final class RowDepth {
     double zb;
     double zc;
 
-    /** What the depth grows by from a pixel to the next on its right. */
+    /** The growth of the depth from a pixel to the next on its right. */
     float stepZ;
 
     boolean compact;

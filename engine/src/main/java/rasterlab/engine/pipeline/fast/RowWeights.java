@@ -4,12 +4,14 @@ package rasterlab.engine.pipeline.fast;
 final class RowWeights {
     final RowDepth depth = new RowDepth();
 
-    /** What the weights grow by from a pixel to the next on its right. */
+    /** The growth of the weights from a pixel to the next on its right. */
     float toB;
 
     float toC;
 
-    /** What rows begin with where the triangle is {@linkplain RowDepth#gentle gentle}. */
+    /**
+     * The depths that rows begin with where the triangle is {@linkplain RowDepth#gentle gentle}.
+     */
     final BoxWeights box = new BoxWeights();
 
     /** The weights where they are counted from, and the place of the row's first pixel. */

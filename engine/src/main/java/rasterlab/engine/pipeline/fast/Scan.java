@@ -14,12 +14,12 @@ abstract class Scan {
     /** 1 / area. */
     float inverseArea;
 
-    /** What eB and eC grow by from a pixel to the next on its right. */
+    /** The growth of eB and eC from a pixel to the next on its right. */
     long stepB;
 
     long stepC;
 
-    /** What they grow by from a pixel to the next below. */
+    /** The growth of eB and eC from a pixel to the next below. */
     long downB;
 
     long downC;

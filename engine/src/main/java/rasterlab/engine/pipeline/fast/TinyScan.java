@@ -38,7 +38,7 @@ final class TinyScan extends Scan {
     int rowB;
     int rowC;
 
-    /** What eA grows by to the right and down. */
+    /** The growth of eA to the right and down. */
     int stepA;
 
     int downA;

@@ -31,7 +31,7 @@ public final class TrianglePipeline implements AutoCloseable {
     private int chunkCount;
     private BooleanSupplier cancelled;
 
-    /** What each thread has for itself. */
+    /** The working memory of each thread. */
     private record Worker(VertexStage vertices, Binner binner, BandStage bands) {}
 
     /** A pipeline that works on all cores. */
@@ -48,11 +48,6 @@ public final class TrianglePipeline implements AutoCloseable {
         for (int k = 0; k < threads; k++)
             workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage());
         team = new WorkerTeam(threads);
-    }
-
-    /** Number of threads, the caller's included. */
-    public int threads() {
-        return team.size();
     }
 
     /**

@@ -37,7 +37,7 @@ final class TriangleScan extends Scan {
 
     int boxRight;
 
-    /** What eA grows by to the right and down. */
+    /** The growth of eA to the right and down. */
     long stepA;
 
     long downA;

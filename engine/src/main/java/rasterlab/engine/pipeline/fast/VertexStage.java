@@ -150,7 +150,7 @@ final class VertexStage {
         transform(turn, 2, block.nz);
     }
 
-    /** What is no colour, before the colours are made of it. */
+    /** The quantities besides colours, of which the colours are made. */
     private void putPlaces(FrameState frame, int from) {
         for (int k = 0; k < frame.attributeCount; k++) {
             VertexQuantity quantity = frame.attribute[k];

@@ -1,7 +1,5 @@
 package rasterlab.engine.pipeline.fast;
 
-import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.concurrent.locks.LockSupport;
@@ -28,7 +26,7 @@ final class WorkerTeam implements AutoCloseable {
 
     private static final int NONE = -1;
 
-    /** What is shared out. */
+    /** The work that is shared out. */
     interface Task {
         /**
          * @param worker 0 is the caller's thread; no two threads have one number at one time
@@ -37,7 +35,8 @@ final class WorkerTeam implements AutoCloseable {
     }
 
     /** Worker k is at place k; the caller, worker 0, is not kept. */
-    private final Thread[] threads;
+    /** The threads of workers 1 and up; none at 0, where the caller works. */
+    final Thread[] threads;
 
     /** 1 for each worker that sleeps or is about to. */
     private final AtomicIntegerArray asleep;
@@ -84,11 +83,6 @@ final class WorkerTeam implements AutoCloseable {
         return threads.length;
     }
 
-    /** The threads of workers 1 and up. */
-    List<Thread> workers() {
-        return Arrays.asList(threads).subList(1, threads.length);
-    }
-
     /**
      * Runs items 0 to {@code count} − 1 and returns when all are done.
      *
@@ -124,7 +118,7 @@ final class WorkerTeam implements AutoCloseable {
         if (failure != null) throw new IllegalStateException(failure);
     }
 
-    /** What is done is told once, at the end: fewer of all threads' writes to one place. */
+    /** Counts the finished items once, at the end, so that fewer threads write to one place. */
     private void takeItems(int worker) {
         int item = take();
         if (item == NONE) return;

@@ -27,7 +27,7 @@ import rasterlab.engine.visibility.ray.RaySpan;
 public final class SurfacePicture {
     private static final int MOST_LAYERS = 64;
 
-    /** What a ray leaves behind it when it goes on, as a share of the camera's distance. */
+    /** The step that a ray leaves behind when it goes on, as a share of the camera's distance. */
     private static final double STEP = 1e-9;
 
     private final FaceLights lights;

@@ -10,7 +10,7 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 
-/** What is drawn: the order of the faces, their corners and what cuts them in the world. */
+/** The faces that are drawn: their order, their corners and what cuts them in the world. */
 final class PlainFaces {
     private PlainFaces() {}
 

@@ -4,13 +4,10 @@ import static rasterlab.engine.scene.VertexQuantity.TEXTURE_S;
 import static rasterlab.engine.scene.VertexQuantity.TEXTURE_T;
 
 import java.util.EnumSet;
-import java.util.Optional;
 import java.util.Set;
 import rasterlab.engine.pipeline.fast.PixelBatch;
 import rasterlab.engine.pipeline.fast.PixelColors;
 import rasterlab.engine.scene.VertexQuantity;
-import rasterlab.engine.texture.DetailLevel;
-import rasterlab.engine.texture.TextureMatrix;
 import rasterlab.engine.texture.TextureSampler;
 
 /**
@@ -23,22 +20,10 @@ public final class TexelPixels implements PixelColors {
 
     private final TextureSampler sampler;
     private final TexelFilter filter;
-    private final Optional<TextureMatrix> matrix;
-
-    private TexelPixels(
-            TextureSampler sampler, TexelFilter filter, Optional<TextureMatrix> matrix) {
-        this.sampler = sampler;
-        this.filter = filter;
-        this.matrix = matrix;
-    }
 
     public TexelPixels(TextureSampler sampler, TexelFilter filter) {
-        this(sampler, filter, Optional.empty());
-    }
-
-    /** The same with texture coordinates moved; what goes to infinity has any texel. */
-    public TexelPixels moved(TextureMatrix by) {
-        return new TexelPixels(sampler, filter, Optional.of(by));
+        this.sampler = sampler;
+        this.filter = filter;
     }
 
     @Override
@@ -65,31 +50,14 @@ public final class TexelPixels implements PixelColors {
     void look(PixelBatch batch, int[] texel) {
         float[] s = batch.values(TEXTURE_S);
         float[] t = batch.values(TEXTURE_T);
-        if (filter == TexelFilter.MIPMAP) {
-            lookTrilinear(batch, s, t, texel);
-            return;
+        switch (filter) {
+            case MIPMAP -> sampler.trilinear(batch.count, s, t, squaredSteps(batch), texel);
+            case LINEAR -> sampler.linear(batch.count, s, t, texel);
+            case NEAREST, AFFINE_NEAREST -> sampler.nearest(batch.count, s, t, texel);
         }
-        if (matrix.isPresent()) matrix.get().transform(batch.count, s, t);
-        if (filter == TexelFilter.LINEAR) sampler.linear(batch.count, s, t, texel);
-        else sampler.nearest(batch.count, s, t, texel);
     }
 
-    private void lookTrilinear(PixelBatch batch, float[] s, float[] t, int[] texel) {
-        int width = sampler.texture().width();
-        int height = sampler.texture().height();
-        if (matrix.isEmpty()) {
-            float[] squaredStep = batch.squaredSteps(width, height);
-            sampler.trilinear(batch.count, s, t, squaredStep, texel);
-            return;
-        }
-        float[] sRight = batch.right(TEXTURE_S);
-        float[] tRight = batch.right(TEXTURE_T);
-        float[] sDown = batch.down(TEXTURE_S);
-        float[] tDown = batch.down(TEXTURE_T);
-        matrix.get().transformSlopes(batch.count, s, t, sRight, tRight);
-        matrix.get().transformSlopes(batch.count, s, t, sDown, tDown);
-        matrix.get().transform(batch.count, s, t);
-        DetailLevel.squareSteps(batch.count, sRight, tRight, sDown, tDown, width, height);
-        sampler.trilinear(batch.count, s, t, sRight, texel);
+    private float[] squaredSteps(PixelBatch batch) {
+        return batch.squaredSteps(sampler.texture().width(), sampler.texture().height());
     }
 }

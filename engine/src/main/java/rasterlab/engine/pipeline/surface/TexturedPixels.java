@@ -6,7 +6,6 @@ import rasterlab.engine.pipeline.fast.PixelBatch;
 import rasterlab.engine.pipeline.fast.PixelColors;
 import rasterlab.engine.scene.VertexQuantity;
 import rasterlab.engine.texture.TextureEnvironment;
-import rasterlab.engine.texture.TextureMatrix;
 import rasterlab.engine.texture.TextureSampler;
 
 /**
@@ -39,11 +38,6 @@ public final class TexturedPixels implements PixelColors {
             TextureEnvironment environment,
             PixelColors under) {
         this(new TexelPixels(sampler, filter), environment, under);
-    }
-
-    /** The same with texture coordinates moved, see {@link TexelPixels#moved}. */
-    public TexturedPixels moved(TextureMatrix by) {
-        return new TexturedPixels(texels.moved(by), environment, under);
     }
 
     @Override

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
-/** What becomes of the parts of edges that faces hide. */
+/** The treatment of the parts of edges that faces hide. */
 public enum HiddenLines {
     REMOVED,
     DASHED,

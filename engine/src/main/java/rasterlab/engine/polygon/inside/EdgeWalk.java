@@ -38,7 +38,7 @@ public abstract class EdgeWalk {
         return true;
     }
 
-    /** What the edge from (fromX, fromY) to (toX, toY) adds to the count. */
+    /** The change of the count by the edge from (fromX, fromY) to (toX, toY). */
     abstract int crossing(double fromX, double fromY, double toX, double toY);
 
     /** Whether the answer is known before the last edge. */

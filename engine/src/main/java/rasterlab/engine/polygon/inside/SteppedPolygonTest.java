@@ -11,7 +11,7 @@ public interface SteppedPolygonTest extends PointInPolygon {
      */
     EdgeWalk walk(double[] polygonX, double[] polygonY, double x, double y);
 
-    /** What {@link EdgeWalk#count} counts, as a formula, and which counts mean inside. */
+    /** The formula of {@link EdgeWalk#count}, and which counts mean inside. */
     String countFormula();
 
     @Override

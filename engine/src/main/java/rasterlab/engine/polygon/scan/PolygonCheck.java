@@ -17,7 +17,7 @@ final class PolygonCheck {
         }
     }
 
-    /** What does not depend on the coordinates. */
+    /** The part that does not depend on the coordinates. */
     static void checkSizes(double[] x, double[] y, int width, int height) {
         if (x.length != y.length)
             throw new IllegalArgumentException(

@@ -2,6 +2,7 @@ package rasterlab.engine.polygon.scan;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.geometry.Orientation;
 
 /**
@@ -14,6 +15,10 @@ import rasterlab.engine.geometry.Orientation;
  * @param winding 1 where the outline follows the edge downward, −1 where upward
  */
 record PolygonEdge(double upperX, double upperY, double lowerX, double lowerY, int winding) {
+    PolygonEdge {
+        Bounds.requireSign("winding", winding);
+    }
+
     /** The edges that cross a row from 0 to {@code height} − 1. */
     static List<PolygonEdge> crossing(double[] x, double[] y, int height) {
         var edges = new ArrayList<PolygonEdge>();

@@ -30,6 +30,6 @@ public interface SpanWalk {
         return List.of();
     }
 
-    /** What was done so far: name in the plural to number. */
+    /** The operations so far: name in the plural to number. */
     Map<String, Long> operations();
 }

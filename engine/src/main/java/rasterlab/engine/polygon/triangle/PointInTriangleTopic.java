@@ -118,7 +118,7 @@ public final class PointInTriangleTopic
         return method instanceof SteppedTriangleTest stepped ? walked(stepped, input) : Map.of();
     }
 
-    /** What the walks have counted. */
+    /** The counts of the walks. */
     private static Map<String, Long> walked(SteppedTriangleTest method, ShapeAndPoints input) {
         var counts = new TreeMap<String, Long>();
         Points t = input.corners();

@@ -51,7 +51,7 @@ public abstract class SideWalk {
         return true;
     }
 
-    /** What a side, 0 to 2, says of the point. */
+    /** The verdict of a side, 0 to 2, on the point. */
     abstract double ask(int side);
 
     /** Whether that, after what earlier sides said, tells the point to be outside. */
@@ -67,7 +67,7 @@ public abstract class SideWalk {
         return side;
     }
 
-    /** What the side asked last said; the method tells by which formula. */
+    /** The value of the side asked last; the method tells by which formula. */
     public final double value() {
         return value;
     }
@@ -78,7 +78,7 @@ public abstract class SideWalk {
         this.additions += additions;
     }
 
-    /** What was done so far: name in the plural to number; subtractions are additions. */
+    /** The operations so far: name in the plural to number; subtractions are additions. */
     public Map<String, Long> operations() {
         return new TreeMap<>(
                 Map.of(

@@ -15,7 +15,7 @@ public interface SteppedTriangleTest extends PointInTriangle {
     SideWalk walk(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y);
 
-    /** What {@link SideWalk#value} is, as a formula, and which values mean inside. */
+    /** The formula of {@link SideWalk#value}, and which values mean inside. */
     String valueFormula();
 
     /**

@@ -1,7 +1,7 @@
 package rasterlab.engine.polygon.triangulation;
 
 /**
- * What is left of a simple polygon while ears are cut off it.
+ * The rest of a simple polygon while ears are cut off it.
  *
  * <p>Corner i is an ear where the turn from its predecessor to its successor is to the left and no
  * other corner lies in the triangle of the three or on its border. Such a triangle can be cut off,

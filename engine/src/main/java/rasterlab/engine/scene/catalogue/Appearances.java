@@ -8,7 +8,7 @@ import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.Wrap;
 
-/** What surfaces of the scenes look like. */
+/** The materials of the scenes' surfaces. */
 final class Appearances {
     private Appearances() {}
 

@@ -10,7 +10,7 @@ import rasterlab.engine.scene.shape.Quad;
 import rasterlab.engine.scene.shape.Sphere;
 import rasterlab.engine.transform.SphericalView;
 
-/** What can be seen through. */
+/** The finishes that can be seen through. */
 final class GlassScenes {
     private static final int[] PANES = {0xE05050, 0x50C060, 0x5080E0};
 

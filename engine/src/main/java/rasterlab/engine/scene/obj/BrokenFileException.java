@@ -4,8 +4,6 @@ package rasterlab.engine.scene.obj;
 public final class BrokenFileException extends Exception {
     private static final long serialVersionUID = 1;
 
-    private final String file;
-    private final int line;
     private final String problem;
 
     /**
@@ -15,22 +13,11 @@ public final class BrokenFileException extends Exception {
      */
     BrokenFileException(String file, int line, String problem) {
         super(line == 0 ? file + ": " + problem : file + ":" + line + ": " + problem);
-        this.file = file;
-        this.line = line;
         this.problem = problem;
     }
 
     /** The message without file and line. */
     public String problem() {
         return problem;
-    }
-
-    public String file() {
-        return file;
-    }
-
-    /** The line, from 1, or 0 where the file as a whole is meant. */
-    public int line() {
-        return line;
     }
 }

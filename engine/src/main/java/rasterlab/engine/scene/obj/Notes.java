@@ -69,11 +69,6 @@ final class Notes {
         return firstLeftOut;
     }
 
-    /** Counts so many at once. */
-    void countAt(String place, String what, long times) {
-        countAt(place, what, what, times);
-    }
-
     /**
      * Counts so many at once.
      *

@@ -1,9 +1,6 @@
 package rasterlab.engine.scene.obj;
 
-import java.util.ArrayList;
 import java.util.List;
-import rasterlab.engine.scene.Mesh;
-import rasterlab.engine.scene.TriangleMesh;
 
 /**
  * A model as it was read: flat convex faces with an area, the corners of each naming a position, a
@@ -38,14 +35,9 @@ public final class ObjModel {
     }
 
     /**
-     * The faces of one material.
-     *
-     * @param mesh with normals; with texture coordinates where any of its corners has them, the
-     *     others at (0, 0); with colours where the file has any; equal corners are one vertex
+     * Notes on the things that were passed over or changed, one sentence each, with the place of
+     * the first.
      */
-    public record Part(ObjMaterial material, TriangleMesh mesh) {}
-
-    /** What was passed over or changed, one sentence each, with the place of the first. */
     public List<String> notes() {
         return notes;
     }
@@ -124,33 +116,5 @@ public final class ObjModel {
     /** The number of a line's or point's material. */
     public int strokeMaterial(int stroke) {
         return strokes.material(stroke);
-    }
-
-    /** The faces in their order over the positions in theirs. */
-    public Mesh mesh() {
-        int[][] corners = new int[faceCount()][];
-        for (int f = 0; f < corners.length; f++) {
-            corners[f] = new int[cornerCount(f)];
-            for (int k = 0; k < corners[f].length; k++) corners[f][k] = position(f, k);
-        }
-        return new Mesh(positions, corners);
-    }
-
-    /** Triangles for each material that has faces, in the order of the materials. */
-    public List<Part> parts() {
-        var builders = new PartBuilder[materials.size()];
-        for (int f = 0; f < faceCount(); f++) {
-            int m = material(f);
-            if (builders[m] == null) builders[m] = new PartBuilder(faces);
-            builders[m].add(f);
-        }
-        List<Part> parts = new ArrayList<>();
-        for (int m = 0; m < builders.length; m++)
-            if (builders[m] != null)
-                parts.add(
-                        new Part(
-                                materials.get(m),
-                                builders[m].mesh(positions, colors, places, normals)));
-        return parts;
     }
 }

@@ -6,17 +6,14 @@ import static rasterlab.engine.scene.obj.Rule.read;
 import static rasterlab.engine.scene.obj.Rule.required;
 import static rasterlab.engine.scene.obj.Rule.untold;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.stream.Stream;
 
 /**
  * The rules that models and materials are read by: the readers take ranges, values that stand for
- * missing ones and what is passed over from these tables, and {@link #table} prints them.
+ * missing ones and what is passed over from these tables, and README shows them as one.
  *
  * <p>Three things stop a model: coordinates of a vertex that cannot be read, a corner of a face at
  * a vertex that is not there, and a file with no face that has an area, no line and no point. All
@@ -24,7 +21,7 @@ import java.util.stream.Stream;
  *
  * <p>A keyword that is in no table is passed over with a note.
  */
-public final class ReadingRules {
+final class ReadingRules {
     /** Magnitudes beyond this leave no room for squares in computing with floats. */
     static final double LARGEST = 1e18;
 
@@ -61,7 +58,7 @@ public final class ReadingRules {
                     untold("o", "a name"),
                     untold("g", "names"));
 
-    private static final List<String> MODEL_PASSED_OVER =
+    static final List<String> MODEL_PASSED_OVER =
             List.of(
                     "vp",
                     "cstype",
@@ -121,7 +118,7 @@ public final class ReadingRules {
                     ILLUMINATION,
                     read("map_Kd", "options and a picture's file", "the colour Kd"));
 
-    private static final List<String> MATERIALS_PASSED_OVER =
+    static final List<String> MATERIALS_PASSED_OVER =
             List.of(
                     "Ni",
                     "Tf",
@@ -157,7 +154,7 @@ public final class ReadingRules {
     static final Rule CLAMP = read("-clamp", "on or off", "off");
 
     /** The options of a texture's file name, with the most words that each takes. */
-    private static final Map<Rule, Integer> OPTIONS =
+    static final Map<Rule, Integer> OPTIONS =
             Map.ofEntries(
                     Map.entry(OFFSET, 3),
                     Map.entry(SCALE, 3),
@@ -205,26 +202,5 @@ public final class ReadingRules {
     /** The most words that an option takes. */
     static int mostWords(Rule option) {
         return OPTIONS.get(option);
-    }
-
-    /** The rules as a table in Markdown, a line each. */
-    public static List<String> table() {
-        var lines = new ArrayList<String>();
-        lines.add("| keyword | words | done | range | missing or unreadable |");
-        lines.add("|---|---|---|---|---|");
-        Stream<Rule> options =
-                OPTIONS.keySet().stream()
-                        .sorted(
-                                Comparator.comparing(Rule::passesOver)
-                                        .thenComparing(Rule::keyword));
-        Stream.of(
-                        MODEL.stream(),
-                        Stream.of(passedOver(String.join("`, `", MODEL_PASSED_OVER), "")),
-                        MATERIALS.stream(),
-                        options,
-                        Stream.of(passedOver(String.join("`, `", MATERIALS_PASSED_OVER), "")))
-                .flatMap(rules -> rules)
-                .forEach(rule -> lines.add(rule.row()));
-        return List.copyOf(lines);
     }
 }

@@ -19,23 +19,15 @@ record Rule(
         String instead) {
     enum Treatment {
         /** Numbers without which there is no model: what is not in the range is refused. */
-        REQUIRED("read", "refused"),
+        REQUIRED,
         /** Numbers that are cut to the range. */
-        CUT("read", "cut to it"),
+        CUT,
         /** Names and numbers of things. */
-        READ("read", ""),
+        READ,
         /** The keyword is left out, with a note. */
-        PASSED_OVER("passed over", ""),
+        PASSED_OVER,
         /** Means nothing to a picture, so its absence is not told. */
-        UNTOLD("passed over without a note", "");
-
-        private final String done;
-        private final String beyond;
-
-        Treatment(String done, String beyond) {
-            this.done = done;
-            this.beyond = beyond;
-        }
+        UNTOLD
     }
 
     static Rule required(String keyword, String words, double most) {
@@ -69,24 +61,6 @@ record Rule(
     /** The number that stands for one that cannot be read. */
     double numberInstead() {
         return Double.parseDouble(instead);
-    }
-
-    /** Columns of the table that people read: keyword, words, what is done, beyond, instead. */
-    String row() {
-        boolean ranged = treatment == Treatment.REQUIRED || treatment == Treatment.CUT;
-        String beyond =
-                ranged
-                        ? "beyond %s to %s: %s"
-                                .formatted(typed(least), typed(most), treatment.beyond)
-                        : "";
-        return "| `%s` | %s | %s | %s | %s |"
-                .formatted(keyword, words, treatment.done, beyond, instead)
-                .replaceAll(" +", " ");
-    }
-
-    /** The number as one types it in a file. */
-    private static String typed(double value) {
-        return number(value).replaceFirst("\\.0E", "e");
     }
 
     /** Shortest decimal, a whole number without its point. */

@@ -57,11 +57,6 @@ public final class Ray {
         this.dz = dz;
     }
 
-    /** Whether it met anything. */
-    public boolean met() {
-        return t < Double.POSITIVE_INFINITY;
-    }
-
     /** Where, in lengths of d; infinite where it met nothing. */
     public double t() {
         return t;

@@ -7,8 +7,8 @@ import rasterlab.contract.SplineEnds;
 import rasterlab.engine.scene.Vase;
 
 /**
- * What a curve sweeps that turns about the z axis: {@code x = r(z)·cos u, y = r(z)·sin u}, r the
- * cubic spline through given radii at given heights.
+ * A surface of revolution about the z axis: {@code x = r(z)·cos u, y = r(z)·sin u}, r the cubic
+ * spline through given radii at given heights.
  *
  * <p>The normal is {@code (cos u, sin u, −r′(z)) / √(1 + r′(z)²)}, exact from the spline's
  * derivative. s runs from 0 to 1 with u once round, t with z from the bottom to the top. Where the
@@ -24,7 +24,7 @@ import rasterlab.engine.scene.Vase;
 public final class Revolution implements SceneShape, Patch {
     private static final double BEYOND = 1 + 1e-12;
 
-    private final Profile profile;
+    final Profile profile;
     private final double reach;
     private final List<Disc> discs = new ArrayList<>();
 
@@ -53,10 +53,6 @@ public final class Revolution implements SceneShape, Patch {
     public static Revolution vase() {
         double[] radii = Arrays.stream(Vase.radii()).asDoubleStream().toArray();
         return new Revolution(Vase.heights(), radii, SplineEnds.natural(), true, false);
-    }
-
-    Profile profile() {
-        return profile;
     }
 
     @Override

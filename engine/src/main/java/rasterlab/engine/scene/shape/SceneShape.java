@@ -2,7 +2,6 @@ package rasterlab.engine.scene.shape;
 
 import java.util.List;
 import rasterlab.engine.scene.Mesh;
-import rasterlab.engine.scene.TriangleMesh;
 
 /** A surface that knows its points, their normals and where it meets a ray. */
 public interface SceneShape {
@@ -22,21 +21,11 @@ public interface SceneShape {
     void meet(Ray ray);
 
     /**
-     * Triangles with normals and texture coordinates.
-     *
-     * @param uSteps steps of u on each patch, at least 3 where it goes once round
-     * @param vSteps steps of v on each patch; discs take one
-     */
-    default TriangleMesh triangles(int uSteps, int vSteps) {
-        return new Tessellation(this, uSteps, vSteps).mesh();
-    }
-
-    /**
      * Flat faces over shared vertices: quadrilaterals, and triangles about poles; corners have the
      * surface's normals and texture coordinates.
      *
-     * @param uSteps as for {@link #triangles}
-     * @param vSteps as for {@link #triangles}
+     * @param uSteps steps of u on each patch, at least 3 where it goes once round
+     * @param vSteps steps of v on each patch; discs take one
      */
     default Mesh faces(int uSteps, int vSteps) {
         return new Tessellation(this, uSteps, vSteps).faces();

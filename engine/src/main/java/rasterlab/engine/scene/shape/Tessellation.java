@@ -1,7 +1,6 @@
 package rasterlab.engine.scene.shape;
 
 import rasterlab.engine.scene.Mesh;
-import rasterlab.engine.scene.TriangleMesh;
 
 /**
  * A shape with the steps by which meshes of it are made.
@@ -41,11 +40,6 @@ public record Tessellation(SceneShape shape, int uSteps, int vSteps) {
         if (steps < fewest)
             throw new IllegalArgumentException(
                     "steps of %s must be at least %d, got %d".formatted(name, fewest, steps));
-    }
-
-    /** Triangles with normals and texture coordinates. */
-    public TriangleMesh mesh() {
-        return new TriangleGrid(this).mesh();
     }
 
     /** Flat faces over shared vertices, with normals and texture coordinates of their corners. */

@@ -29,18 +29,6 @@ public record Torus(double major, double minor) implements SceneShape, Patch {
         Size.require("torus's minor", minor);
     }
 
-    /** A torus of exactly so many triangles, an even number, about twice as many rings as sides. */
-    public static Tessellation ofTriangles(double major, double minor, int triangles) {
-        int pairs = triangles / 2;
-        int sides = (int) Math.sqrt(pairs / 2.0);
-        while (sides > 3 && pairs % sides != 0) sides--;
-        if (triangles % 2 != 0 || sides < 3 || pairs % sides != 0)
-            throw new IllegalArgumentException(
-                    "no torus has exactly %d triangles: 2·rings·sides is needed"
-                            .formatted(triangles));
-        return new Tessellation(new Torus(major, minor), pairs / sides, sides);
-    }
-
     @Override
     public List<Patch> patches() {
         return List.of(this);

@@ -1,6 +1,7 @@
 package rasterlab.engine.spline.curve;
 
 import rasterlab.contract.Curve;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * Where a curve is, how fast it goes there and how it bends, by u along one span.
@@ -19,12 +20,17 @@ import rasterlab.contract.Curve;
  */
 public record CurvePlace(
         int span, double u, double x, double y, double dx, double dy, double ddx, double ddy) {
+    public CurvePlace {
+        Bounds.requireAtLeast("span", span, 0);
+        Bounds.require("u", u, 0, 1);
+    }
+
     /**
      * @param t in [0, 1], over all spans
      */
     public static CurvePlace at(Curve curve, double t) {
-        Spans.requireInside(t);
-        return of(curve, Spans.span(curve, t), Spans.local(curve, t));
+        CurveSpans.requireInside(t);
+        return of(curve, CurveSpans.span(curve, t), CurveSpans.local(curve, t));
     }
 
     /**

@@ -41,10 +41,10 @@ public final class DeCasteljauCurve extends EvaluatedCurve implements SteppedPoi
     /** The triangle row by row, the control points first. */
     @Override
     public List<PointStep> stepsAt(Curve curve, double t) {
-        Spans.requireInside(t);
+        CurveSpans.requireInside(t);
         var points = new BezierPoints(curve);
-        points.load(Spans.span(curve, t));
-        double u = Spans.local(curve, t);
+        points.load(CurveSpans.span(curve, t));
+        double u = CurveSpans.local(curve, t);
         double[] x = points.x.clone();
         double[] y = points.y.clone();
         var steps = new ArrayList<PointStep>();

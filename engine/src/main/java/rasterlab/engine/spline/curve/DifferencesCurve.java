@@ -4,8 +4,8 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 
 /**
- * What forward differences share whatever they count in: equal steps of t, and a fresh start in
- * each span.
+ * Base of forward differences in any kind of numbers: equal steps of t, and a fresh start in each
+ * span.
  */
 abstract class DifferencesCurve implements SteppedCurve {
     /** Doubles drift by less than this many roundings of a cubic in the steps that are allowed. */
@@ -31,15 +31,15 @@ abstract class DifferencesCurve implements SteppedCurve {
 
     @Override
     public final void at(Curve curve, double[] t, CurvePoints out) {
-        Spans.requireInside(t);
+        CurveSpans.requireInside(t);
         PowerForm.requireDegree(curve);
         double step = equalStep(t) * curve.spans();
         int span = -1;
         Run run = null;
         for (double each : t) {
-            int index = Spans.span(curve, each);
+            int index = CurveSpans.span(curve, each);
             if (index == span) run.step();
-            else run = started(curve, index, Spans.local(curve, each), step);
+            else run = started(curve, index, CurveSpans.local(curve, each), step);
             span = index;
             out.point(run.x(), run.y());
         }

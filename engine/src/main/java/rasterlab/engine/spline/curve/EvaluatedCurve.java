@@ -4,8 +4,8 @@ import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 
 /**
- * What all methods share that compute a point from its u alone: {@code at} takes the t as they
- * come, {@code flatten} equal steps of Wang's count in each span.
+ * Base of all methods that compute a point from its u alone: {@code at} takes the t as they come,
+ * {@code flatten} equal steps of Wang's count in each span.
  */
 abstract class EvaluatedCurve implements SteppedCurve {
     /** One span, ready to be evaluated. */
@@ -32,15 +32,15 @@ abstract class EvaluatedCurve implements SteppedCurve {
 
     @Override
     public final void at(Curve curve, double[] t, CurvePoints out) {
-        Spans.requireInside(t);
+        CurveSpans.requireInside(t);
         var point = new double[2];
         int loaded = -1;
         Span span = null;
         for (double each : t) {
-            int index = Spans.span(curve, each);
+            int index = CurveSpans.span(curve, each);
             if (index != loaded) span = span(curve, index);
             loaded = index;
-            span.at(Spans.local(curve, each), point);
+            span.at(CurveSpans.local(curve, each), point);
             out.point(point[0], point[1]);
         }
     }

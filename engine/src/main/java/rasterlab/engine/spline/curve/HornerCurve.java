@@ -36,10 +36,10 @@ public final class HornerCurve extends EvaluatedCurve implements SteppedPoint {
     /** One more coefficient in each step. */
     @Override
     public List<PointStep> stepsAt(Curve curve, double t) {
-        Spans.requireInside(t);
+        CurveSpans.requireInside(t);
         PowerForm.requireDegree(curve);
-        int span = Spans.span(curve, t);
-        double u = Spans.local(curve, t);
+        int span = CurveSpans.span(curve, t);
+        double u = CurveSpans.local(curve, t);
         double[] ofX = PowerForm.coefficients(curve, curve.x(), span);
         double[] ofY = PowerForm.coefficients(curve, curve.y(), span);
         var steps = new ArrayList<PointStep>();

@@ -51,16 +51,16 @@ public final class MatrixCurve extends EvaluatedCurve implements SteppedPoint {
     /** One more control point in each step, its weight as the factor. */
     @Override
     public List<PointStep> stepsAt(Curve curve, double t) {
-        Spans.requireInside(t);
+        CurveSpans.requireInside(t);
         PowerForm.requireDegree(curve);
-        int span = Spans.span(curve, t);
+        int span = CurveSpans.span(curve, t);
         double[][] matrix = CurveMatrix.of(curve);
         double divisor = CurveMatrix.divisor(curve);
         var steps = new ArrayList<PointStep>();
         double x = 0;
         double y = 0;
         for (int i = 0; i < matrix.length; i++) {
-            double weight = weight(matrix, i, Spans.local(curve, t));
+            double weight = weight(matrix, i, CurveSpans.local(curve, t));
             x += weight * curve.x()[span + i];
             y += weight * curve.y()[span + i];
             String text = "plus weight times G[" + i + "]";

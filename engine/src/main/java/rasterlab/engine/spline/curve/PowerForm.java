@@ -3,8 +3,8 @@ package rasterlab.engine.spline.curve;
 import rasterlab.contract.Curve;
 
 /**
- * What methods on powers of u can take: their coefficients grow like 3ⁿ and cancel again, so that
- * from degree {@value #MOST_DEGREE} on too few digits are left.
+ * The degrees that methods on powers of u can take: their coefficients grow like 3ⁿ and cancel
+ * again, so that from degree {@value #MOST_DEGREE} on too few digits are left.
  */
 final class PowerForm {
     static final int MOST_DEGREE = 10;

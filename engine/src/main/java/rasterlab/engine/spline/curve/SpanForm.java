@@ -1,6 +1,7 @@
 package rasterlab.engine.spline.curve;
 
 import rasterlab.contract.Curve;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * One span at one u in the matrix form: point(u) = T·M·G with T = [uⁿ … u² u 1].
@@ -24,16 +25,21 @@ public record SpanForm(
         double[][] geometry,
         double[][] coefficients,
         double[] weights) {
+    public SpanForm {
+        Bounds.requireAtLeast("span", span, 0);
+        Bounds.require("u", u, 0, 1);
+    }
+
     /**
      * @param t in [0, 1], over all spans
      * @throws IllegalArgumentException if t is not, or the degree is above {@value
      *     PowerForm#MOST_DEGREE}
      */
     public static SpanForm at(Curve curve, double t) {
-        Spans.requireInside(t);
+        CurveSpans.requireInside(t);
         PowerForm.requireDegree(curve);
-        int span = Spans.span(curve, t);
-        double u = Spans.local(curve, t);
+        int span = CurveSpans.span(curve, t);
+        double u = CurveSpans.local(curve, t);
         double[][] matrix = CurveMatrix.of(curve);
         double divisor = CurveMatrix.divisor(curve);
         int rows = matrix.length;

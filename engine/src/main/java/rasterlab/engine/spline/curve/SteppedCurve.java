@@ -12,6 +12,6 @@ public interface SteppedCurve extends CurveTracer {
      */
     CurveWalk walk(Curve curve, double flatness);
 
-    /** What {@link CurveWalk#decision} is, as a formula. */
+    /** The formula of {@link CurveWalk#decision}. */
     String decisionFormula();
 }

@@ -1,5 +1,5 @@
 /**
- * What curves of topic {@code spline} are held against: exact points, a dense polyline, and how far
+ * The references for curves of topic {@code spline}: exact points, a dense polyline, and how far
  * two polylines are apart.
  *
  * <p>Pixels. Knows no method that it judges. Start with {@link

@@ -3,6 +3,7 @@ package rasterlab.engine.spline.function;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.DoubleStream;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * Where a piecewise cubic leaves the values of its two knots.
@@ -17,6 +18,10 @@ import java.util.stream.DoubleStream;
 public record Overshoot(int piece, double x, double y, double beyond) {
     /** The share of the two values below which a difference is rounding. */
     private static final double ROUNDING = 1e-12;
+
+    public Overshoot {
+        Bounds.requireAtLeast("piece", piece, 0);
+    }
 
     /** How far outside the value is; above 0. */
     public double by() {

@@ -82,7 +82,9 @@ public final class SplineFunctionTopic
         return values;
     }
 
-    /** What the coefficients say, never refusing any: that would pass for the method's refusal. */
+    /**
+     * The values by the coefficients, never refusing any: that would pass for the method's refusal.
+     */
     private static double[] values(SplineProblem problem, double[] coefficients, double[] places) {
         if (coefficients.length != problem.coefficients() || coefficients.length == 0) {
             var none = new double[places.length];

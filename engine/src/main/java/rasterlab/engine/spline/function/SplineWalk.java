@@ -12,7 +12,7 @@ public interface SplineWalk {
     /** Row of the system or number of the piece that the step dealt with, from 0. */
     int index();
 
-    /** What the step did, in one word. */
+    /** The step, in one word. */
     String phase();
 
     /** The number that the step looked at or found; see {@link SteppedSpline#decisionFormula}. */

@@ -15,6 +15,6 @@ public interface SteppedSpline extends SplineFunction {
      */
     SplineWalk walk(double[] x, double[] y, SplineEnds ends);
 
-    /** What {@link SplineWalk#decision} is, as a formula. */
+    /** The formula of {@link SplineWalk#decision}. */
     String decisionFormula();
 }

@@ -115,7 +115,7 @@ final class ExactFootprint {
         return Math.abs(twice) / 2;
     }
 
-    /** What of a convex polygon lies where side·(coordinate − at) is not negative. */
+    /** The part of a convex polygon where side·(coordinate − at) is not negative. */
     private static double[] cut(double[] polygon, int axis, double at, int side) {
         var kept = new double[polygon.length + 4];
         int size = 0;

@@ -33,13 +33,13 @@ public record FilteredPixels(int width, int height, int[] argb, double[] footpri
         footprints = footprints.clone();
     }
 
-    /** What is made of one pixel. */
+    /** The result for one pixel. */
     @FunctionalInterface
     interface OfPixel<T> {
         T of(double s, double t, double dsdx, double dtdx, double dsdy, double dtdy);
     }
 
-    /** What is made of each, in their order. */
+    /** The result for each, in their order. */
     <T> List<T> each(OfPixel<T> make) {
         var made = new ArrayList<T>();
         for (int at = 0; at < footprints.length; at += NUMBERS)

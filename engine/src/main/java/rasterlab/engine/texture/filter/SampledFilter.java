@@ -15,7 +15,7 @@ import rasterlab.engine.texture.Wrap;
  * computer graphics for programmers, Kazan, 2005, ch. 15, parameters of textures.
  */
 final class SampledFilter implements SteppedFilter {
-    /** What is done with the texture, the place and the level. */
+    /** A lookup in the texture, at a place and a level. */
     @FunctionalInterface
     interface Look {
         int color(TextureSampler sampler, double s, double t, double lambda);

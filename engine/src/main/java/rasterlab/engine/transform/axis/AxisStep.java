@@ -4,7 +4,7 @@ import rasterlab.engine.transform.CountingArithmetic;
 
 /** One of the seven steps: a shift, or a turn in the plane of two coordinates. */
 sealed interface AxisStep {
-    /** What it does, for the step-by-step view. */
+    /** Its work, for the step-by-step view. */
     String text();
 
     /** Does it to the point whose x stands at {@code at}. */

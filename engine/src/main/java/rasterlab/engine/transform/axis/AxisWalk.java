@@ -21,7 +21,7 @@ public final class AxisWalk {
         return true;
     }
 
-    /** What the step just taken did. */
+    /** The step just taken. */
     public String text() {
         return steps.get(next - 1).text();
     }

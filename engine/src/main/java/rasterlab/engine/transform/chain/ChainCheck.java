@@ -2,7 +2,7 @@ package rasterlab.engine.transform.chain;
 
 import rasterlab.engine.transform.Coordinates;
 
-/** What every method demands of its arguments and of its answer. */
+/** Checks what every method demands of its arguments and of its answer. */
 final class ChainCheck {
     private ChainCheck() {}
 

@@ -20,7 +20,9 @@ final class CountingChain {
         this.narrow = narrow;
     }
 
-    /** What {@code method} does with {@code chain}; empty for a method that is none of ours. */
+    /**
+     * The operations of {@code method} for {@code chain}; empty for a method that is none of ours.
+     */
     static Map<String, Long> counts(PointTransformer method, Chain chain) {
         var counting = new CountingChain(method instanceof FloatTransformer);
         double[] points = chain.points().clone();

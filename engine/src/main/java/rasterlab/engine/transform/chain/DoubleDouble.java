@@ -14,10 +14,6 @@ record DoubleDouble(double high, double low) {
     static final DoubleDouble ZERO = new DoubleDouble(0, 0);
     static final DoubleDouble ONE = new DoubleDouble(1, 0);
 
-    static DoubleDouble of(double value) {
-        return new DoubleDouble(value, 0);
-    }
-
     /** a + b with what its rounding lost. */
     private static DoubleDouble sum(double a, double b) {
         double high = a + b;

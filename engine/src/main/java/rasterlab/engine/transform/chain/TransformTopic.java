@@ -26,7 +26,7 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     private static final double USABLE = 1e-4;
 
     /**
-     * What a method answers.
+     * The answer of a method.
      *
      * @param h H of each point
      */

@@ -1,7 +1,5 @@
 package rasterlab.engine.transform.exact;
 
-import static rasterlab.engine.transform.exact.BigTrig.DIGITS;
-
 import java.math.BigDecimal;
 
 /** A square matrix of many digits, for row points. */
@@ -49,14 +47,6 @@ public record BigMatrix(BigDecimal[][] rows) {
             image[j] = sum;
         }
         return image;
-    }
-
-    /** Each cell rounded to 60 digits, to keep long products short. */
-    public BigMatrix rounded() {
-        var copy = new BigDecimal[rows.length][rows.length];
-        for (int i = 0; i < rows.length; i++)
-            for (int j = 0; j < rows.length; j++) copy[i][j] = rows[i][j].round(DIGITS);
-        return new BigMatrix(copy);
     }
 
     /** Each cell as the nearest double. */

@@ -110,7 +110,7 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
         return new Deviation(worst, 0, 0, of, first);
     }
 
-    /** What is wrong with the rows' number or length; empty where nothing is. */
+    /** The fault of the rows' number or length; empty where there is none. */
     private static String shape(int size, double[][] rows) {
         if (rows == null || rows.length != size)
             return "%s where %d rows are right"

@@ -23,7 +23,7 @@ final class BunemanRotation extends CountedRotation implements SteppedRotation {
             for (int i = 0; i < points.length; i++) points[i] = -points[i];
     }
 
-    /** What is left of the angle without half turns, in −90°..90°. */
+    /** The rest of the angle without half turns, in −90°..90°. */
     private static double rest(double degrees) {
         return Math.IEEEremainder(Math.IEEEremainder(degrees, 360), 180);
     }

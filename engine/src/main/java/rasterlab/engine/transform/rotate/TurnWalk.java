@@ -44,7 +44,7 @@ public abstract class TurnWalk {
         return text;
     }
 
-    /** What it gave. */
+    /** The result. */
     public double value() {
         return value;
     }

@@ -50,7 +50,7 @@ final class ViewMutants {
                 RIGHT.view(change.applyAsDouble(theta), change.applyAsDouble(phi), rho, points);
     }
 
-    /** What becomes of one coordinate. */
+    /** The change of one coordinate. */
     @FunctionalInterface
     private interface Change {
         double of(double coordinate, double rho);

@@ -1,5 +1,7 @@
 package rasterlab.engine.transform.view;
 
+import rasterlab.engine.geometry.Bounds;
+
 /**
  * One of the numbered steps from the world to the eye.
  *
@@ -7,4 +9,8 @@ package rasterlab.engine.transform.view;
  * @param formula what it computes
  * @param value what that gives for the point
  */
-public record ViewStep(int number, String formula, double value) {}
+public record ViewStep(int number, String formula, double value) {
+    public ViewStep {
+        Bounds.requireAtLeast("number", number, 1);
+    }
+}

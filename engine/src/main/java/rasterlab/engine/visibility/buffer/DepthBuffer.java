@@ -59,7 +59,7 @@ public final class DepthBuffer {
         return new DepthBuffer(out.width(), out.height(), stored, walk.largerIsNearer());
     }
 
-    /** What a pixel holds, as the method stores it; empty where no face is. */
+    /** The content of a pixel, as the method stores it; empty where no face is. */
     public OptionalDouble at(int x, int y) {
         double depth = stored[y * width + x];
         return Double.isNaN(depth) ? OptionalDouble.empty() : OptionalDouble.of(depth);

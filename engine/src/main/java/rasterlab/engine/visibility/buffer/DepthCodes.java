@@ -2,7 +2,7 @@ package rasterlab.engine.visibility.buffer;
 
 /** How a depth buffer stores nearness: the nearer of two surfaces has the smaller code. */
 interface DepthCodes {
-    /** What an empty pixel holds: no surface has it. */
+    /** The content of an empty pixel: no surface has it. */
     int EMPTY = Integer.MAX_VALUE;
 
     /**

@@ -43,7 +43,7 @@ public record NearnessRange(double nearest, double farthest) {
         return new NearnessRange(distance / near, distance / far);
     }
 
-    /** What nearness is multiplied by to run from 0 to 1; 0 where all depths are one. */
+    /** The factor by which nearness runs from 0 to 1; 0 where all depths are equal. */
     double scale() {
         double extent = nearest - farthest;
         double scale = 1 / extent;

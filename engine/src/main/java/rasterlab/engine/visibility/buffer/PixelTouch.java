@@ -2,9 +2,10 @@ package rasterlab.engine.visibility.buffer;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import rasterlab.engine.geometry.Bounds;
 
 /**
- * What a face did to one pixel.
+ * The effect of a face on one pixel.
  *
  * @param step of the method, from 1; 0 where it has no steps or never came to the face there
  * @param face number in the mesh
@@ -22,7 +23,11 @@ public record PixelTouch(
         Optional<DepthTest> test,
         int before,
         int after) {
-    /** What became of a face at a pixel. */
+    public PixelTouch {
+        Bounds.requireAtLeast("step", step, 0);
+    }
+
+    /** The fate of a face at a pixel. */
     public enum Verdict {
         /** The pixel got its colour, or was mixed with it. */
         DRAWN,

@@ -5,8 +5,8 @@ import java.util.List;
 import rasterlab.contract.DepthRange;
 
 /**
- * What formats tell apart half way to the far plane, over far/near: measured by search, and
- * predicted by formula.
+ * The smallest distance that formats tell apart half way to the far plane, over far/near: measured
+ * by search, and predicted by formula.
  *
  * <p>With near = 1 and D = 1 − 1/far a window depth w is that of z = 1/(1 − w·D). A format that
  * stores w, or something linear in it, rounds all from w₀ to w₁ to one code: half a step to each
@@ -103,7 +103,7 @@ public final class DepthPrecision {
         return (cell.to - cell.from) * deep * from * to;
     }
 
-    /** What is rounded to one code: shares of the whole range from 0 to 1. */
+    /** The interval that is rounded to one code, in shares of the whole range from 0 to 1. */
     private record Cell(double from, double to) {
         private Cell {
             from = Math.max(0, from);

@@ -13,6 +13,6 @@ public interface SteppedDepth extends DepthCoding {
      */
     DepthWalk walk(DepthRange range, double nearness, double perPixel, int pixels);
 
-    /** What {@link DepthWalk#decision} is, as a formula. */
+    /** The formula of {@link DepthWalk#decision}. */
     String decisionFormula();
 }

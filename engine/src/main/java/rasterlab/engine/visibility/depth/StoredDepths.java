@@ -3,7 +3,7 @@ package rasterlab.engine.visibility.depth;
 import rasterlab.contract.DepthFormat;
 
 /**
- * What a depth buffer makes of {@link DepthRows}, surface after surface, pixel after pixel.
+ * The contents of a depth buffer after {@link DepthRows}, surface after surface, pixel after pixel.
  *
  * @param pixels of each surface
  * @param codes what the depth test compares; the smaller one is nearer

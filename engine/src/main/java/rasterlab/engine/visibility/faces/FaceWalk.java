@@ -12,9 +12,12 @@ public interface FaceWalk {
 
     boolean visible();
 
-    /** What the verdict was taken from; {@link SteppedVisibleFaces#decision} says what it is. */
+    /**
+     * The value that the verdict was taken from; {@link SteppedVisibleFaces#decision} says what it
+     * is.
+     */
     double value();
 
-    /** What was done so far: name in the plural to number. */
+    /** The operations so far: name in the plural to number. */
     Map<String, Long> operations();
 }

@@ -7,7 +7,7 @@ public interface SteppedVisibleFaces extends VisibleFaces {
     /** A walk that has judged no face yet. */
     FaceWalk walk(Body body);
 
-    /** What a step's value is, and when it means visible. */
+    /** The meaning of a step's value, and when it means visible. */
     String decision();
 
     @Override

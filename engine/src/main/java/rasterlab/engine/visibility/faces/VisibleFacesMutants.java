@@ -7,7 +7,7 @@ import rasterlab.engine.study.Mutant;
 
 /** Sides of faces, asked with one mistake. */
 final class VisibleFacesMutants {
-    /** What a mistaken method says of one face. */
+    /** The answer of a mistaken method for one face. */
     private interface Judge {
         boolean visible(Asked asked);
     }

@@ -10,7 +10,7 @@ import rasterlab.engine.visibility.VisibilityWalk;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /**
- * What a method shows, and what it did for it.
+ * The faces that a method shows, and the work it did for them.
  *
  * @param picture the face at each pixel
  * @param work what was counted

@@ -25,7 +25,7 @@ public record FacePicture(int width, int[] faces) {
                 for (int x = from; x < to; x++) out.argb()[row + x] = face + 1;
             };
 
-    /** What {@link #NUMBERS} left in a picture that was cleared to 0. */
+    /** The numbers that {@link #NUMBERS} left in a picture that was cleared to 0. */
     static FacePicture of(Raster raster) {
         int[] faces = raster.argb().clone();
         for (int i = 0; i < faces.length; i++) faces[i]--;

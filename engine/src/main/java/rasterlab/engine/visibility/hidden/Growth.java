@@ -32,7 +32,7 @@ public record Growth(String method, Axis axis, int[] sizes, long[] work) {
 
     private static final double REACH = 400;
 
-    /** What grows. */
+    /** The quantity that grows. */
     public enum Axis {
         /** N, the number of faces, while they shrink and cover the same area in all. */
         FACES_OF_ONE_AREA(16, 64, 256, 1024, 4096),

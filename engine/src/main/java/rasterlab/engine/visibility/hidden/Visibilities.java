@@ -39,10 +39,6 @@ public final class Visibilities {
         return methods;
     }
 
-    public List<String> names() {
-        return methods.stream().map(Method::name).toList();
-    }
-
     /**
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */

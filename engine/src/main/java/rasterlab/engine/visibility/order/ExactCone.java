@@ -69,7 +69,9 @@ final class ExactCone {
         };
     }
 
-    /** What it covers of a sphere of radius 1 round the eye, by flat triangles, rounded. */
+    /**
+     * The area that it covers of a sphere of radius 1 round the eye, by flat triangles, rounded.
+     */
     double size() {
         double sum = 0;
         for (int i = 1; i + 1 < rays.size(); i++)

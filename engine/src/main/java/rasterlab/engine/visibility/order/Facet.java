@@ -3,6 +3,7 @@ package rasterlab.engine.visibility.order;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.scene.Mesh;
 
 /**
@@ -17,6 +18,10 @@ import rasterlab.engine.scene.Mesh;
  */
 record Facet(
         int polygon, double[] corners, double[] seen, EyePlane plane, int turn, List<Cut> cuts) {
+    Facet {
+        Bounds.requireSign("turn", turn);
+    }
+
     /** A whole polygon. */
     static Facet whole(int polygon, double[] corners, double[] seen) {
         var face = new int[seen.length / 3];

@@ -47,10 +47,6 @@ final class FacetExtent {
         return facet;
     }
 
-    double leastZ() {
-        return leastZ;
-    }
-
     double mostZ() {
         return mostZ;
     }

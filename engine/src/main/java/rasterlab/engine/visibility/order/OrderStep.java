@@ -8,7 +8,7 @@ package rasterlab.engine.visibility.order;
  * @param value what decided: the method says what it is
  */
 public record OrderStep(Kind kind, int polygon, int against, double value) {
-    /** What was done. */
+    /** The kind of step that was done. */
     public enum Kind {
         PAINT,
         MOVE,

@@ -8,7 +8,7 @@ public interface OrderWalk {
     /** Paints, moves or cuts one polygon; false when all are painted. */
     boolean advance();
 
-    /** What was done last. */
+    /** The step done last. */
     OrderStep step();
 
     /** The cuts that made the piece that was given last to the sink; none for a whole polygon. */
@@ -16,6 +16,6 @@ public interface OrderWalk {
         return List.of();
     }
 
-    /** What was done so far: name in the plural to number. */
+    /** The operations so far: name in the plural to number. */
     Map<String, Long> operations();
 }

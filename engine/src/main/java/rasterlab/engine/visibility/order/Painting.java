@@ -31,7 +31,7 @@ public final class Painting {
         pieces.add(new Piece(polygon, corners));
     }
 
-    /** What is painted, first to last. */
+    /** The faces that are painted, first to last. */
     public List<Piece> pieces() {
         return List.copyOf(pieces);
     }

@@ -24,7 +24,7 @@ public interface SteppedOrder extends DepthOrder {
      */
     OrderWalk walk(Sight sight, PieceSink out, Runnable pulse);
 
-    /** What a step's value is. */
+    /** The meaning of a step's value. */
     String decision();
 
     @Override

@@ -35,7 +35,7 @@ public final class ConvexBody {
         }
     }
 
-    /** What shows that a mesh is none, naming faces; nothing if it is one. */
+    /** The fault by which a mesh is not closed, naming faces; empty if it is closed. */
     public static Optional<String> flaw(Mesh mesh) {
         var body = new ConvexBody(mesh);
         return body.gap().or(body::dent);

@@ -95,7 +95,10 @@ public final class FaceCrossings {
         return Math.abs(distance) <= IN_PLANE * sizes ? 0 : distance;
     }
 
-    /** What the plane of one face cuts out of another: the ends, and their places on the line. */
+    /**
+     * The segment that the plane of one face cuts out of another: the ends, and their places on the
+     * line.
+     */
     private final class Cut {
         final double[] from = new double[3];
         final double[] to = new double[3];

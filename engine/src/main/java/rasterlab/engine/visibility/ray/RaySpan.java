@@ -4,8 +4,8 @@ import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * What is drawn of a ray {@code o + t·d} in the world, whose t is depth in eye space: from the near
- * plane to the far one, and on the drawn side of each clip plane.
+ * The drawn part of a ray {@code o + t·d} in the world, whose t is depth in eye space: from the
+ * near plane to the far one, and on the drawn side of each clip plane.
  */
 public final class RaySpan {
     private final ViewedMesh view;

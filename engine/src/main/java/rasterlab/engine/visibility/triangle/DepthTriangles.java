@@ -87,11 +87,5 @@ public record DepthTriangles(List<double[]> triangles, int width, int height, do
             Arrays.fill(depths, input.background());
             return new Shown(input.width(), new int[depths.length], depths);
         }
-
-        int covered() {
-            int covered = 0;
-            for (int number : shown) if (number != 0) covered++;
-            return covered;
-        }
     }
 }

@@ -7,8 +7,8 @@ import java.util.Optional;
 import rasterlab.contract.DepthTriangleFiller;
 
 /**
- * What triangles show: areas in whole steps of the corners' grid, which no long overflows, and
- * depths of 40 digits at every pixel.
+ * The exact picture of triangles: areas in whole steps of the corners' grid, which no long
+ * overflows, and depths of 40 digits at every pixel.
  */
 final class ExactTriangles {
     private static final MathContext DIGITS = new MathContext(40);

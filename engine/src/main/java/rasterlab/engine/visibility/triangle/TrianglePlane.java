@@ -26,7 +26,7 @@ final class TrianglePlane {
         return area;
     }
 
-    /** What a corner has a say by, beside the two others: {@link #area} at the corner itself. */
+    /** The weight of a corner beside the two others: {@link #area} at the corner itself. */
     private double weight(int corner, double px, double py) {
         int a = (corner + 1) % 3;
         int b = (corner + 2) % 3;

@@ -16,8 +16,8 @@ final class SamePicture {
                     "%s: pixel (%d, %d): expected %08x at depth %s, got %08x at depth %s"
                             .formatted(
                                     what,
-                                    i % expected.width(),
-                                    i / expected.width(),
+                                    i % expected.raster().width(),
+                                    i / expected.raster().width(),
                                     expected.raster().argb()[i],
                                     expected.depth()[i],
                                     actual.raster().argb()[i],

@@ -13,7 +13,7 @@ import rasterlab.engine.pipeline.surface.TexelFilter;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
-import rasterlab.engine.scene.shape.Torus;
+import rasterlab.engine.scene.shape.TriangleGrid;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.TextureSampler;
@@ -96,7 +96,7 @@ class ThreadsPictureTest {
     void drawTheSameCrowdedTorus(int threads) {
         var toEye = new Matrix4d().translate(0, 0.2, -1.2).rotateX(-0.9);
         var view = new TriangleView(toEye, GlMatrices.perspective(60, 1.25, 0.1, 10));
-        var torus = Torus.ofTriangles(1, 0.45, 40_000).mesh();
+        var torus = TriangleGrid.torus(200, 100);
         float[][] color = new float[4][torus.vertexCount()];
         var random = new Random(2046);
         for (float[] channel : color)

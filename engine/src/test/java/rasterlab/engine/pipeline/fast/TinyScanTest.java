@@ -30,7 +30,7 @@ class TinyScanTest {
             for (int top : new int[] {0, TriangleScan.ROWS}) {
                 Band band = Bands.of(out, top);
                 if (!tiny.load(v, 0, 1, 2, band)) continue;
-                tiny.look(out.width());
+                tiny.look(out.raster().width());
                 rows.load(v, 0, 1, 2, band);
                 rows.scan();
                 compare("triangle %d of seed 1988, band %d".formatted(round, top));

@@ -17,11 +17,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.FrameBytes;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
-import rasterlab.engine.scene.shape.Torus;
+import rasterlab.engine.scene.shape.TriangleGrid;
 import rasterlab.engine.transform.GlMatrices;
 
 class TrianglePipelineTest {
-    private static final TriangleMesh TORUS = Torus.ofTriangles(1, 0.45, 20_000).mesh();
+    private static final TriangleMesh TORUS = TriangleGrid.torus(200, 50);
     private static final int WIDTH = 320;
     private static final int HEIGHT = 200;
 

@@ -17,14 +17,14 @@ import rasterlab.engine.pipeline.fast.Surface;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.pipeline.fast.TriangleView;
 import rasterlab.engine.scene.TriangleMesh;
-import rasterlab.engine.scene.shape.Torus;
+import rasterlab.engine.scene.shape.TriangleGrid;
 import rasterlab.engine.transform.GlMatrices;
 
 class SurfacesTest {
-    private static final TriangleMesh TORUS = Torus.ofTriangles(1, 0.45, 5_000).mesh();
+    private static final TriangleMesh TORUS = TriangleGrid.torus(100, 25);
 
     /** A mesh of more triangles than the picture has pixels. */
-    private static final TriangleMesh CROWDED = Torus.ofTriangles(1, 0.45, 40_000).mesh();
+    private static final TriangleMesh CROWDED = TriangleGrid.torus(200, 100);
 
     /** The near plane and a plane of the user cut the torus. */
     private static final TriangleView VIEW =

@@ -25,7 +25,6 @@ class ForgivenObjTest {
         ObjModel model = Texts.read(Texts.SQUARE + more);
         assertEquals(faces, faces(model));
         assertEquals(notes, model.notes());
-        assertEquals(model.faceCount(), model.mesh().faceCount());
     }
 
     /** Corners as v/vt, or v alone; a normal as n where it is not the face's own. */

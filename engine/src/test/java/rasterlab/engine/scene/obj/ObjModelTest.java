@@ -2,7 +2,6 @@ package rasterlab.engine.scene.obj;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
@@ -14,8 +13,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.scene.Mesh;
-import rasterlab.engine.scene.VertexQuantity;
 
 class ObjModelTest {
     /** Faces by the numbers of their corners, as text. */
@@ -30,7 +27,6 @@ class ObjModelTest {
                 found.append(k > 0 ? " " : "").append(model.position(f, k));
         }
         assertEquals(faces, found.toString());
-        assertEquals(model.faceCount(), model.mesh().faceCount());
     }
 
     static Stream<Arguments> mistakes() {
@@ -89,44 +85,6 @@ class ObjModelTest {
     }
 
     @Test
-    @DisplayName("parts share one vertex between two materials, or none within one")
-    void partsShareEqualCorners() throws Exception {
-        ObjModel model =
-                Texts.read(
-                        "mtllib m.mtl\n"
-                                + Texts.SQUARE
-                                + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 2\n"
-                                + "usemtl red\nf 1/1/1 2/2/1 3/3/1\nusemtl blue sky\n"
-                                + "f 1/1/1 3/3/1 4/4/1\nusemtl red\nf 1/1/1 3/4/1 4/4/1\n");
-        List<ObjModel.Part> parts = model.parts();
-        assertEquals(List.of("red", "blue sky"), names(parts));
-        assertEquals(List.of(1.0, 0.0, 0.0), parts.get(0).material().diffuse());
-        var red = parts.get(0).mesh();
-        assertArrayEquals(new int[] {0, 1, 2, 0, 3, 4}, red.triangles());
-        assertArrayEquals(new float[] {0, 4, 4, 4, 0}, red.values(VertexQuantity.X));
-        assertArrayEquals(new float[] {0, 1, 1, 0, 0}, red.values(VertexQuantity.TEXTURE_S));
-        assertArrayEquals(new float[] {1, 1, 1, 1, 1}, red.values(VertexQuantity.NORMAL_Z));
-        assertFalse(red.hasColors());
-    }
-
-    @Test
-    @DisplayName("front and back share a vertex, whose normal is that of one")
-    void cornersOfTwoNormalsAreTwoVertices() throws Exception {
-        ObjModel model =
-                Texts.read(
-                        Texts.SQUARE + "vn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 3//2 2//2 1//2");
-        assertEquals(6, model.parts().get(0).mesh().vertexCount());
-    }
-
-    @Test
-    @DisplayName("triples with one slot of the table are one")
-    void cornersKeepTheirNumbers() {
-        var table = new CornerTable();
-        for (int round = 0; round < 2; round++)
-            for (int i = 0; i < 10_000; i++) assertEquals(i, table.number(7, 7, i));
-    }
-
-    @Test
     @DisplayName("each of any number of unknown words makes a note")
     void notesEndSomewhere() throws Exception {
         var text = new StringBuilder(Texts.SQUARE + "f 1 2 3\n");
@@ -136,20 +94,12 @@ class ObjModelTest {
         assertEquals("a.obj:56: other unknown keywords were passed over (10 times)", notes.get(50));
     }
 
-    private static List<String> names(List<ObjModel.Part> parts) {
-        return parts.stream().map(part -> part.material().name()).toList();
-    }
-
     @Test
     @DisplayName("a colour moves to another vertex")
     void colorsStayWithTheirVertices() throws Exception {
         ObjModel model =
                 Texts.read("v 0 0 0\nv 1 0 0 0.5 0 1\nv 0 1 0 1 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 4 3");
         assertArrayEquals(new double[] {1, 1, 1, 0.5, 0, 1, 0, 0, 1, 1, 1, 1}, model.colors());
-        var mesh = model.parts().get(0).mesh();
-        assertEquals(0.5f, mesh.values(VertexQuantity.RED)[1]);
-        assertEquals(0, mesh.values(VertexQuantity.RED)[2]);
-        assertEquals(1, mesh.values(VertexQuantity.ALPHA)[2]);
     }
 
     @Test
@@ -189,9 +139,13 @@ class ObjModelTest {
     @DisplayName("a material file's name ends at its blank")
     void findsFilesWithBlanks() throws Exception {
         String rest = "\n" + Texts.SQUARE + "usemtl wood\nf 1 2 3";
-        assertEquals("wood", names(Texts.read("mtllib my m.mtl" + rest).parts()).get(0));
+        assertEquals("wood", firstMaterial(Texts.read("mtllib my m.mtl" + rest)));
         var both = Texts.read("mtllib m.mtl m.mtl\n" + Texts.SQUARE + "usemtl red\nf 1 2 3");
-        assertEquals("red", names(both.parts()).get(0));
+        assertEquals("red", firstMaterial(both));
+    }
+
+    private static String firstMaterial(ObjModel model) {
+        return model.materials().get(model.material(0)).name();
     }
 
     /** Two sides of a roof that share the ridge. */
@@ -235,8 +189,6 @@ class ObjModelTest {
         for (int i = 1; i <= squares; i++)
             text.append("v %d 0 0\nv %d 1 0\ns %d\nf -4 -2 -1 -3\n".formatted(i, i, i % 7 + 1));
         ObjModel model = Texts.read(text.toString());
-        Mesh mesh = model.mesh();
-        assertEquals(squares, mesh.faceCount());
-        assertEquals(2 * squares, model.parts().get(0).mesh().triangleCount());
+        assertEquals(squares, model.faceCount());
     }
 }

@@ -17,7 +17,7 @@ final class ExactSide {
         if (shape instanceof Cylinder tube) return flat.compareTo(square(big(tube.radius())));
         if (shape instanceof Torus torus) return torus(torus, flat, z);
         if (shape instanceof Revolution revolution)
-            return flat.compareTo(square(radius(revolution.profile(), z)));
+            return flat.compareTo(square(radius(revolution.profile, z)));
         throw new IllegalArgumentException("no equation of " + shape);
     }
 

@@ -27,9 +27,9 @@ class DyadicTest {
             @ForAll @DoubleRange(min = -1e20, max = 1e20) double c,
             @ForAll @IntRange(min = 1, max = 9) int factor) {
         BigDecimal product = new BigDecimal(a).multiply(new BigDecimal(b));
-        Dyadic ours = Dyadic.of(a).times(Dyadic.of(b));
-        assertSame(product.add(new BigDecimal(c)), ours.plus(Dyadic.of(c)));
-        assertSame(product.subtract(new BigDecimal(c)), ours.minus(Dyadic.of(c)));
+        BinaryFraction ours = BinaryFraction.of(a).times(BinaryFraction.of(b));
+        assertSame(product.add(new BigDecimal(c)), ours.plus(BinaryFraction.of(c)));
+        assertSame(product.subtract(new BigDecimal(c)), ours.minus(BinaryFraction.of(c)));
         assertSame(
                 product.multiply(BigDecimal.valueOf(factor)),
                 ours.times(BigInteger.valueOf(factor)));
@@ -55,18 +55,18 @@ class DyadicTest {
                 Double.MIN_VALUE
             })
     void standsForTheDouble(double value) {
-        assertSame(new BigDecimal(value), Dyadic.of(value));
-        assertEquals(value, Dyadic.of(value).toDouble());
-        assertEquals(value, Dyadic.of(value).times(BigInteger.valueOf(3)).dividedBy(3));
+        assertSame(new BigDecimal(value), BinaryFraction.of(value));
+        assertEquals(value, BinaryFraction.of(value).toDouble());
+        assertEquals(value, BinaryFraction.of(value).times(BigInteger.valueOf(3)).dividedBy(3));
     }
 
     @ParameterizedTest(name = "what is far beyond half a last place is lost: {0}")
     @ValueSource(ints = {1, -1})
     void leastBitDecidesWhatWouldBeATie(int sign) {
         BigInteger tie = BigInteger.ONE.shiftLeft(200).setBit(147);
-        assertEquals(sign, new Dyadic(signed(sign, tie), 200).toDouble());
+        assertEquals(sign, new BinaryFraction(signed(sign, tie), 200).toDouble());
         assertEquals(
-                sign * Math.nextUp(1.0), new Dyadic(signed(sign, tie.setBit(0)), 200).toDouble());
+                sign * Math.nextUp(1.0), new BinaryFraction(signed(sign, tie.setBit(0)), 200).toDouble());
     }
 
     @ParameterizedTest(name = "what a division leaves is lost: {0}")
@@ -74,10 +74,10 @@ class DyadicTest {
     void remainderDecidesWhatWouldBeATie(int sign) {
         BigInteger tie = BigInteger.ONE.shiftLeft(125).setBit(72);
         BigInteger thrice = tie.multiply(BigInteger.valueOf(3));
-        assertEquals(sign, new Dyadic(signed(sign, thrice), 125).dividedBy(3));
+        assertEquals(sign, new BinaryFraction(signed(sign, thrice), 125).dividedBy(3));
         assertEquals(
                 sign * Math.nextUp(1.0),
-                new Dyadic(signed(sign, thrice.add(BigInteger.ONE)), 125).dividedBy(3));
+                new BinaryFraction(signed(sign, thrice.add(BigInteger.ONE)), 125).dividedBy(3));
     }
 
     private static BigInteger signed(int sign, BigInteger size) {
@@ -87,12 +87,12 @@ class DyadicTest {
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.999999, 1, 2.5, 7, 8, 1e9, -0.5, -1, -2.5})
     void floorIsTheWholeNumberBelow(double value) {
-        assertEquals((int) Math.floor(value), Dyadic.of(value).floor());
+        assertEquals((int) Math.floor(value), BinaryFraction.of(value).floor());
     }
 
     @Property(tries = 100, edgeCases = EdgeCasesMode.MIXIN)
     void floorIsBelowAWholeNumberThatIsMissedByLittle(@ForAll @IntRange(min = 1) int whole) {
-        Dyadic missed = Dyadic.of(whole).minus(Dyadic.of(0x1p-100));
+        BinaryFraction missed = BinaryFraction.of(whole).minus(BinaryFraction.of(0x1p-100));
         assertEquals(whole, missed.toDouble());
         assertEquals(whole - 1, missed.floor());
     }
@@ -100,11 +100,11 @@ class DyadicTest {
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
     void whatIsNotFiniteIsRefused(double value) {
-        var refusal = assertThrows(IllegalArgumentException.class, () -> Dyadic.of(value));
+        var refusal = assertThrows(IllegalArgumentException.class, () -> BinaryFraction.of(value));
         assertEquals("must be finite, got " + value, refusal.getMessage());
     }
 
-    private static void assertSame(BigDecimal expected, Dyadic actual) {
+    private static void assertSame(BigDecimal expected, BinaryFraction actual) {
         BigDecimal over = new BigDecimal(actual.over());
         BigDecimal value =
                 actual.places() < 0

@@ -25,7 +25,7 @@ public final class ByteCodeCheck {
     }
 
     /**
-     * What the classes found: the one to make an instance of, or why not.
+     * The result of the check: the class to make an instance of, or why there is none.
      *
      * @param entry name of that class; empty where there are refusals
      */

@@ -18,8 +18,8 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Message;
 
 /**
- * What is not allowed in a student's classes: one message for each mistake, with the line in the
- * source.
+ * The things in a student's classes that are not allowed: one message for each mistake, with the
+ * line in the source.
  *
  * <p>A class is told once, where it is used first. Of a line all is told that stands in it, but for
  * what comes of the same mistake: calls of what a refused one answers. So do the exceptions that
@@ -52,8 +52,8 @@ final class SourceRefusals {
     private record Mistake(int line, String owner, String name) {}
 
     /**
-     * What was found, in the order of instructions; classes by their internal names, others by
-     * their mistakes.
+     * The findings, in the order of instructions; classes by their internal names, others by their
+     * mistakes.
      */
     private final Map<Object, Found> found = new LinkedHashMap<>();
 
@@ -87,7 +87,8 @@ final class SourceRefusals {
     }
 
     /**
-     * What a refused call answers: calls of that in the same line are no mistakes of their own.
+     * The type that a refused call answers: calls of it in the same line are no mistakes of their
+     * own.
      *
      * @param type internal name of a class
      */

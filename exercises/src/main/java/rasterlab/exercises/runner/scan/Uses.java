@@ -120,7 +120,7 @@ final class Uses {
                                         : allowed.allows(one, member.name()));
     }
 
-    /** What ldc loads or a bootstrap gets as an argument. */
+    /** Checks a constant that ldc loads or a bootstrap gets as an argument. */
     void constant(int line, Object constant) {
         if (constant instanceof Type type) descriptor(line, type.getDescriptor());
         else if (constant instanceof Handle handle)

@@ -10,11 +10,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
-import rasterlab.engine.pipeline.fast.DepthRaster;
-import rasterlab.engine.pipeline.fast.TrianglePipeline;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.Raster;
 import rasterlab.tests.bench.BenchWords;
 
-/** The pipeline's pictures beside OpenGL's; skipped where there is no OpenGL. */
+/** A user's pictures beside OpenGL's; skipped where there is no OpenGL. */
 @Tag("slow")
 class OpenGlPictureTest {
     /** The share of pixels that may be off by more than 2 levels. */
@@ -42,19 +42,12 @@ class OpenGlPictureTest {
     void pixelsAreThoseOfOpenGl(TorusLook look) {
         assumeTrue(context != null, missing);
         var scene = new TorusScene(20_000, 960, 540);
-        var mesh = scene.mesh();
-        var out = new DepthRaster(scene.width(), scene.height());
-        try (var pipeline = new TrianglePipeline();
-                var torus = new GlTorus(scene, look, mesh)) {
-            pipeline.drawOn(
-                    TorusScene.BACKGROUND,
-                    mesh,
-                    scene.view(),
-                    look.surface(scene),
-                    out,
-                    () -> false);
+        var out = new Raster(scene.width(), scene.height());
+        try (var renderer = new Renderer();
+                var torus = new GlTorus(scene, look)) {
+            renderer.render(scene.request(look), out, () -> false);
             torus.draw();
-            var difference = Difference.of(out.raster().argb(), torus.read());
+            var difference = Difference.of(out.argb(), torus.read());
             assertTrue(
                     difference.off() <= BOUND * difference.pixels(),
                     difference.text(BenchWords.ENGLISH));

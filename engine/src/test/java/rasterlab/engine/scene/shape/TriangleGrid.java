@@ -5,7 +5,7 @@ import java.util.List;
 import rasterlab.engine.scene.TriangleMesh;
 
 /** Puts the vertices and triangles of a {@link Tessellation} into arrays. */
-final class TriangleGrid {
+public final class TriangleGrid {
     private static final int QUANTITIES = 8;
 
     private final List<Patch> patches;
@@ -30,6 +30,11 @@ final class TriangleGrid {
         }
         values = new float[QUANTITIES][vertices];
         triangles = new int[corners];
+    }
+
+    /** Triangles of a torus of major radius 1 and minor radius 0.45, 2·rings·sides of them. */
+    public static TriangleMesh torus(int rings, int sides) {
+        return new TriangleGrid(new Tessellation(new Torus(1, 0.45), rings, sides)).mesh();
     }
 
     TriangleMesh mesh() {

@@ -3,8 +3,8 @@ package rasterlab.engine.spline.curve;
 import rasterlab.contract.Curve;
 
 /** Which span a t lies in, and where there. */
-final class Spans {
-    private Spans() {}
+final class CurveSpans {
+    private CurveSpans() {}
 
     static int span(Curve curve, double t) {
         return Math.min((int) (t * curve.spans()), curve.spans() - 1);

@@ -9,8 +9,8 @@ import java.math.BigInteger;
  * @param over any whole number
  * @param places below 0 where the number is a multiple of a power of two
  */
-record Dyadic(BigInteger over, int places) {
-    static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
+record BinaryFraction(BigInteger over, int places) {
+    static final BinaryFraction ZERO = new BinaryFraction(BigInteger.ZERO, 0);
 
     /**
      * The bits that are kept: more than the 53 of a double and one for the half between two of
@@ -21,36 +21,36 @@ record Dyadic(BigInteger over, int places) {
     /**
      * @throws IllegalArgumentException if {@code value} is not finite
      */
-    static Dyadic of(double value) {
+    static BinaryFraction of(double value) {
         if (!Double.isFinite(value))
             throw new IllegalArgumentException("must be finite, got " + value);
         if (value == 0) return ZERO;
         int exponent = Math.max(Math.getExponent(value), Double.MIN_EXPONENT) - 52;
         long mantissa = (long) Math.scalb(value, -exponent);
         int zeros = Long.numberOfTrailingZeros(mantissa);
-        return new Dyadic(BigInteger.valueOf(mantissa >> zeros), -exponent - zeros);
+        return new BinaryFraction(BigInteger.valueOf(mantissa >> zeros), -exponent - zeros);
     }
 
-    Dyadic plus(Dyadic other) {
+    BinaryFraction plus(BinaryFraction other) {
         int most = Math.max(places, other.places);
-        return new Dyadic(to(most).add(other.to(most)), most);
+        return new BinaryFraction(to(most).add(other.to(most)), most);
     }
 
-    Dyadic minus(Dyadic other) {
+    BinaryFraction minus(BinaryFraction other) {
         int most = Math.max(places, other.places);
-        return new Dyadic(to(most).subtract(other.to(most)), most);
+        return new BinaryFraction(to(most).subtract(other.to(most)), most);
     }
 
     private BigInteger to(int morePlaces) {
         return over.shiftLeft(morePlaces - places);
     }
 
-    Dyadic times(Dyadic other) {
-        return new Dyadic(over.multiply(other.over), places + other.places);
+    BinaryFraction times(BinaryFraction other) {
+        return new BinaryFraction(over.multiply(other.over), places + other.places);
     }
 
-    Dyadic times(BigInteger factor) {
-        return new Dyadic(over.multiply(factor), places);
+    BinaryFraction times(BigInteger factor) {
+        return new BinaryFraction(over.multiply(factor), places);
     }
 
     int floor() {

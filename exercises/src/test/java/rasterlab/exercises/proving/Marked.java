@@ -1,0 +1,20 @@
+package rasterlab.exercises.proving;
+
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.marking.Marking;
+
+/** Marks methods of this program on all cases of an exercise. */
+public final class Marked {
+    private Marked() {}
+
+    /**
+     * All that came of the cases, and what they pay.
+     *
+     * @param method of the topic's contract
+     * @param seed draws the generated cases
+     */
+    public static Marking cases(Exercise exercise, TopicGrading grading, Object method, long seed) {
+        return TriedMethod.on(exercise, exercise.cases(), grading, method, seed).marking;
+    }
+}
