@@ -117,7 +117,7 @@ class Server(
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
 
-    /** @param address of whoever calls, which is not the connection's where a door stands in front */
+    /** @param address of the client; behind a proxy it is not that of the connection */
     fun install(
         application: Application,
         address: (ApplicationCall) -> String = { it.request.origin.remoteAddress },

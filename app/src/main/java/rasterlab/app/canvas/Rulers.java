@@ -13,7 +13,7 @@ public final class Rulers {
     /** The view units per pixel below which the grid would be grey. */
     private static final double FINEST_GRID = 5;
 
-    private final PixelGrid grid;
+    private final ZoomedGrid grid;
     private final Dimension view;
     private final StageColours colours;
     private final Font font;
@@ -21,7 +21,7 @@ public final class Rulers {
     /**
      * @param font of a label; the numbers are smaller
      */
-    public Rulers(PixelGrid grid, Dimension view, StageColours colours, Font font) {
+    public Rulers(ZoomedGrid grid, Dimension view, StageColours colours, Font font) {
         this.grid = grid;
         this.view = view;
         this.colours = colours;

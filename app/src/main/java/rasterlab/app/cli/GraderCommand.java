@@ -20,7 +20,7 @@ import rasterlab.app.outcome.Complaint;
 final class GraderCommand implements Callable<Integer> {
     private final Console console;
 
-    @Parameters(arity = "0..*", paramLabel = "ARGUMENT", description = "handed to the server")
+    @Parameters(arity = "0..*", paramLabel = "ARGUMENT", description = "arguments for the server")
     private List<String> arguments = List.of();
 
     @Unmatched private List<String> options = new ArrayList<>();

@@ -18,7 +18,7 @@ import rasterlab.engine.transform.Projection;
 final class LitScene {
     private LitScene() {}
 
-    /** The body in the light, as large as it is by itself. */
+    /** The body in the light, in its own size. */
     static Scene scene(LightChoice choice, Scene body) {
         return new Scene(
                 body.name(),

@@ -16,7 +16,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.PictureType;
-import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
@@ -40,7 +40,7 @@ import rasterlab.engine.line.Segment;
 record LineFrame(
         LineDrawings drawings,
         int step,
-        PixelGrid grid,
+        ZoomedGrid grid,
         int width,
         int height,
         double scale,
@@ -84,13 +84,13 @@ record LineFrame(
      * @param zoom bounds of the buttons
      */
     static Rectangle around(
-            End end, Segment segment, PixelGrid grid, Rectangle sight, Rectangle zoom) {
+            End end, Segment segment, ZoomedGrid grid, Rectangle sight, Rectangle zoom) {
         int size = (int) Math.max(PictureType.scaled(26), Math.min(60, grid.cell() * 1.5 + 6));
         return EdgeArrow.place(middle(end, segment, grid), size, sight, zoom);
     }
 
     /** Where the middle of an end's pixel lies, in sight or not. */
-    static Point2D middle(End end, Segment segment, PixelGrid grid) {
+    static Point2D middle(End end, Segment segment, ZoomedGrid grid) {
         return new Point2D.Double(grid.viewX(end.x(segment)), grid.viewY(end.y(segment)));
     }
 

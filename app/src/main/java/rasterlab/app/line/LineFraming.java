@@ -2,7 +2,7 @@ package rasterlab.app.line;
 
 import java.awt.Rectangle;
 import java.util.Optional;
-import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
@@ -27,8 +27,8 @@ final class LineFraming {
     /**
      * @param view where the grid may lie, in view units
      */
-    static PixelGrid of(LineLabState state, Rectangle view) {
-        return PixelGrid.fitting(of(state), view);
+    static ZoomedGrid of(LineLabState state, Rectangle view) {
+        return ZoomedGrid.fitting(of(state), view);
     }
 
     /** The pixels to be seen. */

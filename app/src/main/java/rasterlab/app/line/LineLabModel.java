@@ -47,7 +47,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     /** Arrangements so far; one that undo brought back is no new one. */
     private int arrangements;
 
-    /** The lab of somebody without programs of his own. */
+    /** A lab for a user without own programs. */
     public LineLabModel(
             Topic<LineRasterizer, Segment, PixelRecording> topic,
             Executor events,

@@ -8,7 +8,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.line.trace.AloneMark;
@@ -22,14 +22,14 @@ import rasterlab.engine.raster.PixelWindow;
 /** Draws what the methods drew onto a zoomed pixel grid. */
 final class LinePainter {
     private final Graphics2D g;
-    private final PixelGrid grid;
+    private final ZoomedGrid grid;
     private final StageColours colours;
     private final BooleanSupplier cancelled;
 
     /**
      * @param cancelled asked at each pixel
      */
-    LinePainter(Graphics2D g, PixelGrid grid, StageColours colours, BooleanSupplier cancelled) {
+    LinePainter(Graphics2D g, ZoomedGrid grid, StageColours colours, BooleanSupplier cancelled) {
         this.g = g;
         this.grid = grid;
         this.colours = colours;

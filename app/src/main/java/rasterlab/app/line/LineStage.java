@@ -24,7 +24,7 @@ import javax.swing.UIManager;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.PictureType;
-import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Shown;
@@ -54,10 +54,10 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     private final transient LatestOnly<LineFrame, BufferedImage> frames;
     private transient Optional<LineFrame> asked = Optional.empty();
     private transient Optional<BufferedImage> shown = Optional.empty();
-    private transient Optional<PixelGrid> chosen = Optional.empty();
+    private transient Optional<ZoomedGrid> chosen = Optional.empty();
 
     /** The grid under the pointer while an end is dragged. */
-    private transient Optional<PixelGrid> held = Optional.empty();
+    private transient Optional<ZoomedGrid> held = Optional.empty();
 
     /** The pixels in sight where nobody has zoomed. */
     private transient Rectangle framed;
@@ -140,7 +140,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         revalidate();
     }
 
-    private void keep(PixelGrid grid) {
+    private void keep(ZoomedGrid grid) {
         chosen = Optional.of(grid);
     }
 
@@ -164,7 +164,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     /** Whether an end that was in another pixel before is out of sight, where nobody has zoomed. */
     private boolean isLost(Segment segment) {
         if (segment.equals(seen) || chosen.isPresent()) return false;
-        PixelGrid grid = grid();
+        ZoomedGrid grid = grid();
         return Stream.of(End.values())
                 .filter(end -> end.x(segment) != end.x(seen) || end.y(segment) != end.y(seen))
                 .anyMatch(end -> !sight().contains(LineFrame.middle(end, segment, grid)));
@@ -187,16 +187,16 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         revalidate();
     }
 
-    private PixelGrid grid() {
+    private ZoomedGrid grid() {
         return grid(sight());
     }
 
-    private PixelGrid grid(Rectangle sight) {
+    private ZoomedGrid grid(Rectangle sight) {
         return held.or(() -> chosen).orElseGet(() -> fitting(sight));
     }
 
-    private PixelGrid fitting(Rectangle sight) {
-        return chosen.orElseGet(() -> PixelGrid.fitting(framed, sight));
+    private ZoomedGrid fitting(Rectangle sight) {
+        return chosen.orElseGet(() -> ZoomedGrid.fitting(framed, sight));
     }
 
     /** The part of the stage that rulers and the note leave free. */
@@ -218,7 +218,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         pointed.place(getHeight());
         Segment segment = model.state().choice().segment();
         Rectangle sight = sight();
-        PixelGrid grid = grid(sight);
+        ZoomedGrid grid = grid(sight);
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
             Rectangle place = LineFrame.around(end, segment, grid, sight, zoom.getBounds());
@@ -240,7 +240,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         frames.ask(due);
     }
 
-    private LineFrame frame(PixelGrid grid) {
+    private LineFrame frame(ZoomedGrid grid) {
         LineLabState state = model.state();
         return new LineFrame(
                 state.drawings(),

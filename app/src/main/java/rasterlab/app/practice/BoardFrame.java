@@ -10,7 +10,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlaneRulers;
@@ -57,12 +57,12 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
         return space == Space.PIXELS ? map(grid().zoomed(factor, at)) : map.zoomed(factor, at);
     }
 
-    private static PlaneMap map(PixelGrid grid) {
+    private static PlaneMap map(ZoomedGrid grid) {
         return new PlaneMap(grid.originX(), grid.originY(), grid.cell(), grid.cell());
     }
 
-    private PixelGrid grid() {
-        return new PixelGrid(map.originX(), map.originY(), map.scaleX());
+    private ZoomedGrid grid() {
+        return new ZoomedGrid(map.originX(), map.originY(), map.scaleX());
     }
 
     private static PlaneMap pixels(Rectangle2D world, Rectangle sight) {
@@ -70,8 +70,8 @@ record BoardFrame(Space space, PlaneMap map, Dimension view) {
         int top = (int) Math.ceil(world.getMinY()) - AROUND;
         int right = (int) Math.floor(world.getMaxX()) + AROUND;
         int bottom = (int) Math.floor(world.getMaxY()) + AROUND;
-        PixelGrid grid =
-                PixelGrid.fitting(
+        ZoomedGrid grid =
+                ZoomedGrid.fitting(
                         new Rectangle(left, top, right - left + 1, bottom - top + 1), sight);
         return map(grid);
     }

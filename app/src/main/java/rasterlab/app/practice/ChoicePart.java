@@ -68,7 +68,7 @@ final class ChoicePart implements AnswerPart {
         buttons.get(0).requestFocusInWindow();
     }
 
-    /** The button with that digit on it; where they have words, so many-th one. */
+    /** The button with that digit on it; where buttons have words, the one of that number. */
     @Override
     public boolean digit(int digit) {
         int at = words.indexOf(String.valueOf(digit));

@@ -12,7 +12,7 @@ import rasterlab.engine.visibility.depth.DepthRows;
 import rasterlab.engine.visibility.depth.StoredDepths;
 
 /**
- * Depths as the surface that is seen in each pixel. The depth test keeps what was drawn first where
+ * Shows depths by the surface that is seen in each pixel. The depth test keeps what was drawn first where
  * codes are equal, so what it shows depends on the order of drawing: both ends of it are shown.
  */
 final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {

@@ -48,7 +48,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     /** Arrangements so far; one that undo brings back is no new one. */
     private int arrangements;
 
-    /** The lab of somebody without programs of his own. */
+    /** A lab for a user without own programs. */
     public CurveLabModel(Executor events, Consumer<Throwable> onFailure) {
         this(new OwnMethods(), events, onFailure);
     }

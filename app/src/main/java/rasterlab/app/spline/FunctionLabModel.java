@@ -47,7 +47,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     private boolean arranging;
 
-    /** The lab of somebody without programs of his own. */
+    /** A lab for a user without own programs. */
     public FunctionLabModel(Executor events, Consumer<Throwable> onFailure) {
         this(new OwnMethods(), events, onFailure);
     }

@@ -26,7 +26,7 @@ class RulersTest {
     private static boolean numberAt(int viewY) {
         var image = new BufferedImage(VIEW.width, VIEW.height, BufferedImage.TYPE_INT_RGB);
         var g = image.createGraphics();
-        new Rulers(new PixelGrid(100, viewY, 30), VIEW, StageColours.LIGHT, FONT).paintMargins(g);
+        new Rulers(new ZoomedGrid(100, viewY, 30), VIEW, StageColours.LIGHT, FONT).paintMargins(g);
         g.dispose();
         int margin = StageColours.LIGHT.margin().getRGB();
         for (int y = Math.max(Rulers.top() + 1, viewY - 9); y < Math.min(100, viewY + 9); y++)

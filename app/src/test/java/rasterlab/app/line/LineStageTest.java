@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.StageNote;
 import rasterlab.app.canvas.ZoomButtons;
@@ -65,7 +65,7 @@ class LineStageTest {
         return new LineFrame(
                 drawings,
                 drawings.drawing().pixels(),
-                new PixelGrid(100, 60, 20),
+                new ZoomedGrid(100, 60, 20),
                 500,
                 300,
                 scale,
@@ -93,7 +93,7 @@ class LineStageTest {
     @DisplayName("where pixels are larger than the ring, an end's label covers its pixel")
     void labelLeavesALargePixelFree() {
         LineDrawings drawn = model.state().drawings();
-        var grid = new PixelGrid(100, 60, 86);
+        var grid = new ZoomedGrid(100, 60, 86);
         BufferedImage image =
                 new LineFrame(
                                 drawn,
@@ -131,7 +131,7 @@ class LineStageTest {
                 new LineFrame(
                                 drawn,
                                 drawn.drawing().pixels(),
-                                new PixelGrid(100, 60, 20),
+                                new ZoomedGrid(100, 60, 20),
                                 500,
                                 300,
                                 1,
@@ -213,7 +213,7 @@ class LineStageTest {
     @Test
     void windowFarFromTheSegmentIsInSight() {
         model.show(new Segment(0, 0, 5, 2).in(new PixelWindow(30, 40, 50, 60)));
-        PixelGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        ZoomedGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
         assertTrue(grid.viewX(50) < 500 && grid.viewY(60) < 300, grid.toString());
         assertTrue(grid.viewX(0) > 0 && grid.viewY(0) > 0, grid.toString());
     }
@@ -227,11 +227,11 @@ class LineStageTest {
         model.showTried(
                 new Segment(0, 0, 9, 3), "bresenham", Optional.of(new Plotted(plotted, false)));
         model.settle();
-        PixelGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        ZoomedGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
         assertTrue(grid.viewX(15) < 500 && grid.viewY(18) < 300, grid.toString());
         assertTrue(grid.cell() >= 8, "the pixel far away leaves nothing of the others: " + grid);
         model.show(new Segment(0, 0, 9, 4));
-        PixelGrid other = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        ZoomedGrid other = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
         assertTrue(other.viewY(18) > 300, "another segment's pixels are in sight: " + other);
     }
 
@@ -249,7 +249,7 @@ class LineStageTest {
         var note = new StageNote(said, inside, new Font(Font.SANS_SERIF, Font.PLAIN, 20));
         var image = new BufferedImage(380, 270, BufferedImage.TYPE_INT_ARGB);
         note.paint(image.createGraphics(), StageColours.LIGHT);
-        PixelGrid grid = LineFraming.of(model.state(), note.below());
+        ZoomedGrid grid = LineFraming.of(model.state(), note.below());
         for (End end : End.values()) {
             Rectangle handle = LineFrame.around(end, segment, grid, note.below(), NO_BUTTONS);
             for (int x = handle.x; x < handle.x + handle.width; x++)
@@ -277,7 +277,7 @@ class LineStageTest {
     @DisplayName("the ring of an end near the border is pushed off its pixel")
     void ringNearTheBorderKeepsItsPixelInTheMiddle() {
         var sight = new Rectangle(44, 22, 456, 278);
-        var grid = new PixelGrid(50, 30, 4);
+        var grid = new ZoomedGrid(50, 30, 4);
         Rectangle ring = LineFrame.around(End.A, new Segment(0, 0, 9, 9), grid, sight, NO_BUTTONS);
         assertEquals(50, ring.getCenterX(), 1);
         assertEquals(30, ring.getCenterY(), 1);
@@ -307,7 +307,7 @@ class LineStageTest {
         var buttons = new Rectangle(400, 265, 92, 27);
         var segment = new Segment(0, 0, x, y);
         Rectangle handle =
-                LineFrame.around(End.B, segment, new PixelGrid(50, 30, 20), sight, buttons);
+                LineFrame.around(End.B, segment, new ZoomedGrid(50, 30, 20), sight, buttons);
         assertFalse(handle.intersects(buttons), handle.toString());
         assertTrue(sight.contains(handle), handle.toString());
     }

@@ -47,7 +47,7 @@ final class WorkloadTrial<C, I, O> {
                 .ifPresentOrElse(nanos -> rounds.add(number, nanos), () -> rounds.lose(number));
     }
 
-    /** What is known of the methods that were judged. */
+    /** The measurements of the methods that were judged. */
     List<Measurement> measurements() {
         return trials.stream().filter(MethodTrial::isJudged).map(MethodTrial::measurement).toList();
     }

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.CompiledCode;
 
-/** That the counted arithmetic is what the walks are made of. */
+/** Compares the counted arithmetic with the compiled walks. */
 class ArcWorkTest {
     @ParameterizedTest(name = "{0} multiplies on its way although it counts no multiplication")
     @ValueSource(
@@ -26,7 +26,9 @@ class ArcWorkTest {
 
     @Test
     void aTextbookWalkMultiplies() {
-        assertTrue(multiplications(compiledWalk("BresenhamTextbookEllipse"), "choose") > 0);
+        assertTrue(
+                multiplications(compiledWalk("BresenhamTextbookEllipse"), "choose") > 0,
+                "no multiplication is found in BresenhamTextbookEllipse.choose");
     }
 
     /** A quadrant of radius 4 goes 4 columns aside and 4 rows down. */

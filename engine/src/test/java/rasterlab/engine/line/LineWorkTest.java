@@ -14,7 +14,7 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.CompiledCode;
 import rasterlab.engine.raster.Work;
 
-/** That the counted arithmetic is what the walks are made of. */
+/** Compares the counted arithmetic with the compiled walks. */
 class LineWorkTest {
     private static final LineTopic TOPIC = new LineTopic();
 

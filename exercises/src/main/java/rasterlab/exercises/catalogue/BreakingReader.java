@@ -175,7 +175,7 @@ final class BreakingReader {
         return targets;
     }
 
-    /** A mutant by its mistake, a faulty method by the first of its faults and its name. */
+    /** Names a mutant by its mistake, and a faulty method by its first fault and its name. */
     private static Map<String, String> titles(String topic, String name) {
         String mutant = "mutant." + topic + "." + name;
         if (!Message.isKnown(mutant))

@@ -47,7 +47,7 @@ record StrokeParts(List<Line2D> covered, List<Line2D> open) {
         return new StrokeParts(merged, open);
     }
 
-    /** The same of a stroke that is no longer than a dot. */
+    /** Covers a stroke that is no longer than a dot. */
     private static StrokeParts dot(Line2D stroke, List<Line2D> others, double slack) {
         boolean met = others.stream().anyMatch(other -> other.ptSegDist(stroke.getP1()) <= slack);
         return met

@@ -7,7 +7,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.stream.StreamSupport;
 
-/** Values of steps: whether two are the same, and how people are told one. */
+/** Compares the values of steps, and writes one for people. */
 public final class StepValues {
     /** Significant digits of a number that is told. */
     private static final MathContext TOLD = new MathContext(7);

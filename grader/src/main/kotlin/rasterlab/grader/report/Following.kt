@@ -21,8 +21,8 @@ private data class PositionEvent(
 private const val QUIET_MILLIS = 15_000L
 
 /**
- * Tells a submission's way: `position` whenever it changes, `case` for each judged case (the event's
- * id is its place from 0), `done` with the whole submission. One who connects again hears it all again.
+ * Reports a submission's progress: `position` whenever it changes, `case` for each judged case (the event's
+ * id is its place from 0), `done` with the whole submission. A client that connects again gets it all again.
  */
 suspend fun ServerSSESession.follow(
     live: Live,

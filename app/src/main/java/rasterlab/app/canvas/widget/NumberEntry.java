@@ -127,7 +127,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         fit();
     }
 
-    /** The size with the usual type, or a smaller one would make the field smaller in turn. */
+    /** The size with the default type: a smaller one would make the field smaller in turn. */
     @Override
     public Dimension getPreferredSize() {
         JTextField field = getTextField();

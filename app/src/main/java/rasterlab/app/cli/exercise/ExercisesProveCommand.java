@@ -38,7 +38,7 @@ import rasterlab.exercises.runner.JudgeSettings.Speed;
         },
         footer = {"", "Example: ./lab exercises prove point-in-polygon"})
 final class ExercisesProveCommand implements Callable<Integer> {
-    /** Any will do; the same each time, so that a proof can be repeated. */
+    /** The seed of generated cases; it is fixed, so that a proof can be repeated. */
     private static final long SEED = 20261127;
 
     private final Console console;

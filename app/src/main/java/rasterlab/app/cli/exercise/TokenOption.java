@@ -15,13 +15,13 @@ final class TokenOption {
     @Option(
             names = "--token",
             paramLabel = "TOKEN",
-            description = "of yours at that server; others on this computer may see it")
+            description = "your token at that server; others on this computer may see it")
     private String given;
 
     @Option(
             names = "--token-file",
             paramLabel = "FILE",
-            description = "that holds the token; default: the variable RASTERLAB_TOKEN")
+            description = "file that holds the token; default: the variable RASTERLAB_TOKEN")
     private Path file;
 
     /**

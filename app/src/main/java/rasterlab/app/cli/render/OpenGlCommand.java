@@ -59,13 +59,13 @@ public final class OpenGlCommand implements Callable<Integer> {
             names = "--turn",
             paramLabel = "DEGREES",
             description =
-                    "of the scene about its vertical axis, 0 to below 360; default: the tab's")
+                    "turn of the scene about its vertical axis, 0 to below 360; default: the tab's")
     private Double turn;
 
     @Option(
             names = "--tilt",
             paramLabel = "DEGREES",
-            description = "towards the eye, -90 to 90; default: the tab's")
+            description = "tilt towards the eye, -90 to 90; default: the tab's")
     private Double tilt;
 
     @Option(

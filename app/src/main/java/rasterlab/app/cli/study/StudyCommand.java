@@ -92,7 +92,7 @@ public final class StudyCommand implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "N",
-            description = "of the order in which methods take turns")
+            description = "seed of the order in which methods take turns")
     private Optional<Long> seed = Optional.empty();
 
     @Option(

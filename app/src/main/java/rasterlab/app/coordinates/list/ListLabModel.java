@@ -41,7 +41,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
     private Optional<TrialScene> trial = Optional.empty();
     private int step;
 
-    /** The lab of somebody without programs of his own. */
+    /** A lab for a user without own programs. */
     public ListLabModel(Executor events, Consumer<Throwable> onFailure) {
         this(new OwnMethods(), events, onFailure);
     }

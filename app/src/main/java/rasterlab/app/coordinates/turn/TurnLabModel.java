@@ -29,7 +29,7 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
     private int step;
     private boolean stopped;
 
-    /** The lab of somebody without programs of his own. */
+    /** A lab for a user without own programs. */
     public TurnLabModel(Executor events, Consumer<Throwable> onFailure) {
         this(new OwnMethods(), events, onFailure);
     }

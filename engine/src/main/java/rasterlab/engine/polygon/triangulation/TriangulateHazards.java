@@ -17,7 +17,7 @@ final class TriangulateHazards {
     private static final Points HEXAGON = Points.of(2, 0, 5, 0, 7, 3, 5, 6, 2, 6, 0, 3);
     private static final Points CORNER_PIECE = Points.of(0, 0, 8, 0, 8, 3, 4, 3, 4, 6, 0, 6);
 
-    /** Found by trying random polygons; its three corners 2, 3, 0 have corner 1 between them. */
+    /** A polygon found by random search; its three corners 2, 3, 0 have corner 1 between them. */
     private static final Points ARROW = Points.of(5, 6, 6, 4, 4, 3, 8, 1);
 
     private static final Points KEYHOLE =

@@ -3,7 +3,7 @@ package rasterlab.engine.study.measuring;
 import java.util.OptionalInt;
 
 /**
- * What the times of two loads, measured in turns, allow to be said.
+ * The order of two loads that their times, measured in turns, allow.
  *
  * <p>One is faster only where the intervals of both medians part, each taken at least as wide as
  * the machine's noise: that of a load which never changes, measured in the same rounds. Medians

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class PixelGridTest {
-    private final PixelGrid grid = new PixelGrid(100, 50, 20);
+class ZoomedGridTest {
+    private final ZoomedGrid grid = new ZoomedGrid(100, 50, 20);
 
     @ParameterizedTest(name = "{0}")
     @CsvSource({
@@ -30,7 +30,7 @@ class PixelGridTest {
     @Test
     void zoomKeepsThePointUnderThePointer() {
         var pointer = new Point2D.Double(173, 91);
-        PixelGrid zoomed = grid.zoomed(1.7, pointer);
+        ZoomedGrid zoomed = grid.zoomed(1.7, pointer);
         double before = (pointer.x - grid.originX()) / grid.cell();
         double after = (pointer.x - zoomed.originX()) / zoomed.cell();
         assertEquals(before, after, 1e-9);
@@ -39,15 +39,15 @@ class PixelGridTest {
     @Test
     void zoomStopsAtTheLargestAndSmallestCell() {
         var centre = new Point2D.Double();
-        assertEquals(PixelGrid.LARGEST, grid.zoomed(1e9, centre).cell());
-        assertEquals(PixelGrid.SMALLEST, grid.zoomed(1e-9, centre).cell());
-        assertThrows(IllegalArgumentException.class, () -> new PixelGrid(0, 0, Double.NaN));
+        assertEquals(ZoomedGrid.LARGEST, grid.zoomed(1e9, centre).cell());
+        assertEquals(ZoomedGrid.SMALLEST, grid.zoomed(1e-9, centre).cell());
+        assertThrows(IllegalArgumentException.class, () -> new ZoomedGrid(0, 0, Double.NaN));
     }
 
     @Test
     void fitsAWholeBoxIntoTheView() {
         var view = new Rectangle(44, 22, 700, 500);
-        PixelGrid fitted = PixelGrid.fitting(new Rectangle(-7, 3, 40, 60), view);
+        ZoomedGrid fitted = ZoomedGrid.fitting(new Rectangle(-7, 3, 40, 60), view);
         assertTrue(fitted.viewX(-7.5) >= view.getMinX());
         assertTrue(fitted.viewX(32.5) <= view.getMaxX());
         assertTrue(fitted.viewY(2.5) >= view.getMinY());

@@ -15,14 +15,14 @@ import java.awt.geom.Point2D;
  * @param originY view y of the centre of pixel row 0
  * @param cell view units per pixel, in [{@link #SMALLEST}, {@link #LARGEST}]
  */
-public record PixelGrid(double originX, double originY, double cell) {
+public record ZoomedGrid(double originX, double originY, double cell) {
     public static final double SMALLEST = 0.25;
     public static final double LARGEST = 96;
 
     /** The number of view units beyond which Java2D's own clipping loses precision. */
     private static final double FAR = 1e5;
 
-    public PixelGrid {
+    public ZoomedGrid {
         if (!(cell >= SMALLEST && cell <= LARGEST))
             throw new IllegalArgumentException(
                     "cell must be in [" + SMALLEST + ", " + LARGEST + "], got " + cell);
@@ -33,10 +33,10 @@ public record PixelGrid(double originX, double originY, double cell) {
      *
      * @param pixels bounds in pixels, counted from 0; at least 1×1
      */
-    public static PixelGrid fitting(Rectangle pixels, Rectangle view) {
+    public static ZoomedGrid fitting(Rectangle pixels, Rectangle view) {
         double cell = Math.min(view.getWidth() / pixels.width, view.getHeight() / pixels.height);
         cell = clamp(cell >= 2 ? Math.floor(cell) : cell);
-        return new PixelGrid(
+        return new ZoomedGrid(
                 view.getCenterX() - cell * (pixels.x + (pixels.width - 1) / 2.0),
                 view.getCenterY() - cell * (pixels.y + (pixels.height - 1) / 2.0),
                 cell);
@@ -73,17 +73,17 @@ public record PixelGrid(double originX, double originY, double cell) {
     }
 
     /** Zooms by a factor about a view point, which keeps its place; stops at the cell's range. */
-    public PixelGrid zoomed(double factor, Point2D view) {
+    public ZoomedGrid zoomed(double factor, Point2D view) {
         double next = clamp(cell * factor);
         double scale = next / cell;
-        return new PixelGrid(
+        return new ZoomedGrid(
                 view.getX() + (originX - view.getX()) * scale,
                 view.getY() + (originY - view.getY()) * scale,
                 next);
     }
 
-    public PixelGrid moved(double viewDx, double viewDy) {
-        return new PixelGrid(originX + viewDx, originY + viewDy, cell);
+    public ZoomedGrid moved(double viewDx, double viewDy) {
+        return new ZoomedGrid(originX + viewDx, originY + viewDy, cell);
     }
 
     private static int nearest(double value) {
