@@ -87,17 +87,6 @@ public record TopicWay<M>(
                 show, Optional.empty(), Optional.empty(), true, Optional.empty(), Optional.empty());
     }
 
-    /** The way of a lab that finds a hazard by its name and shows no other input. */
-    public static <M> TopicWay<M> hazards(Show<M> show) {
-        return new TopicWay<>(
-                show,
-                Optional.empty(),
-                Optional.empty(),
-                false,
-                Optional.empty(),
-                Optional.empty());
-    }
-
     /** The way of a lab that says beside its picture in what that is unlike an input. */
     public static <M> TopicWay<M> noted(Show<M> show, Notes<M> notes) {
         return new TopicWay<>(

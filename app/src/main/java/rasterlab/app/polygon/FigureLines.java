@@ -116,9 +116,4 @@ final class FigureLines {
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225),
                 colours.ink());
     }
-
-    /** A colour between the ink of words and that of the grid. */
-    Color faint() {
-        return MethodColours.mix(colours.axis(), colours.ink(), 0.3);
-    }
 }

@@ -36,13 +36,6 @@ final class NumbersPart implements AnswerPart {
         }
     }
 
-    /** Whether the value is a number, or has nothing but numbers in its rows. */
-    static boolean fits(JsonNode value) {
-        if (!value.isArray()) return value.isNumber();
-        for (JsonNode one : value) if (!fits(one)) return false;
-        return true;
-    }
-
     @Override
     public Optional<JsonNode> value() {
         var numbers = new ArrayList<JsonNode>();

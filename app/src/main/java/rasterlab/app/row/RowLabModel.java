@@ -9,7 +9,6 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.file.Kept;
-import rasterlab.app.canvas.lab.GivenInput;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.player.Steps;
 import rasterlab.app.canvas.work.LatestOnly;
@@ -270,10 +269,6 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
 
     List<? extends Method<?>> methods(String topic) {
         return kind(topic).topic().methods();
-    }
-
-    Hazard<?> hazard() {
-        return GivenInput.any(topic(), choice().hazard());
     }
 
     /** The hazards of all its topics. */

@@ -186,13 +186,6 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         publish(state.withCell(hazard(hazard).name(), state.topic().method(method).name()));
     }
 
-    /**
-     * @throws IllegalArgumentException naming the methods there are
-     */
-    void explain(String method) {
-        publish(state.withCell(state.hazard(), state.topic().method(method).name()));
-    }
-
     Hazard<?> hazard(String name) {
         List<? extends Hazard<?>> hazards = state.topic().hazards();
         return Named.find("hazard", name, hazards, Hazard::name);

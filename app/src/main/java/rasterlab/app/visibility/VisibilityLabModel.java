@@ -97,11 +97,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return stage.canDrawEdges(state.choice().visibility());
     }
 
-    /** Whether the picture of the present choice has edges. */
-    public boolean drawsEdges() {
-        return drawsEdges(state.choice().visibility());
-    }
-
     /** Whether a picture of the present choice by that method has edges. */
     boolean drawsEdges(String method) {
         return stage.drawsEdges(state.choice(), method);

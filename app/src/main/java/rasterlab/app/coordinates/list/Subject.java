@@ -2,7 +2,6 @@ package rasterlab.app.coordinates.list;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 import rasterlab.app.coordinates.figure.Wireframe;
 import rasterlab.engine.naming.Named;
 
@@ -32,9 +31,5 @@ public enum Subject {
 
     static Subject named(String code) {
         return Named.find("subject", code, List.of(values()), Subject::code);
-    }
-
-    static List<Subject> of(int dimension) {
-        return Stream.of(values()).filter(each -> each.wire.dimension() == dimension).toList();
     }
 }

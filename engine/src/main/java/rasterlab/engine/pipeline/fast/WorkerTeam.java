@@ -79,10 +79,6 @@ final class WorkerTeam implements AutoCloseable {
                     "threads must be from 1 to %d, got %d".formatted(MOST, size));
     }
 
-    int size() {
-        return threads.length;
-    }
-
     /**
      * Runs items 0 to {@code count} − 1 and returns when all are done.
      *

@@ -197,19 +197,19 @@ class WorkerTeamTest {
 
     /** Each thread has one item, and has begun it before any goes on. */
     private static void onEach(WorkerTeam team, IntConsumer item) {
-        var all = new CyclicBarrier(team.size());
+        var all = new CyclicBarrier(team.threads.length);
         team.run(
                 (number, worker) -> {
                     await(all);
                     item.accept(worker);
                 },
-                team.size());
+                team.threads.length);
     }
 
     private static void allAtOnce(WorkerTeam team) {
-        var workers = new AtomicIntegerArray(team.size());
+        var workers = new AtomicIntegerArray(team.threads.length);
         onEach(team, worker -> workers.set(worker, 1));
-        for (int k = 0; k < team.size(); k++) assertEquals(1, workers.get(k), "worker " + k);
+        for (int k = 0; k < team.threads.length; k++) assertEquals(1, workers.get(k), "worker " + k);
     }
 
     private static void await(CyclicBarrier barrier) {
