@@ -82,7 +82,7 @@ final class Drafts implements AutoCloseable {
         if (file.others().stream().noneMatch(one -> one.text().equals(text))) file.keepBeside(text);
     }
 
-    /** Holds what other windows wrote to it and is not that text. */
+    /** The texts that other windows wrote to it, but for that text. */
     List<DraftFile.Other> others(String exercise, String own) {
         return others(exercise).stream().filter(one -> !one.text().equals(own)).toList();
     }

@@ -30,7 +30,7 @@ record OwnLight(Raster mine, Raster right, Raster off, OwnTold told) {
     private static final int SAME = 0x8C8C8C;
     private static final int OTHER = 0xD55E00;
 
-    /** What is not answered yet, in a picture up to a step. */
+    /** The colour of pixels that are not answered yet, in a picture up to a step. */
     private static final int OPEN = 0xFF3C4148;
 
     /**

@@ -215,7 +215,7 @@ public final class NewFolder {
         return TopicWords.of(topic.name(), language).getString("title");
     }
 
-    /** What the words about the topic call something; the same for both where they do not. */
+    /** The name of something in the words about the topic; the same for both languages where they have none. */
     private ObjectNode titles(String key, String otherwise) {
         return both(word(key, Locale.ENGLISH, otherwise), word(key, RUSSIAN, otherwise));
     }

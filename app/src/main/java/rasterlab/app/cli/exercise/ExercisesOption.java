@@ -18,13 +18,13 @@ public final class ExercisesOption {
                             + " takes its place")
     private Path folder;
 
-    /** Whether a folder of them is named. */
+    /** Whether the user named a folder. */
     public boolean isGiven() {
         return folder != null;
     }
 
     /**
-     * The built-in ones and those of the folder.
+     * The built-in exercises and those of the folder.
      *
      * @throws Complaint naming the first fault of the folder
      */
@@ -38,7 +38,7 @@ public final class ExercisesOption {
         }
     }
 
-    /** One of them. */
+    /** The exercise of that name, built-in or from the folder. */
     Exercise named(String id, Console console) {
         return named(id, catalogue(console));
     }

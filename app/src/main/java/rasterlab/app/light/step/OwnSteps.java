@@ -10,6 +10,6 @@ public sealed interface OwnSteps permits LightSteps, NormalSteps {
     /** The point of the world that an answer is about: x, y, z. */
     double[] point(int step);
 
-    /** What the program answered and what is right, in the language of the lab's texts. */
+    /** Says what the program answered and what is right, in the language of the lab's texts. */
     String words(int step, Texts texts);
 }
