@@ -19,7 +19,7 @@ import rasterlab.engine.study.Verdict.Kind;
 import rasterlab.engine.visibility.depth.DepthCoding;
 
 /**
- * What a contract promises beside the answer itself is compared, too. What a mutant is listed for
+ * Compares the promises of a contract beside the answer itself. What a mutant is listed for
  * is not here again: directions of pieces and polylines, the order of rows, ends that stay.
  */
 class PromisesTest {

@@ -27,7 +27,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.Workload;
 
-/** What holds for every topic, whatever it is about. */
+/** Checks rules that hold for every topic, whatever it is about. */
 class TopicsTest {
     private static final Duration AMPLE = Duration.ofMinutes(2);
 

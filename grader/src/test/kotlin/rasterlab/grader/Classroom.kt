@@ -167,7 +167,7 @@ class Classroom(
     }
 }
 
-/** What the people of a test do. */
+/** The actions of the people of a test. */
 class Visit(
     val application: ApplicationTestBuilder,
     val database: Database,

@@ -23,7 +23,7 @@ import kotlin.io.path.createFile
 import kotlin.io.path.createLinkPointingTo
 import kotlin.io.path.writeText
 
-/** What the server prints with `--lang ru`. */
+/** Reads what the server prints with `--lang ru`. */
 class RussianCommandTest {
     @TempDir
     lateinit var folder: Path

@@ -24,7 +24,7 @@ import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.tests.bench.JavaCommand;
 
-/** What is left of a window whose process is ended from outside. */
+/** Checks what is left of a window whose process is ended from outside. */
 @Tag("slow")
 @Timeout(300)
 @ExtendWith(OwnDisplay.class)

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What somebody sees and presses who opens the window for the first time. */
+/** Opens the window for the first time, and presses what a new user sees. */
 class WindowFirstSightTest extends WindowHarness {
     @ParameterizedTest(name = "the keys of the player do nothing after a click on {0}")
     @ValueSource(strings = {"chip.steep", "method", "stage", "player.speed"})

@@ -193,7 +193,7 @@ abstract class WindowHarness {
         return colours;
     }
 
-    /** What the display shows of a component. */
+    /** The picture of a component on the display. */
     BufferedImage captured(String name) {
         Component shown = window.robot().finder().findByName(frame, name);
         var place = new Rectangle(shown.getLocationOnScreen(), shown.getSize());
@@ -204,7 +204,7 @@ abstract class WindowHarness {
         }
     }
 
-    /** What is said above the buttons of the shown tab, "" where nothing is. */
+    /** The text above the buttons of the shown tab, "" where there is none. */
     String status() {
         return window
                 .robot()

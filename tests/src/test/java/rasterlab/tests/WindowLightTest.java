@@ -150,7 +150,7 @@ class WindowLightTest extends WindowHarness {
                 () -> status().startsWith("On the clipboard: the " + commands + " commands that"));
     }
 
-    /** What the clipboard has; "" where that is no text. */
+    /** The text on the clipboard; "" where there is none. */
     private static String copied() {
         var clipboard = Toolkit.getDefaultToolkit().getSystemClipboard();
         try {

@@ -46,7 +46,7 @@ class OpenCommandTest {
         source = Files.writeString(folder.resolve("Mine.java"), "class Mine {}");
     }
 
-    /** What was said on the error stream. */
+    /** The output on the error stream. */
     private String open(boolean display, int code, String... words) {
         var err = new ByteArrayOutputStream();
         var console =

@@ -8,7 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
-/** What one command did. */
+/** The outcome of one command. */
 public record Ran(int exitCode, String out, String err) {
     /** Runs a command with nothing to read. */
     public static Ran lab(String... arguments) {

@@ -63,7 +63,7 @@ class UnreadableFileTest {
         assertComplaint(ran, part);
     }
 
-    /** What a model does without is told in a note. */
+    /** A note tells what a model does without. */
     @ParameterizedTest(name = "{1} is waited for by {0}")
     @CsvSource(
             delimiter = '|',

@@ -33,7 +33,7 @@ import rasterlab.app.clip.scene.VolumeSpace;
 import rasterlab.app.clip.scene.VolumeViewpoint;
 import rasterlab.engine.clip.segment.ClipWindow;
 
-/** What the picture shows, told without painting it. */
+/** Describes the picture without painting it. */
 class ClipPictureTest {
     /** Contrast of text that WCAG 2.2 asks for, 1.4.3. */
     private static final double READ = 4.5;

@@ -16,7 +16,7 @@ import rasterlab.app.cli.Lab;
 public final class Answered {
     private Answered() {}
 
-    /** What {@code echo 'JSON' | ./lab run TOPIC METHOD} prints. */
+    /** The output of {@code echo 'JSON' | ./lab run TOPIC METHOD}. */
     public static JsonNode by(String command) throws IOException {
         assertTrue(command.startsWith("echo '"), command);
         int end = command.indexOf("' | ./lab ");

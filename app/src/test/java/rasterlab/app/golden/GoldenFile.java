@@ -19,7 +19,7 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
 /**
- * What was published of one topic, in one file a topic: each part behind a line {@code == PART}.
+ * The published answers of one topic, in one file a topic: each part behind a line {@code == PART}.
  *
  * <p>Where that is meant to change, {@code -Drasterlab.golden=write} writes the parts anew; the
  * change of each line is then reviewed as any other. The inputs of a topic are those in its part

@@ -25,7 +25,7 @@ class BundlesTest {
                     Translations.FOLDER,
                     Translations.FOLDER.resolveSibling("complaint"));
 
-    /** What is written on keys, the same in both languages. */
+    /** The names on keys, the same in both languages. */
     private static final String KEYS = "\\b(Delete|Enter|Home|Shift|Space)\\b";
 
     /** Keys of what the engine says in English: {@link TopicTextsTest} looks at the Russian. */

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class ComplaintsTest {
-    /** What no file says; all patterns are tried. */
+    /** Sentences that no file has; all patterns are tried. */
     private static final String UNKNOWN = "a sentence of the operating system";
 
     /** Bytes; compiling all patterns takes twice as many. */

@@ -37,7 +37,7 @@ class EnglishInRussianTest {
         assertEquals(List.of(), half);
     }
 
-    /** What is thrown, with a number in each place of the format. */
+    /** The exceptions that are thrown, with a number in each place of the format. */
     private static List<String> refusals(Path sources) throws IOException {
         try (Stream<Path> files = Files.walk(sources)) {
             var found = new ArrayList<String>();

@@ -38,7 +38,7 @@ import rasterlab.engine.visibility.Visibility;
  * says in English.
  */
 class TopicTextsTest {
-    /** What may be said of any topic beside its methods, hazards and workloads. */
+    /** The texts that any topic may have beside its methods, hazards and workloads. */
     private static final Pattern OTHERS =
             Pattern.compile(
                     "title|name|unit|item|errors|mode|(field|mutant|property|place|decided|rule|bound|told|complaint)\\..+");
@@ -135,7 +135,7 @@ class TopicTextsTest {
         return keys;
     }
 
-    /** What the engine says of JSON and writes into the JSON of the topic's steps. */
+    /** The words of the engine about JSON, and in the JSON of the topic's steps. */
     private static Map<String, String> ofTheEngine(String name) throws IOException {
         Topic<?, ?, ?> topic = Topics.named(name);
         var said = new TreeMap<String, String>();

@@ -64,7 +64,7 @@ class PixelCoverageTest {
         return random.nextInt(401) - 200;
     }
 
-    /** What the lab once drew: the nearest pixels as whole blocks. */
+    /** The picture that the lab once drew: the nearest pixels as whole blocks. */
     @Test
     void wholeBlocksAreTooMuchAndLeaveTheirNeighboursOut() {
         PixelCoverage exact = exact(SEGMENT);

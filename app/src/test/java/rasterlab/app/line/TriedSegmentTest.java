@@ -29,7 +29,7 @@ import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.Plotted;
 
-/** What a program of the user's drew, beside the right line. */
+/** Shows what a program of the user's drew, beside the right line. */
 @Timeout(300)
 class TriedSegmentTest {
     private static final Segment SHORT = new Segment(0, 0, 2, 0);
@@ -203,7 +203,7 @@ class TriedSegmentTest {
         assertEquals(texts.text("apart.hint"), hint(texts));
     }
 
-    /** What is said of the pixels that only one of two lights. */
+    /** The words about the pixels that only one of two lights. */
     private String hint(Texts texts) throws Exception {
         var hint = new AtomicReference<String>();
         EventQueue.invokeAndWait(

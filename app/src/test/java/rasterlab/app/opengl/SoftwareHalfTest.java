@@ -197,7 +197,7 @@ class SoftwareHalfTest {
 
     private record Said(int exit, String out, String err) {}
 
-    /** What it complains of; "" where it is done. */
+    /** The complaint; "" where there is none. */
     private static String lab(String command) {
         return lab(words(command));
     }

@@ -31,7 +31,7 @@ import rasterlab.contract.FillRule;
 class PolygonCommandTest {
     private final PolygonTopics topics = new PolygonTopics();
 
-    /** What the command prints. */
+    /** The output of the command. */
     private static JsonNode answer(PolygonScene scene) throws IOException {
         String command = PolygonCommand.of(scene).orElseThrow();
         String json = command.substring(command.indexOf('\'') + 1, command.lastIndexOf('\''));

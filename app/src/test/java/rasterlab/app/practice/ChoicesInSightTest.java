@@ -200,7 +200,7 @@ class ChoicesInSightTest {
                 .orElseThrow();
     }
 
-    /** What a keyboard tells the component that has the focus. */
+    /** Sends a key to the component that has the focus. */
     private static void press(JComponent focused, char letter, int code) {
         SwingUtilities.processKeyBindings(
                 new KeyEvent(focused, KeyEvent.KEY_PRESSED, 0, 0, code, letter));

@@ -147,7 +147,7 @@ class PracticeStageTest {
         assertEquals(before, pointed());
     }
 
-    /** What the read-out says of a place. */
+    /** The text of the read-out for a place. */
     private String pointed() {
         mouse(MouseEvent.MOUSE_MOVED, THERE, MouseEvent.NOBUTTON, 0);
         for (var each : stage.getComponents())

@@ -102,7 +102,7 @@ class SketchesTest {
                 : one.equals(right);
     }
 
-    /** What comes of clicks at the right places; none where nothing is clicked. */
+    /** The answers of clicks at the right places; none where nothing is clicked. */
     private static List<StagePick> clicked(
             Board board, BoardFrame frame, ObjectNode right, ObjectNode told) {
         if (board.picking() instanceof Pixel pixel)

@@ -22,7 +22,7 @@ public final class FakeServer implements AutoCloseable {
         void to(HttpExchange exchange) throws IOException;
     }
 
-    /** What was asked: method, path with query, and the key that makes it repeatable. */
+    /** A request: method, path with query, and the key that makes it repeatable. */
     public record Asked(String method, String path, String key, String body) {}
 
     public final List<Asked> asked = new CopyOnWriteArrayList<>();

@@ -34,7 +34,7 @@ class HazardUndoTest {
     private final LabOpening opening =
             new LabOpening(MODELS, Runnable::run, Runnable::run, failure -> {});
 
-    /** What shows a topic's hazards, and what can be undone there. */
+    /** The model that shows a topic's hazards, with its history. */
     private record Lab(Kept<?> shown, History<?> history) {}
 
     private static Lab of(String topic) {

@@ -51,7 +51,7 @@ public final class Leftovers implements BeforeAllCallback, AfterAllCallback {
         return context.getParent().flatMap(ExtensionContext::getTestClass).isPresent();
     }
 
-    /** What is shared beside the look. */
+    /** The objects that are shared beside the look. */
     record Shared(
             Locale locale,
             Thread.UncaughtExceptionHandler handler,

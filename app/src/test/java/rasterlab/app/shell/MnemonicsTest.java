@@ -56,7 +56,7 @@ class MnemonicsTest {
 
     private record Look(Language language, LabTheme theme) {}
 
-    /** What each tab and state shows, by its name; made once for both tests. */
+    /** The contents of each tab and state, by its name; made once for both tests. */
     private final Map<Look, Map<String, List<Mnemonic>>> seen = new HashMap<>();
 
     @AfterAll

@@ -34,7 +34,7 @@ import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.tab.LabTab;
 import rasterlab.app.spline.CurveForm;
 
-/** What each lab's redo brings back. */
+/** Checks that each lab's redo restores the choice. */
 class RedoTest {
     private static final String FIRST = " forgets what was undone";
 

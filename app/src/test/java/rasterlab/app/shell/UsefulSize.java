@@ -14,12 +14,12 @@ final class UsefulSize {
     /** The least side of a picture, in view units: a fifth of the smallest window's height. */
     private static final int LEAST = 120;
 
-    /** What sizes rounded one by one are larger than their rounded sum. */
+    /** The most by which sizes rounded one by one are larger than their rounded sum. */
     private static final int ROUNDING = 6;
 
     private UsefulSize() {}
 
-    /** What of a laid out tab is too small to be of use, or cannot be reached. */
+    /** The components of a laid out tab that are too small to be of use, or cannot be reached. */
     static List<String> faults(Container tab) {
         var faults = new ArrayList<String>();
         look(tab, faults);
@@ -50,7 +50,7 @@ final class UsefulSize {
                 && child.getAccessibleContext().getAccessibleRole() == AccessibleRole.CANVAS;
     }
 
-    /** What is wider than its place needs a bar to be reached. */
+    /** A component wider than its place needs a bar to be reached. */
     private static void scrolled(JScrollPane scroll, String it, List<String> faults) {
         int wide = scroll.getViewport().getView().getWidth();
         int room = scroll.getViewport().getWidth();

@@ -26,7 +26,7 @@ public final class UsualLook {
         LabTheme.LIGHT.install();
     }
 
-    /** What is otherwise now, a line for each key; installs the look where anything is. */
+    /** The changes since, a line for each key; installs the look where there are any. */
     static Optional<String> restore() {
         Map<String, Object> found = now();
         if (Usual.LOOK.equals(found)) return Optional.empty();
@@ -48,7 +48,7 @@ public final class UsualLook {
         return look;
     }
 
-    /** What the program has put itself: {@code forEach} leaves out what comes from the look. */
+    /** The values that the program has put itself: {@code forEach} leaves out those of the look. */
     private static Map<String, Object> own() {
         var own = new TreeMap<String, Object>();
         UIManager.getDefaults()

@@ -106,7 +106,7 @@ class SplineCommandTest {
         }
     }
 
-    /** What {@code echo 'JSON' | ./lab run TOPIC METHOD} prints. */
+    /** The output of {@code echo 'JSON' | ./lab run TOPIC METHOD}. */
     private static JsonNode answer(String command) throws IOException {
         assertTrue(command.startsWith("echo '"), command);
         int end = command.indexOf("' | ./lab ");

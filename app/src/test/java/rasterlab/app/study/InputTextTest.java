@@ -19,7 +19,7 @@ class InputTextTest {
     private static final Texts ENGLISH = Texts.of("study", Language.ENGLISH);
     private static final Texts RUSSIAN = Texts.of("study", Language.RUSSIAN);
 
-    /** What inputs that speak for themselves say in English. */
+    /** The English names of inputs that have no words in a bundle. */
     private static final Pattern LEFT_IN_ENGLISH =
             Pattern.compile(
                     "\\d (polygons?|faces?|lines?|corners?|knots?|places?|points?|rows?|pixels?)\\b|"

@@ -29,7 +29,7 @@ import rasterlab.engine.transform.rotate.Turns;
 import rasterlab.engine.transform.view.ViewTask;
 import rasterlab.engine.transform.view.ViewTopic;
 
-/** What students read about a method's cost is what the counters count. */
+/** Compares what students read about a method's cost with the counters. */
 class SaidCostTest {
     private static final double[] AXIS = {1, 2, 2};
 

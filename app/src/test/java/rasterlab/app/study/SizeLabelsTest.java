@@ -114,7 +114,7 @@ class SizeLabelsTest {
                 assertFalse(label.intersectsLine(0, edge, 1000, edge), label + " on " + edge);
     }
 
-    /** What the label lies on. */
+    /** The things that the label lies on. */
     private static List<?> under(
             Rectangle label, List<Rectangle> labels, List<PointPlaces.Place> places) {
         List<Object> under = new ArrayList<>();

@@ -32,7 +32,7 @@ import rasterlab.app.outcome.Pipe;
 import rasterlab.app.visibility.scene.SceneFiles;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 
-/** What the lab says in Russian of files that are broken. */
+/** Reads what the lab says in Russian of files that are broken. */
 @Tag("slow")
 class FileComplaintsTest {
     /** Words that an English sentence of a reader has. */
@@ -145,7 +145,7 @@ class FileComplaintsTest {
         brokenFileIsToldInRussian("one.scene.json", content);
     }
 
-    /** What the lab cannot show of a file that could be read. */
+    /** The parts of a readable file that the lab cannot show. */
     private static String refusal(SceneFiles.Answer answer) {
         return assertThrows(
                         IllegalArgumentException.class,

@@ -14,7 +14,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.visibility.scene.SceneFiles;
 import rasterlab.app.visibility.scene.VisibilityChoice;
 
-/** What the lab tells of a model that it shows. */
+/** Reads what the lab tells of a model that it shows. */
 class ModelNotesTest {
     @TempDir Path folder;
 

@@ -214,7 +214,7 @@ class VisibilityCommandTest {
                 drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, 211));
     }
 
-    /** What the command writes, into a folder of the test's own. */
+    /** The picture that the command writes, into a folder of the test's own. */
     private BufferedImage drawn(String command) throws Exception {
         var words = new ArrayList<>(Arrays.asList(command.split(" ")));
         assertEquals("./lab", words.remove(0));

@@ -29,7 +29,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.PixelMark;
 
-/** What the inspector says of wrong pixels. */
+/** The text of the inspector about wrong pixels. */
 @Timeout(300)
 class WrongRowsTest {
     private final ModelThread thread = new ModelThread();

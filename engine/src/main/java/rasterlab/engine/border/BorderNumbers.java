@@ -59,7 +59,7 @@ public final class BorderNumbers {
         return random.nextBoolean() ? number : -number;
     }
 
-    /** What has to do with numbers that stand elsewhere in the same input. */
+    /** A number related to ones that stand elsewhere in the same input. */
     public static double related(Random random, List<Double> earlier) {
         double a = earlier.get(random.nextInt(earlier.size()));
         double b = earlier.get(random.nextInt(earlier.size()));

@@ -21,7 +21,7 @@ final class BorderTrial<C, I, O> {
     private record Right<O>(O exact, boolean cut, int limit) {}
 
     /**
-     * What methods do wrong, each told once with its numbers made as simple as they get.
+     * The mistakes of methods, each told once with its numbers made as simple as they get.
      *
      * @param seed of the first input; the next one has the next seed
      */
@@ -82,7 +82,7 @@ final class BorderTrial<C, I, O> {
         return new Right<>(exact, false, (int) border.topic().mostBeforeEndless(items));
     }
 
-    /** What is wrong with the method's answer to the input. */
+    /** The fault of the method's answer to the input. */
     private Optional<String> complaint(Method<C> method, I input, Optional<Right<O>> right) {
         O made;
         int limit = right.map(Right::limit).orElse(border.most());

@@ -23,13 +23,13 @@ final class LightBorders {
     private static final ShadeTopic SHADE = new ShadeTopic();
     private static final FaceTopic FACE = new FaceTopic();
 
-    /** What the methods' texts say of attenuations above 1. */
+    /** Checks what the methods' texts say of attenuations above 1. */
     private static final double BRIGHTENING = 10;
 
     private static final double RIM = 1e-9;
     private static final double LEAST_SHARE = 1e-300;
 
-    /** What the text of shade-face phong says of distances and normals. */
+    /** Checks what the text of shade-face phong says of distances and normals. */
     private static final double NEAR = 0.1;
 
     /** A cosine nearer to 0 has too few right digits for a power below 1. */

@@ -14,7 +14,7 @@ import rasterlab.engine.line.Segment;
 import rasterlab.engine.polygon.scan.PolygonFillTopic;
 import rasterlab.engine.polygon.scan.PolygonTask;
 
-/** What is drawn in pixels: lines, circles, regions and polygons. */
+/** The borders of topics that are drawn in pixels: lines, circles, regions and polygons. */
 final class RasterBorders {
     private static final int MOST_STEPS_IN_DOUBLES = 1 << 24;
 

@@ -41,7 +41,7 @@ final class SurfaceBorders {
         return ordered && ofSliver(message);
     }
 
-    /** What the view leaves of a face is as good as a line, or reaches as good as for ever. */
+    /** The view leaves of a face hardly more than a line, or a part that hardly ends. */
     private static boolean ofSliver(String message) {
         return message.contains("span no area")
                 || message.contains("lies off the plane")

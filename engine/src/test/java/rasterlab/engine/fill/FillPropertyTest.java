@@ -17,7 +17,7 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.raster.PixelRecording;
 
-/** What every right fill has, tried on pictures that shrink to the smallest counterexample. */
+/** Checks properties of every right fill on pictures that shrink to the smallest counterexample. */
 class FillPropertyTest {
     private static final FillTopic TOPIC = new FillTopic();
     private static final List<SteppedFill> RIGHT = List.of(new StackFill(), new SpanFill());

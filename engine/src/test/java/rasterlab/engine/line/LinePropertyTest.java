@@ -20,7 +20,7 @@ import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.raster.Raster;
 
-/** What every right line has, tried on segments that shrink to the smallest counterexample. */
+/** Checks properties of every right line on segments that shrink to the smallest counterexample. */
 class LinePropertyTest {
     private static final List<String> RIGHT =
             List.of("naive", "dda", "bresenham", "midpoint", "wu");

@@ -15,7 +15,7 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Method;
 
-/** What holds for the walk of every method, faulty ones included. */
+/** Checks properties of the walk of every method, faulty ones included. */
 class LineWalkTest {
     private static final LineTopic TOPIC = new LineTopic();
     private static final long SEED = 31;

@@ -6,7 +6,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * What a pixel shows, from the ray through its centre alone: no projection, no clipping, no tables.
+ * Finds what a pixel shows from the ray through its centre alone: no projection, no clipping, no tables.
  * Written without any of the renderer's code.
  */
 final class PlainRays {
@@ -67,7 +67,7 @@ final class PlainRays {
         return unit(times(-1, forward));
     }
 
-    /** What a pixel's ray meets first; null for the background. */
+    /** The face that a pixel's ray meets first; null for the background. */
     Hit hit(double pixelX, double pixelY) {
         double u = (pixelX - width / 2) / pixelsPerUnit;
         double v = (height / 2 - pixelY) / pixelsPerUnit;

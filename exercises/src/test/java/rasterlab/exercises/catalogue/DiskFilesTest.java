@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.exercises.CatalogueException;
 
-/** What is no folder of exercises is told in one line, and nothing of it is waited for. */
+/** A place that is no folder of exercises is told in one line, and nothing of it is waited for. */
 class DiskFilesTest {
     @TempDir Path folder;
     private Path mine;

@@ -30,7 +30,7 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.exercises.Contracts;
 
-/** What a contract's method is given and answers comes over the wire as it is. */
+/** Arguments and answers of a contract's method come over the wire as they are. */
 class ContractCallTest {
     private static final int MOST = CalledHere.MOST;
 

@@ -25,7 +25,7 @@ import rasterlab.exercises.Contracts;
 class MisshapenAnswersTest {
     private static final int HAZARDS = 6;
 
-    /** What the judge has words for. */
+    /** The methods that the judge has words for. */
     private static final Set<Class<?>> TOLD =
             Set.of(WrongLength.class, SharedAnswer.class, LimitReached.class);
 

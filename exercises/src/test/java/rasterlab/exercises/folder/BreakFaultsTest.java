@@ -12,7 +12,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What is wrong in a folder of the kind 'break' is told all at once. */
+/** All faults in a folder of the kind 'break' are told at once. */
 class BreakFaultsTest {
     @TempDir Path parent;
     private Path folder;

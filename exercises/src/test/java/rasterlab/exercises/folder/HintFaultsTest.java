@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What is wrong with hints is told with file, place and reason, all of it at once. */
+/** All faults of hints are told at once, with file, place and reason. */
 class HintFaultsTest {
     private static final String COSTS = "\"hintCosts\" : [ 1, 2, 4 ]";
 

@@ -78,7 +78,7 @@ class NewFolderTest {
         assertTrue(told.get(0).startsWith("the model solution earns 0 of 75"), told.toString());
     }
 
-    /** What a source earns that does nothing, as the new starter and the new model do. */
+    /** The report on a source that does nothing, as the new starter and the new model do. */
     private static Report forNothing(Exercise exercise, CaseSelection cases) {
         TopicGrading grading = TopicGradings.of(exercise);
         Object nothing = Nothing.of(grading.contract());

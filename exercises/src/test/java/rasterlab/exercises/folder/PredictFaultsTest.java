@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.exercises.catalogue.Catalogue;
 
-/** What is wrong in the rules of an exercise is told all at once. */
+/** All faults in the rules of an exercise are told at once. */
 class PredictFaultsTest {
     @TempDir Path parent;
 

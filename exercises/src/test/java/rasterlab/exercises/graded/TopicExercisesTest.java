@@ -204,12 +204,12 @@ class TopicExercisesTest {
         return told.pictures();
     }
 
-    /** What decides on a pixel may be told behind what is wrong. */
+    /** The text on what decides a pixel may stand behind that on what is wrong. */
     private static void assertToldFirst(String fault, String said) {
         assertTrue(said.equals(fault) || said.startsWith(fault + "; "), said);
     }
 
-    /** What came of all cases. */
+    /** The marking of all cases. */
     private record Tried(Exercise exercise, Marking marking) {
         List<String> failed(Kind... kinds) {
             return exercise.cases().stream()

@@ -20,8 +20,7 @@ public final class SentencesFile {
     private SentencesFile() {}
 
     /**
-     * What each reader says of a text without the field {@code f}, and of one with each value in
-     * it: a line each.
+     * The complaints of each reader about a text without the field {@code f}, and about one with each value in it: a line each.
      *
      * @param readers by their names
      * @param said reads a text and tells what came of it

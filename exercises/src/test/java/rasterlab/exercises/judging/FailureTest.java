@@ -6,7 +6,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.score.Answer;
 
-/** What an exception says is English: a Russian report quotes it within a sentence of its own. */
+/** The message of an exception is English: a Russian report quotes it within a sentence of its own. */
 class FailureTest {
     @Test
     @DisplayName("a Russian report is the exception's English alone")

@@ -27,7 +27,7 @@ import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.judging.MethodsOnInput.Tried;
 import rasterlab.exercises.score.Phrase;
 
-/** What a method did is told in the language of whoever reads it. */
+/** The outcome of a method is told in the language of the reader. */
 class MethodsOnInputTest {
     /** Two English words in a row, which no name of a field is. */
     private static final Pattern ENGLISH = Pattern.compile("[a-z]{2,} [a-z]{2,}");

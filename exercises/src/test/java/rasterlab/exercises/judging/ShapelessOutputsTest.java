@@ -14,7 +14,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
 import rasterlab.engine.visibility.order.Painting;
 
-/** What a program sends in no form that an answer has is wrong, and no fault of the judge. */
+/** An answer in no form of the contract is wrong, and no fault of the judge. */
 class ShapelessOutputsTest {
     private static <I, O> void assertWrong(Topic<?, I, O> topic, I input, O exact, O actual) {
         assertFalse(topic.correct(topic.compare(input, exact, actual)));

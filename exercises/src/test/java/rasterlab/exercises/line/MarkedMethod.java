@@ -17,7 +17,7 @@ import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.topic.TopicGradings;
 
-/** What the cases of an exercise are worth to a method that runs here, without a child. */
+/** Marks a method that runs here, without a child, on the cases of an exercise. */
 record MarkedMethod(Exercise exercise, Marking marking) {
     static MarkedMethod of(Exercise exercise, LineRasterizer method, CaseSelection selection) {
         Marking marking = new Marking(exercise);

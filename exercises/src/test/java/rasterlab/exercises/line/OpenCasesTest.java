@@ -23,7 +23,7 @@ import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 
-/** What is said of open cases is the same whether hidden cases are tried beside them or not. */
+/** The report on open cases is the same whether hidden cases are tried beside them or not. */
 @Tag("slow")
 class OpenCasesTest {
     private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");

@@ -32,7 +32,7 @@ final class TimedHere {
         return true;
     }
 
-    /** What a child would tell. */
+    /** The answer that a child would send. */
     static TopicGrading.Told told(Timing timing, LineRasterizer method) {
         ItemSum sum = new ItemSum();
         for (int i = 0; i < timing.inputs(); i++) {

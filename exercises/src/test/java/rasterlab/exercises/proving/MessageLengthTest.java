@@ -23,7 +23,7 @@ import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.topic.TopicGradings;
 
-/** What is told of a wrong answer is read in one look, whatever mistake it is. */
+/** The report on a wrong answer can be read at a glance, whatever mistake it is. */
 class MessageLengthTest {
     private static final long SEED = 20261127;
 

@@ -21,7 +21,7 @@ import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.ScorePoints;
 import rasterlab.exercises.score.SpeedPoints;
 
-/** What speaks against an exercise is found. */
+/** Proving finds what speaks against an exercise. */
 class ProofTest {
     private static final long SEED = 7;
     private static final Exercise TRIANGLE = Catalogue.builtIn().named("point-in-triangle");

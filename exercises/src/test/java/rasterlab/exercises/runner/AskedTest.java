@@ -12,7 +12,7 @@ import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 
-/** What a child sends is an answer, a finding in words of ours, or the child's loss. */
+/** Each message of a child is an answer, a finding in words of ours, or the child's loss. */
 class AskedTest {
     /** Writes what a child sent. */
     private interface Sent {

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a method that got past the byte-code check finds inside bubblewrap. */
+/** Runs methods that got past the byte-code check inside bubblewrap. */
 @Tag("slow")
 class BubblewrapTest {
     private static Unscanned unscanned;

@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 
-/** What a method that got past the byte-code check can do to the parent: nothing but lose. */
+/** A method that got past the byte-code check can do nothing to the parent but lose. */
 @Tag("slow")
 class ChildTest {
     private static Unscanned unscanned;

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Report;
 
-/** What a student reads of a class that may not be used. */
+/** Reads what a student is told of a class that may not be used. */
 @Tag("slow")
 class ForbiddenClassesTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();

@@ -30,7 +30,7 @@ class HostileSourcesTest {
     static final StartedJudge JUDGE =
             new StartedJudge(JudgeSettings.once().withSpeed(JudgeSettings.Speed.OFF));
 
-    /** What never ends is stopped as well after less processor time. */
+    /** An endless call is stopped as well after less processor time. */
     @RegisterExtension
     static final StartedJudge STRICT =
             new StartedJudge(

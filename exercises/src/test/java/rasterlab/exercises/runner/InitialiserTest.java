@@ -19,7 +19,7 @@ import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
-/** What a student reads where a static initialiser throws. */
+/** Reads what a student is told where a static initialiser throws. */
 @Tag("slow")
 class InitialiserTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();

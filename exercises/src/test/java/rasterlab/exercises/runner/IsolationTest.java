@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.exercises.runner.Isolation.ProcessLimit;
 import rasterlab.exercises.score.Message;
 
-/** What is promised to exams is what the machine holds. */
+/** Exams are promised only what the machine holds. */
 class IsolationTest {
     @ParameterizedTest(name = "an exam is graded where the limit on processes is {0}")
     @EnumSource(ProcessLimit.class)

@@ -56,7 +56,7 @@ class JudgeCloseTest {
         }
     }
 
-    /** What would count for the student: nothing, where the end is called our fault. */
+    /** The verdict for the student: none, where the end is called our fault. */
     private static Optional<GradingVerdict> markOf(Future<Report> grading) throws Exception {
         try {
             var verdict = grading.get(2, TimeUnit.MINUTES).verdict();

@@ -20,7 +20,7 @@ import rasterlab.exercises.score.Report;
 class OneMistakeGradedTest {
     @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
-    /** What is said where the lines were taken for right ones, however busy the machine is. */
+    /** The messages where the lines were taken for right ones, however busy the machine is. */
     private static final Set<String> TIMED =
             Set.of(
                     "speed.measured",

@@ -77,7 +77,7 @@ class RegradeTest {
         return String.join("\n", lines);
     }
 
-    /** What is said may differ: a smaller counterexample is looked for as long as there is time. */
+    /** The message may differ: a smaller counterexample is looked for as long as there is time. */
     private static String line(CaseReport one) {
         return one.name() + " " + one.points() + " " + one.verdict();
     }

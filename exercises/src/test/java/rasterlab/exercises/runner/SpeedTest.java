@@ -74,7 +74,7 @@ class SpeedTest {
         assertEquals("pixels are wrong on the long lines", speed.message());
     }
 
-    /** What ends it then is our own, and no name for a student to read. */
+    /** The exception that ends it then is our own, and no name for a student to read. */
     @Test
     void plottingWithoutEndOnTheLongLinesIsWrong() throws Exception {
         CaseReport speed = speed(report(drawing("while (n == 1001) out.plot(x, y);")));

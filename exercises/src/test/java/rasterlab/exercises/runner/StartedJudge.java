@@ -49,7 +49,7 @@ public final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
         return judge;
     }
 
-    /** What the open cases of a line exercise say of a source. */
+    /** The report of a line exercise's open cases on a source. */
     Report grade(String source) throws InterruptedException {
         return grade(source, CaseSelection.open());
     }

@@ -32,9 +32,7 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
 
 /**
- * What the server itself does with the worst sources of the allowed size, before and after they are
- * compiled, is bounded: by processor time, which does not grow when other programs run, and by all
- * that is allocated, whether it is kept or not.
+ * The server's own work on the worst sources of the allowed size, before and after they are compiled, is bounded: by processor time, which does not grow when other programs run, and by all that is allocated, whether it is kept or not.
  */
 @Tag("slow")
 class WorstSourcesTest {
@@ -52,7 +50,7 @@ class WorstSourcesTest {
 
     private static WarmCompiler compiler;
 
-    /** What looking at a source cost. */
+    /** The cost of looking at a source. */
     private record Cost(List<Diagnostic> said, Duration time, long bytes) {}
 
     @BeforeAll

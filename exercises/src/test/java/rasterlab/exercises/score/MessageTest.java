@@ -36,7 +36,7 @@ class MessageTest {
                     "predict.why",
                     "compared.steps.unit");
 
-    /** What other sentences only stand in. */
+    /** Sentences that only hold other ones. */
     private static final Set<String> SAME =
             Set.of(
                     "join.list",

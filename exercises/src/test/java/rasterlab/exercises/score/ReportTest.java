@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a student is shown and what not. */
+/** Checks what a student is shown and what not. */
 class ReportTest {
     private static final CasePicture PICTURE =
             new CasePicture("input", new byte[1], Message.rows("#"), Optional.empty());

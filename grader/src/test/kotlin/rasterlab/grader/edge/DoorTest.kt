@@ -16,7 +16,7 @@ import rasterlab.grader.Wire
 import java.net.Socket
 import java.nio.file.Path
 
-/** What a client sees on the wire; the timeout ends only a test whose server neither reads nor closes. */
+/** Checks what a client sees on the wire; the timeout ends only a test whose server neither reads nor closes. */
 @Tag("slow")
 @Timeout(300)
 class DoorTest {

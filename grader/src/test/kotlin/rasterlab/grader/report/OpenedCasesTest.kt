@@ -52,7 +52,7 @@ class OpenedCasesTest {
             clock = { now },
         )
 
-    /** What somebody sees of each hidden case: by its message, picture, scene and reason. */
+    /** The visible parts of each hidden case: message, picture, scene and reason. */
     private suspend fun Visit.seen(
         token: String,
         id: String,

@@ -20,7 +20,7 @@ import rasterlab.grader.ServerSettings
 import rasterlab.grader.Visit
 import java.nio.file.Path
 
-/** What a browser shows when something goes wrong. */
+/** Checks what a browser shows when something goes wrong. */
 class ErrorPagesTest {
     @TempDir
     lateinit var folder: Path

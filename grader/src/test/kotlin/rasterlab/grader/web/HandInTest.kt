@@ -215,7 +215,7 @@ class HandInTest {
             assertEquals(3, Regex("No\\. \\d").findAll(page(student, "draw-dot")).count())
         }
 
-    /** What somebody who knows all types. */
+    /** A program by somebody who knows all types. */
     private fun typed(sheet: Sheet): List<Pair<String, String>> = sheet.questions().flatMap { typed(it) }
 
     private fun typed(question: Question) =

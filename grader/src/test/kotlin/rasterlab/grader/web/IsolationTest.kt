@@ -20,7 +20,7 @@ import rasterlab.grader.isolationLines
 import java.nio.file.Path
 import java.time.InstantSource
 
-/** What shuts the students' methods in is told to those who answer for the server. */
+/** The isolation of the students' methods is told to those who answer for the server. */
 class IsolationTest {
     @TempDir
     lateinit var folder: Path

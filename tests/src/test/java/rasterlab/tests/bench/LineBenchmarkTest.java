@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the table calls "pixels identical". */
+/** Checks what the table calls "pixels identical". */
 @Tag("slow")
 class LineBenchmarkTest {
     @ParameterizedTest(name = "{0} px: ours lights other pixels than the peer")

@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * What a build says, in words that both builds share.
+ * The description of a build, in words that both builds share.
  *
  * @param modules by name, in no order
  * @param excluded what libraries want and do not get, {@code group:artifact}

@@ -95,7 +95,7 @@ final class MavenBuild {
         return resolve(parent, value);
     }
 
-    /** What is no property of these files stays as it stands. */
+    /** A name that is no property of these files stays as it stands. */
     private String resolve(Element pom, String value) {
         return PLACEHOLDER
                 .matcher(value)

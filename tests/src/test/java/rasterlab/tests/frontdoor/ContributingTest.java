@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.tests.Repository;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 
-/** What CONTRIBUTING.md says is so: its map, the files of its examples, its commands. */
+/** Checks what CONTRIBUTING.md says: its map, the files of its examples, its commands. */
 class ContributingTest {
     private static final int MOST_LINES = 150;
 

@@ -7,7 +7,7 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import rasterlab.tests.Repository;
 
-/** What the README, in English and in Russian, and CONTRIBUTING.md say. */
+/** The texts of the README, in English and in Russian, and of CONTRIBUTING.md. */
 final class Readme {
     static final List<String> NAMES = List.of("README.md", "README.ru.md");
 
@@ -41,7 +41,7 @@ final class Readme {
         return commands;
     }
 
-    /** What stands between backquotes in a text outside its blocks, spaces and lines alike. */
+    /** The words between backquotes in a text outside its blocks, spaces and lines alike. */
     static Set<String> codes(String text) {
         var codes = new TreeSet<String>();
         var found = CODE.matcher(ANY_BLOCK.matcher(text).replaceAll(""));

@@ -61,7 +61,7 @@ record Browser(ChromeDriver driver, Path profile) implements AutoCloseable {
         return waiting().until(driver -> driver.findElement(By.cssSelector(css)));
     }
 
-    /** What the element says; one that the page replaces meanwhile is looked up again. */
+    /** The text of the element; one that the page replaces meanwhile is looked up again. */
     String text(String css) {
         return waiting().until(driver -> driver.findElement(By.cssSelector(css)).getText());
     }

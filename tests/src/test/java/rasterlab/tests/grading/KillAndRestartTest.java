@@ -40,8 +40,7 @@ class KillAndRestartTest {
     private static final String FAST = source(Solutions.RIGHT);
 
     /**
-     * What a slow submission is doing when the server dies; the fast one behind it waits for its
-     * turn.
+     * The call that a slow submission is in when the server dies; the fast one behind it waits for its turn.
      */
     enum Moment {
         RUNNING("\"state\":\"running\""),

@@ -26,8 +26,7 @@ class ServerWordsTest {
             Pattern.compile("\\b(the|no|of|at|you|only|must|this|send)\\b");
 
     /**
-     * What the window never brings about, since it makes requests as they should be, or tells by
-     * its own words, as that there are no more hints.
+     * The refusals that the window never causes, since it makes requests as they should be, or tells by its own words, as that there are no more hints.
      */
     private static final Set<Class<?>> OF_OTHER_CLIENTS =
             Set.of(
@@ -45,7 +44,7 @@ class ServerWordsTest {
                     Rejection.WrongMethod.class,
                     Rejection.WrongMediaType.class);
 
-    /** What a student can bring about by what the window sends. */
+    /** The refusals that a student can cause by what the window sends. */
     static Stream<Rejection> rejections() {
         return Stream.of(
                 new Rejection.UnknownExercise("circle"),

@@ -119,7 +119,7 @@ class ArchitectureTest {
                 .check(classes);
     }
 
-    /** What runs beside a student's code must not carry references or expected values with it. */
+    /** The code beside a student's must not carry references or expected values with it. */
     @Test
     void childKnowsOnlyTheContract() {
         noClasses()
@@ -185,7 +185,7 @@ class ArchitectureTest {
                 .check(classes);
     }
 
-    /** What it is given and what it answers is all that it has in common with them. */
+    /** The reference has only its arguments and its answer in common with the methods. */
     @Test
     void exactVisibilityKnowsNoMethod() {
         noClasses()

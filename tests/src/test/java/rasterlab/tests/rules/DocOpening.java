@@ -26,7 +26,7 @@ record DocOpening(String place, String sentence) {
                     + " Then Therefore Thus Hence However Yet Still Again Often Once Just"
                     + " Even Too Rather Instead Together Backwards Forwards Upwards Downwards"
                     + " Midway Strictly Infinitely Evenly Exactly Towards Except Whereas It Its"
-                    + " They Their Them Those Such He She Whatever Whoever";
+                    + " They Their Them Those Such He She What Whatever Whoever";
 
     /** Words without a noun of their own, where one of {@link #AFTER} or a stop follows. */
     private static final String BARE =
@@ -84,10 +84,8 @@ record DocOpening(String place, String sentence) {
         return openings;
     }
 
-    /** Whether the first word leans on something unsaid, or, outside of tests, is "What". */
     boolean isFragment() {
-        boolean inTests = place.contains("/src/test/");
-        return FRAGMENT.matcher(sentence).matches() || !inTests && sentence.startsWith("What ");
+        return FRAGMENT.matcher(sentence).matches();
     }
 
     @Override

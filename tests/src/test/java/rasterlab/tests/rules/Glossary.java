@@ -54,7 +54,7 @@ record Glossary(List<Term> terms, List<Phrase> phrases) {
     }
 
     /**
-     * What must not be written.
+     * Words that must not be written.
      *
      * @param wrong a pattern of it
      * @param right what to write instead, and why; null where a term says it
@@ -67,7 +67,7 @@ record Glossary(List<Term> terms, List<Phrase> phrases) {
     }
 
     /**
-     * What a rule forbids.
+     * The phrase that a rule forbids.
      *
      * @param phrase what must not be written
      * @param language {@code en}, {@code ru}, or empty for both

@@ -70,7 +70,7 @@ class GlossaryTest {
             assertTrue(names.contains(name), () -> "no file is read that is called " + name);
     }
 
-    /** What stands on a line of a bundle from its "=" on; another line as it is. */
+    /** The part of a bundle's line from its "=" on; another line as it is. */
     private static String value(String line) {
         int equals = line.indexOf('=');
         return line.startsWith("#") ? "" : equals < 0 ? line : line.substring(equals);

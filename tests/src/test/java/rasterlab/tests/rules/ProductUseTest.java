@@ -124,7 +124,7 @@ class ProductUseTest {
         return false;
     }
 
-    /** What the compiler writes, Java or a library calls, or a caller knows by a wider type. */
+    /** Whether the compiler writes the method, Java or a library calls it, or a caller knows it by a wider type. */
     private static boolean isForOthers(JavaMethod method) {
         JavaClass owner = method.getOwner();
         return method.getModifiers().contains(JavaModifier.SYNTHETIC)

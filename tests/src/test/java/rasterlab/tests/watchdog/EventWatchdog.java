@@ -45,7 +45,7 @@ public final class EventWatchdog implements BeforeAllCallback, AfterEachCallback
                         });
     }
 
-    /** What watches this run's event thread; empty without a display. */
+    /** The watchdog of this run's event thread; empty without a display. */
     static Optional<Watch> watch(ExtensionContext context) {
         return Optional.ofNullable(
                 context.getRoot().getStore(NAMESPACE).get(Watch.class, Watch.class));

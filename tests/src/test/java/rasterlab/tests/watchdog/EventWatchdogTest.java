@@ -61,7 +61,7 @@ class EventWatchdogTest {
         void run() throws Exception;
     }
 
-    /** What the watchdog says of an event that repeats something until it is noticed. */
+    /** The report of the watchdog on an event that repeats something until it is noticed. */
     private static String fault(Work work) throws Exception {
         try (var watch = Watch.begin()) {
             EventQueue.invokeAndWait(() -> repeat(watch, work));

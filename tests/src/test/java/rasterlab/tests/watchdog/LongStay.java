@@ -1,7 +1,7 @@
 package rasterlab.tests.watchdog;
 
 /**
- * What is told of an event that kept the event thread for long. It does not hold the event, whose
+ * The report on an event that kept the event thread for long. It does not hold the event, whose
  * source may be a window that a test wants to see let go.
  *
  * @param name the event's

@@ -59,7 +59,7 @@ final class Watch implements AutoCloseable {
         }
     }
 
-    /** What keeps the event thread now; empty while it is free. */
+    /** The event that keeps the event thread now; empty while it is free. */
     Optional<Stay> now() {
         return queue.now(this);
     }
@@ -68,7 +68,7 @@ final class Watch implements AutoCloseable {
         return !faults.isEmpty();
     }
 
-    /** What the event thread did and must not do since the last call. */
+    /** The forbidden calls of the event thread since the last call. */
     synchronized List<String> takeFaults() {
         List<String> found = faults;
         faults = new ArrayList<>();

@@ -31,7 +31,7 @@ class CopyingTest {
                     () -> () -> "<svg/>",
                     Runnable::run);
 
-    /** What was told, in order. */
+    /** The messages so far, in order. */
     private final BlockingQueue<String> told = new LinkedBlockingQueue<>();
 
     private final HeldClipboard clipboard = new HeldClipboard();

@@ -122,7 +122,7 @@ class HazardStripTest {
         assertEquals(new Insets(1, 1, 1, 1), strip.getBorder().getBorderInsets(strip));
     }
 
-    /** What the row says, in its order. */
+    /** The texts of the row, in its order. */
     private List<String> said() {
         Container row = named("hazard.verdict").orElseThrow().getParent();
         return Stream.of(row.getComponents())

@@ -26,7 +26,7 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 
 class MethodColoursTest {
-    /** What colour-blind people can tell apart. */
+    /** The colours that colour-blind people can tell apart. */
     private static final int MOST_COLOURS = 11;
 
     /** Levels between two colours: one can tell them apart, and without looking twice. */

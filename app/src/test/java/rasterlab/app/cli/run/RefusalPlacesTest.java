@@ -27,7 +27,7 @@ import rasterlab.exercises.json.StrictJson;
 
 /** A refused input is refused at the field that is wrong, whose name is not said twice. */
 class RefusalPlacesTest {
-    /** What is wrong with the input as a whole: which of its fields are there. */
+    /** The faults of the input as a whole: which of its fields are there. */
     private static final Pattern WHOLE =
             Pattern.compile(
                     "/: expected (a JSON object|either|one of) .*|/(surplus|\\w+): missing.*");

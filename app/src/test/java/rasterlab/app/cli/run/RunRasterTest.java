@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Ran;
 
-/** What {@code ./lab run} answers for lines with coverage, circles and ellipses. */
+/** Runs {@code ./lab run} on lines with coverage, circles and ellipses. */
 class RunRasterTest {
     @Test
     void wuSharesEachStepBetweenTwoPixels() {

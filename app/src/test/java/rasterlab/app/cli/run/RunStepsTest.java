@@ -20,13 +20,13 @@ import rasterlab.app.golden.GoldenFile;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
-/** What {@code --steps} adds, for every method that has steps. */
+/** Checks what {@code --steps} adds, for every method that has steps. */
 class RunStepsTest {
     /** The topics whose steps are formulas or matrices one after the other; nothing is decided. */
     private static final List<String> UNDECIDED =
             List.of("transform", "rotate-axis", "rotate", "view", "shade", "shade-face");
 
-    /** What textbooks' programs do as they are printed, and how that is told. */
+    /** Draws textbooks' programs as they are printed, and reads how that is told. */
     private static final Map<String, String> GIVEN_UP =
             Map.of(
                     "triangulate shortest-diagonal-printed-textbook", " crashed: ",

@@ -16,7 +16,7 @@ import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
-/** What {@code ./lab methods} says of JSON in Russian. */
+/** Reads what {@code ./lab methods} says of JSON in Russian. */
 class FormWordsTest {
     private static final Pattern NAME = Pattern.compile("\"[^\"]+\"");
 

@@ -131,7 +131,7 @@ class SpeedPictureTest {
                 .count();
     }
 
-    /** What is kept between runs of the window is read as it was written. */
+    /** State that is kept between runs of the window is read as it was written. */
     @Test
     void chartIsKeptWithTheResult(@TempDir Path folder) {
         var file = folder.resolve("result.json");

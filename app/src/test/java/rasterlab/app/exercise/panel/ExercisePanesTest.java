@@ -18,7 +18,7 @@ import rasterlab.app.shell.settings.LabTheme;
 
 /** The rooms of a tab that is made again, as another language or theme has it. */
 class ExercisePanesTest {
-    /** What the tab before leaves to the next one of its window. */
+    /** The things that one tab leaves to the next one of its window. */
     private final ExercisePanesKept kept = new ExercisePanesKept();
 
     @BeforeAll

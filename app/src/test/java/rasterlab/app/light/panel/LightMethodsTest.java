@@ -15,7 +15,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.light.LightChoice;
 import rasterlab.contract.Reflection;
 
-/** What the lab says about the methods that light its body. */
+/** Reads what the lab says about the methods that light its body. */
 class LightMethodsTest {
     private static List<AboutText.Called> of(LightChoice choice, Language language) {
         return new LightMethods(Texts.of("light", language)).of(choice);

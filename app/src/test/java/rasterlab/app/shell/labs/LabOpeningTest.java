@@ -60,7 +60,7 @@ import rasterlab.engine.study.Verdict;
 
 @Tag("slow")
 class LabOpeningTest {
-    /** What a tab shows otherwise than it is, by some method, and in what. */
+    /** The hazards that a tab shows otherwise than they are, by some method, and in what. */
     private static final Map<String, Set<ShownDifference.Kind>> UNLIKE =
             Map.ofEntries(
                     Map.entry("hidden-surfaces one-pixel", EnumSet.of(PICTURE_SIZE)),
@@ -109,7 +109,7 @@ class LabOpeningTest {
                     Map.entry("color too-dark-for-digits", EnumSet.of(COLOUR_CUT)),
                     Map.entry("color outside-the-cube", EnumSet.of(COLOUR_CUT)));
 
-    /** What is drawn in the background comes to nobody: an older answer would undo a choice. */
+    /** Drops pictures of the background: an older answer would undo a choice. */
     private final LabModels models =
             LabModels.first(
                     answer -> {},

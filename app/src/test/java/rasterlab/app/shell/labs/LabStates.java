@@ -35,7 +35,7 @@ public final class LabStates {
                     model -> model.function().chooseMethod("monotone"),
                     model -> model.function().show(model.function().hazards().get(0).input()));
 
-    /** What else the tab of coordinates shows, each with texts of its own. */
+    /** The other states of the tab of coordinates, each with texts of its own. */
     private static final List<Consumer<CoordinatesLabModel>> OTHER_COORDINATES =
             List.of(
                     model -> model.views().goTo(model.views().last()),

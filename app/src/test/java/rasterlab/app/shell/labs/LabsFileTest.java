@@ -49,7 +49,7 @@ import rasterlab.engine.line.Segment;
 
 @Tag("slow")
 class LabsFileTest {
-    /** What is kept of files that the user opened. */
+    /** The kept state of files that the user opened. */
     private static final Set<String> OF_FILES =
             Set.of("visibility.files", "light.file", "opengl.image");
 
@@ -360,7 +360,7 @@ class LabsFileTest {
         models.spline().function().chooseEnds(SplineEnds.slopes(-1.25, 3));
     }
 
-    /** What the labs show, after loading or before saving. */
+    /** The states of the labs, after loading or before saving. */
     private Map<String, Object> shown(Consumer<LabModels> prepare, boolean load)
             throws InterruptedException {
         var found = new TreeMap<String, Object>();

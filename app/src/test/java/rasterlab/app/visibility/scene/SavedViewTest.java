@@ -29,7 +29,7 @@ import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.ClipPlane;
 
-/** What the lab of hidden surfaces saves and opens again. */
+/** Saves views of the lab of hidden surfaces and opens them again. */
 class SavedViewTest {
     @TempDir Path folder;
 

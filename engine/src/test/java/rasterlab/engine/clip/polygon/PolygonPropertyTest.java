@@ -13,7 +13,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.IntRange;
 
-/** What holds for both methods, every convex window and every simple subject. */
+/** Checks properties of both methods on every convex window and every simple subject. */
 class PolygonPropertyTest {
     private static final int TRIES = 500;
     private static final List<String> METHODS = List.of("sutherland-hodgman", "weiler-atherton");

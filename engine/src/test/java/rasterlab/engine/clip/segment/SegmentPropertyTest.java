@@ -13,7 +13,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** What holds for every right method, window and segment. */
+/** Checks properties of every right method on every window and segment. */
 class SegmentPropertyTest {
     private static final int TRIES = 1_000;
 

@@ -11,7 +11,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
-/** What holds for both methods, every zmin and every segment. */
+/** Checks properties of both methods on every zmin and every segment. */
 class VolumePropertyTest {
     private static final int TRIES = 1_000;
 

@@ -4,7 +4,7 @@ import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
- * What is seen at a pixel's centre, by asking every triangle: slow and plain.
+ * Finds what is seen at a pixel's centre by asking every triangle: slow and plain.
  *
  * <p>With clip coordinates (x, y, z, w) of the corners in doubles, the centre (X, Y) of −1..1 is on
  * the triangle where weights b ≥ 0 exist with {@code Σ b·(x, y, w) = (X, Y, 1)·h}; b normalised to

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
-/** What is computed of vertices and what is not. */
+/** Checks what is computed of vertices and what is not. */
 class NeededVerticesTest {
     private static final int SIDE = 16;
     private static final int GROUP = ScreenVertices.GROUP;

@@ -44,7 +44,7 @@ class PlainPipelineTest {
     /** Share of pixels beside edges, which the fast pipeline rounds to 1/256 pixel. */
     private static final double ROUNDED = 1e-3;
 
-    /** What that rounding, and light in floats, may change of a colour. */
+    /** The most that this rounding, and light in floats, may change a colour. */
     private static final int LEVELS = 2;
 
     /** Faces in one plane, whose order rounding decides. */

@@ -106,7 +106,7 @@ class SurfacesTest {
                     expected >> shift & 255, actual >> shift & 255, 1, "channel of pixel " + pixel);
     }
 
-    /** What a plane of the user cuts keeps the colour of the vertex that is cut off. */
+    /** A triangle cut by a plane of the user keeps the colour of the vertex that is cut off. */
     @Test
     void aClippedFlatTriangleKeepsItsColour() {
         var view =

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What a model can do without never stops it: the faces that are left, and the one note. */
+/** Reads models that lack things they can do without: the faces that are left, and the one note. */
 class ForgivenObjTest {
     private static final String NO_DIRECTION =
             "a normal without a direction was passed over; where it is named the face has its own";

@@ -62,7 +62,7 @@ class TessellationTest {
                         "sphere's radius must be from 1.0E-30 to 1.0E30, got NaN"));
     }
 
-    /** What the benchmark's torus was before there were other shapes. */
+    /** Compares the torus with the formula that it was made by before there were other shapes. */
     @Test
     @DisplayName("the torus moves by a unit of the last place")
     void torusKeepsItsBits() {

@@ -11,7 +11,7 @@ import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 import rasterlab.engine.study.Deviation;
 
-/** What a spline promises, on random knots whose widths differ by up to a factor of a thousand. */
+/** Checks the promises of a spline on random knots whose widths differ by up to a factor of a thousand. */
 class SplineFunctionPropertyTest {
     private static final SplineFunctionTopic TOPIC = new SplineFunctionTopic();
     private static final double CLOSE = 1e-9;
@@ -136,7 +136,7 @@ class SplineFunctionPropertyTest {
         return c[4 * i + 1] + s * (2 * c[4 * i + 2] + s * 3 * c[4 * i + 3]);
     }
 
-    /** What rounding in piece i is measured by. */
+    /** The unit by which rounding in piece i is measured. */
     private static double size(double[] c, int i, double h) {
         return Math.abs(c[4 * i])
                 + h

@@ -128,7 +128,7 @@ class SplinePeriodTest {
                 new double[] {first, last}, new double[] {0, 0}, ends, places, false);
     }
 
-    /** What a straight piece makes of the place: its distance from the first knot, rounded once. */
+    /** The place within a straight piece: its distance from the first knot, rounded once. */
     private static double methodsDistance(double first, double last, double place) {
         var knots = new double[] {first, last};
         var line = new double[] {0, 1, 0, 0};

@@ -8,7 +8,7 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.study.measuring.PaceComparison.Order;
 
-/** What is said of loads whose true times are known. */
+/** Compares loads whose true times are known. */
 class PaceComparisonTest {
     private static final RoundPlan QUICK = new RoundPlan(12, 36, Duration.ofSeconds(4), 1);
 

@@ -10,9 +10,7 @@ import rasterlab.engine.visibility.PixelPoint;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * What is seen at each pixel by the rules of {@link ExactVisibility}, by force: every line of sight
- * is met with every face in quotients of whole numbers, in the world, where a point of the line is
- * compared with the polygon in two of its coordinates. It shares nothing with what it checks but
+ * Finds by force what is seen at each pixel by the rules of {@link ExactVisibility}: every line of sight is met with every face in quotients of whole numbers, in the world, where a point of the line is compared with the polygon in two of its coordinates. It shares nothing with what it checks but
  * the rules.
  */
 final class RationalSurfaces {

@@ -87,7 +87,7 @@ class DepthOrderTest {
         assertEquals(3, painted("bsp", hazard("through-each-other")).size());
     }
 
-    /** What waited for a polygon of a circle still waits when that one is cut. */
+    /** A polygon that waited for one of a circle still waits when that one is cut. */
     @Test
     void cutLeavesAloneWhatWaited() {
         OrderWalk walk = new Newell().walk(everyOneThroughTheOthers(60), (polygon, corners) -> {});

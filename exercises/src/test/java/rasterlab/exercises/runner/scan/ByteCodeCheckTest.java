@@ -65,7 +65,7 @@ class ByteCodeCheckTest {
         classes.put(name, writer.toByteArray());
     }
 
-    /** What is said to a class that calls a method which that type has not. */
+    /** The message for a class that calls a method which that type has not. */
     private List<String> refused(String type) {
         return refused(type, "exit", "()V");
     }
