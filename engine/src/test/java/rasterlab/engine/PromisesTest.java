@@ -19,8 +19,8 @@ import rasterlab.engine.study.Verdict.Kind;
 import rasterlab.engine.visibility.depth.DepthCoding;
 
 /**
- * Compares the promises of a contract beside the answer itself. What a mutant is listed for
- * is not here again: directions of pieces and polylines, the order of rows, ends that stay.
+ * Compares the promises of a contract beside the answer itself. What a mutant is listed for is not
+ * here again: directions of pieces and polylines, the order of rows, ends that stay.
  */
 class PromisesTest {
     @Test

@@ -14,7 +14,7 @@ public record RoundTicks(int digit, int exponent) {
     /** The number of digits from which on numbers are written with a power of ten. */
     private static final int LONG = 7;
 
-    RoundTicks {
+    public RoundTicks {
         if (digit != 1 && digit != 2 && digit != 5)
             throw new IllegalArgumentException("digit must be 1, 2 or 5, got " + digit);
     }

@@ -42,7 +42,8 @@ final class TourCommand implements Callable<Integer> {
     @Option(
             names = "--untimed",
             hidden = true,
-            description = "with --quick: studies run each method once, for a look at everything else")
+            description =
+                    "with --quick: studies run each method once, for a look at everything else")
     private boolean untimed;
 
     TourCommand(Console console) {

@@ -16,12 +16,12 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.EdgeArrow;
 import rasterlab.app.canvas.PictureType;
-import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.StageNote;
+import rasterlab.app.canvas.ZoomedGrid;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.Segment;
 

@@ -12,8 +12,9 @@ import rasterlab.engine.visibility.depth.DepthRows;
 import rasterlab.engine.visibility.depth.StoredDepths;
 
 /**
- * Shows depths by the surface that is seen in each pixel. The depth test keeps what was drawn first where
- * codes are equal, so what it shows depends on the order of drawing: both ends of it are shown.
+ * Shows depths by the surface that is seen in each pixel. The depth test keeps what was drawn first
+ * where codes are equal, so what it shows depends on the order of drawing: both ends of it are
+ * shown.
  */
 final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
     private static final int[] COLOURS = {

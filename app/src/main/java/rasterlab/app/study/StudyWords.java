@@ -10,7 +10,7 @@ import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 
-/** What a chart or a table says about a study, in one language. */
+/** The words of a chart or a table of a study, in one language. */
 public final class StudyWords {
     private final Texts texts;
     private final TopicNames called;
@@ -44,7 +44,7 @@ public final class StudyWords {
         return OwnWords.called(method, texts.language());
     }
 
-    /** What is counted, as it stands behind "per"; in English where it has no translation. */
+    /** The unit that is counted, as it stands behind "per"; in English where it has no translation. */
     public String item(Study study) {
         return own(study).textOr("item", texts.textOr(itemKey(study.item()), study.item()));
     }
@@ -122,7 +122,7 @@ public final class StudyWords {
         return texts.text("chart.error", errorUnit(study));
     }
 
-    /** What stands for the errors that count as none. */
+    /** The sign for errors that count as none. */
     public String exactShort() {
         return texts.text("front.exact");
     }
@@ -171,7 +171,7 @@ public final class StudyWords {
                 String.format(locale(), "%.2f", margin));
     }
 
-    /** What stands for an error of zero. */
+    /** The sign for an error of zero. */
     public String exact() {
         return texts.text("chart.exact");
     }
@@ -191,7 +191,7 @@ public final class StudyWords {
         return texts.text("chart.notTimed");
     }
 
-    /** What a workload of the topic draws, cuts or counts. */
+    /** The things that a workload of the topic draws, cuts or counts. */
     public String workload(String topic, String name) {
         return workloads.workload(topic, name);
     }

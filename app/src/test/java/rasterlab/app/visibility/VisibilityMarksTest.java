@@ -18,7 +18,9 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.engine.pipeline.Renderer;
 
-/** Checks what stands over the pictures, and how long: marks of wrong pixels, problems with files. */
+/**
+ * Checks what stands over the pictures, and how long: marks of wrong pixels, problems with files.
+ */
 @Timeout(300)
 class VisibilityMarksTest {
     private final ModelThread thread = new ModelThread();

@@ -10,7 +10,9 @@ import rasterlab.engine.geometry.meeting.PlaneAndLines;
 final class LinePlaneBorders {
     private static final LinePlaneTopic TOPIC = new LinePlaneTopic();
 
-    /** The error that UnroundedMeeting allows for its own rounding, and a step of the answer's own. */
+    /**
+     * The error that UnroundedMeeting allows for its own rounding, and a step of the answer's own.
+     */
     private static final double SHARE = 5 * 0x1p-53;
 
     private LinePlaneBorders() {}

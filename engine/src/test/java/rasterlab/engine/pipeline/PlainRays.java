@@ -6,8 +6,8 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * Finds what a pixel shows from the ray through its centre alone: no projection, no clipping, no tables.
- * Written without any of the renderer's code.
+ * Finds what a pixel shows from the ray through its centre alone: no projection, no clipping, no
+ * tables. Written without any of the renderer's code.
  */
 final class PlainRays {
     /** The triangle that a ray meets, and the weights of its corners there. */

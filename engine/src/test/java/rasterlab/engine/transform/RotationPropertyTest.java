@@ -14,7 +14,9 @@ import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 
-/** Checks properties of every rotation, about the origin of the plane and about any line of space. */
+/**
+ * Checks properties of every rotation, about the origin of the plane and about any line of space.
+ */
 class RotationPropertyTest {
     private static final int TRIES = 300;
 

@@ -215,7 +215,10 @@ public final class NewFolder {
         return TopicWords.of(topic.name(), language).getString("title");
     }
 
-    /** The name of something in the words about the topic; the same for both languages where they have none. */
+    /**
+     * The name of something in the words about the topic; the same for both languages where they
+     * have none.
+     */
     private ObjectNode titles(String key, String otherwise) {
         return both(word(key, Locale.ENGLISH, otherwise), word(key, RUSSIAN, otherwise));
     }

@@ -20,7 +20,8 @@ public final class SentencesFile {
     private SentencesFile() {}
 
     /**
-     * The complaints of each reader about a text without the field {@code f}, and about one with each value in it: a line each.
+     * The complaints of each reader about a text without the field {@code f}, and about one with
+     * each value in it: a line each.
      *
      * @param readers by their names
      * @param said reads a text and tells what came of it

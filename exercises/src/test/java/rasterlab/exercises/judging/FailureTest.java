@@ -6,7 +6,9 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.score.Answer;
 
-/** The message of an exception is English: a Russian report quotes it within a sentence of its own. */
+/**
+ * The message of an exception is English: a Russian report quotes it within a sentence of its own.
+ */
 class FailureTest {
     @Test
     @DisplayName("a Russian report is the exception's English alone")

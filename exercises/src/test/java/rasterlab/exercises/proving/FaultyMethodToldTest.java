@@ -22,7 +22,10 @@ import rasterlab.exercises.topic.TopicGradings;
 class FaultyMethodToldTest {
     private static final long SEED = 20261127;
 
-    /** The visible fault of a method is told first: its other faults need a radius that few cases have. */
+    /**
+     * The visible fault of a method is told first: its other faults need a radius that few cases
+     * have.
+     */
     @ParameterizedTest(name = "the name alone stands for a mistake: {0}")
     @CsvSource(
             delimiter = '|',

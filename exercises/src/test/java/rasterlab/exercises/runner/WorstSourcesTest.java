@@ -32,7 +32,9 @@ import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
 
 /**
- * The server's own work on the worst sources of the allowed size, before and after they are compiled, is bounded: by processor time, which does not grow when other programs run, and by all that is allocated, whether it is kept or not.
+ * The server's own work on the worst sources of the allowed size, before and after they are
+ * compiled, is bounded: by processor time, which does not grow when other programs run, and by all
+ * that is allocated, whether it is kept or not.
  */
 @Tag("slow")
 class WorstSourcesTest {

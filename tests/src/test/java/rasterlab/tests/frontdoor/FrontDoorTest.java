@@ -23,7 +23,10 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
 
-/** All tests that need the fresh copy stand in one class: another process would build one of its own. */
+/**
+ * All tests that need the fresh copy stand in one class: another process would build one of its
+ * own.
+ */
 @Tag("slow")
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
 @ExtendWith(FreshCopy.Provider.class)

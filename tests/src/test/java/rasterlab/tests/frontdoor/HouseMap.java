@@ -30,7 +30,10 @@ final class HouseMap {
     private static final int LINE = 18;
     private static final int TOP = 64;
 
-    /** The packages that each package uses, by module; a package is named by the first word below its module. */
+    /**
+     * The packages that each package uses, by module; a package is named by the first word below
+     * its module.
+     */
     private final Map<String, Map<String, Set<String>>> uses = new TreeMap<>();
 
     private final Map<String, Set<String>> otherModules = new TreeMap<>();

@@ -60,7 +60,9 @@ class ReadmeTest {
         var view = (SceneView) SceneFile.read(block.group(1));
         for (var settings : List.of(SceneSetting.OF_VIEW, SceneSetting.OF_LOOK))
             for (var setting : settings)
-                assertTrue(view.settings().get(setting).isPresent(), name + ": show " + setting + " in the scene file");
+                assertTrue(
+                        view.settings().get(setting).isPresent(),
+                        name + ": show " + setting + " in the scene file");
     }
 
     @Test
@@ -77,10 +79,16 @@ class ReadmeTest {
         var russian = Readme.codes(Readme.text("README.ru.md"));
         var missing = new TreeSet<>(english);
         missing.removeAll(russian);
-        assertEquals(new TreeSet<>(), missing, "name these in README.ru.md, or take them out of README.md");
+        assertEquals(
+                new TreeSet<>(),
+                missing,
+                "name these in README.ru.md, or take them out of README.md");
         var extra = new TreeSet<>(russian);
         extra.removeAll(english);
-        assertEquals(new TreeSet<>(), extra, "name these in README.md, or take them out of README.ru.md");
+        assertEquals(
+                new TreeSet<>(),
+                extra,
+                "name these in README.md, or take them out of README.ru.md");
     }
 
     @ParameterizedTest

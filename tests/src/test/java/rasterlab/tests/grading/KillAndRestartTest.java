@@ -40,7 +40,8 @@ class KillAndRestartTest {
     private static final String FAST = source(Solutions.RIGHT);
 
     /**
-     * The call that a slow submission is in when the server dies; the fast one behind it waits for its turn.
+     * The call that a slow submission is in when the server dies; the fast one behind it waits for
+     * its turn.
      */
     enum Moment {
         RUNNING("\"state\":\"running\""),

@@ -26,7 +26,8 @@ class ServerWordsTest {
             Pattern.compile("\\b(the|no|of|at|you|only|must|this|send)\\b");
 
     /**
-     * The refusals that the window never causes, since it makes requests as they should be, or tells by its own words, as that there are no more hints.
+     * The refusals that the window never causes, since it makes requests as they should be, or
+     * tells by its own words, as that there are no more hints.
      */
     private static final Set<Class<?>> OF_OTHER_CLIENTS =
             Set.of(

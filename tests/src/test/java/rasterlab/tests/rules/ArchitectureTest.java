@@ -67,8 +67,7 @@ class ArchitectureTest {
                 .dependOnClassesThat()
                 .resideInAnyPackage(
                         "rasterlab.exercises..", "rasterlab.app..", "rasterlab.grader..")
-                .because(
-                        "the engine is used by the other modules: pass in what it needs")
+                .because("the engine is used by the other modules: pass in what it needs")
                 .check(classes);
     }
 
@@ -81,8 +80,7 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage(SWING)
-                .because(
-                        "only the app has a window: move the use there")
+                .because("only the app has a window: move the use there")
                 .check(classes);
     }
 
@@ -94,8 +92,7 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage("rasterlab.app..", "rasterlab.grader..")
-                .because(
-                        "app and grader use the exercises: pass in what they need")
+                .because("app and grader use the exercises: pass in what they need")
                 .check(classes);
     }
 
@@ -132,8 +129,7 @@ class ArchitectureTest {
                         "rasterlab.contract..",
                         "java..",
                         "javax.tools..")
-                .because(
-                        "a student's code could read it: send what the child needs over the wire")
+                .because("a student's code could read it: send what the child needs over the wire")
                 .check(classes);
     }
 
@@ -147,8 +143,7 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAnyPackage(SWING)
-                .because(
-                        "a model is tested without a window: move the use to the panel")
+                .because("a model is tested without a window: move the use to the panel")
                 .check(classes);
     }
 
@@ -235,7 +230,8 @@ class ArchitectureTest {
                 .and()
                 .areNotFinal()
                 .should(beWrittenByTheCompiler())
-                .because("two labs or requests would share it: make it final or a field of an object")
+                .because(
+                        "two labs or requests would share it: make it final or a field of an object")
                 .allowEmptyShould(true)
                 .check(classes);
     }

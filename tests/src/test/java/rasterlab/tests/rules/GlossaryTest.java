@@ -46,7 +46,10 @@ class GlossaryTest {
         for (Glossary.Term term : Glossary.read().terms())
             for (String name : List.of("en " + term.en(), "ru " + term.ru()))
                 if (!names.add(name)) twice.add(name);
-        assertEquals(List.of(), twice, "glossary.json has two terms of one name: rename one or take it out");
+        assertEquals(
+                List.of(),
+                twice,
+                "glossary.json has two terms of one name: rename one or take it out");
     }
 
     @Test
@@ -58,7 +61,10 @@ class GlossaryTest {
             if (!term.english().matcher(english).find()) unused.add(term.en());
             if (!term.russian().matcher(russian).find()) unused.add(term.ru());
         }
-        assertEquals(List.of(), unused, "glossary.json has terms that no text uses: take them out or use them");
+        assertEquals(
+                List.of(),
+                unused,
+                "glossary.json has terms that no text uses: take them out or use them");
     }
 
     @Test

@@ -45,7 +45,10 @@ class MatrixRowsTest {
             var found = new ArrayList<String>();
             for (JavaFileObject file : manager.getJavaFileObjectsFromPaths(files))
                 found.addAll(wrong(file));
-            assertEquals(List.of(), found, "write each row of these matrices on a line of its own and end it with //, which keeps it");
+            assertEquals(
+                    List.of(),
+                    found,
+                    "write each row of these matrices on a line of its own and end it with //, which keeps it");
         }
     }
 

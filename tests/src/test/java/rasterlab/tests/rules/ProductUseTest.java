@@ -27,7 +27,8 @@ import org.junit.jupiter.api.Test;
  * what nobody names is deleted.
  *
  * <p>The contract is what students call, so it is not judged. Of Kotlin the compiler's own methods
- * and properties are left out: options, JSON and records of a database are set and read by libraries.
+ * and properties are left out: options, JSON and records of a database are set and read by
+ * libraries.
  */
 class ProductUseTest {
     /** Programs: Java itself starts them. */
@@ -124,7 +125,10 @@ class ProductUseTest {
         return false;
     }
 
-    /** Whether the compiler writes the method, Java or a library calls it, or a caller knows it by a wider type. */
+    /**
+     * Whether the compiler writes the method, Java or a library calls it, or a caller knows it by a
+     * wider type.
+     */
     private static boolean isForOthers(JavaMethod method) {
         JavaClass owner = method.getOwner();
         return method.getModifiers().contains(JavaModifier.SYNTHETIC)

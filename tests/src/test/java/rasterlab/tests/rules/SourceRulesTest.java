@@ -47,7 +47,8 @@ class SourceRulesTest {
                         .filter(file -> lines(file) > LARGEST_FILE)
                         .map(file -> name(file) + " has " + lines(file) + " lines")
                         .toList();
-        assertEquals(List.of(), tooLarge, "split each file of more than " + LARGEST_FILE + " lines");
+        assertEquals(
+                List.of(), tooLarge, "split each file of more than " + LARGEST_FILE + " lines");
     }
 
     @Test

@@ -59,8 +59,7 @@ class TopicListsTest {
         for (Path file : Repository.sources(".properties"))
             if (file.toString().contains("/src/main/") && isList(keysOf(file), MOST_IN_BUNDLES))
                 lists.add(Repository.root().relativize(file).toString());
-        assertEquals(
-                List.of(), lists, "move texts of topics to exercises/words/TOPIC.properties");
+        assertEquals(List.of(), lists, "move texts of topics to exercises/words/TOPIC.properties");
     }
 
     private static List<String> lists(List<Path> sources, String folder, int most) {

@@ -5,7 +5,8 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * The calls that the event thread must never make, told from its stack alone: no clock is asked, so a slow machine changes nothing.
+ * The calls that the event thread must never make, told from its stack alone: no clock is asked, so
+ * a slow machine changes nothing.
  */
 enum Blame {
     WAITS("waits for another thread, a process or the clock"),

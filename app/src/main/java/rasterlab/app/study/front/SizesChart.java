@@ -31,7 +31,7 @@ public final class SizesChart implements StudyPicture {
     private static final int AXIS = 46;
     private static final int MARK = 9;
 
-    /** What grows. */
+    /** The quantity that grows. */
     public enum Of {
         COST,
         ERROR

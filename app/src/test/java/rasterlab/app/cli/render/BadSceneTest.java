@@ -23,7 +23,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Ran;
 import rasterlab.engine.pipeline.Renderer;
 
-/** Scenes as none should be: each is drawn by every visibility method, or refused with the value. */
+/**
+ * Scenes as none should be: each is drawn by every visibility method, or refused with the value.
+ */
 @Tag("slow")
 class BadSceneTest {
     private static final Duration LONG = ofSeconds(300);

@@ -125,7 +125,10 @@ class TopicViewTest {
         return new VisibleFacesTopic().hazards().stream();
     }
 
-    /** An input that cannot be given to the tab's methods is drawn as the topic's method has found it. */
+    /**
+     * An input that cannot be given to the tab's methods is drawn as the topic's method has found
+     * it.
+     */
     @ParameterizedTest
     @MethodSource("bodies")
     void facesThatAMethodGetsWrongLookWrong(Hazard<Body> hazard) {

@@ -73,7 +73,8 @@ public final class ExactCurve {
         return row[0];
     }
 
-    private static void lines(BinaryFraction[] row, int count, BinaryFraction perWidth, BinaryFraction u, int first) {
+    private static void lines(
+            BinaryFraction[] row, int count, BinaryFraction perWidth, BinaryFraction u, int first) {
         for (int i = 0; i < count; i++) {
             BinaryFraction share = u.minus(BinaryFraction.of(first + i)).times(perWidth);
             row[i] = row[i].plus(share.times(row[i + 1].minus(row[i])));

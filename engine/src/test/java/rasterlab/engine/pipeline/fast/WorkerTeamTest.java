@@ -209,7 +209,8 @@ class WorkerTeamTest {
     private static void allAtOnce(WorkerTeam team) {
         var workers = new AtomicIntegerArray(team.threads.length);
         onEach(team, worker -> workers.set(worker, 1));
-        for (int k = 0; k < team.threads.length; k++) assertEquals(1, workers.get(k), "worker " + k);
+        for (int k = 0; k < team.threads.length; k++)
+            assertEquals(1, workers.get(k), "worker " + k);
     }
 
     private static void await(CyclicBarrier barrier) {

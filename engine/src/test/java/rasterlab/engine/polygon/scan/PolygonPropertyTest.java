@@ -18,7 +18,9 @@ import net.jqwik.api.constraints.IntRange;
 import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
 
-/** Checks properties of every right filling on polygons that shrink to the smallest counterexample. */
+/**
+ * Checks properties of every right filling on polygons that shrink to the smallest counterexample.
+ */
 class PolygonPropertyTest {
     private static final int SIDE = 24;
     private static final List<PolygonFiller> RIGHT =

@@ -66,7 +66,8 @@ class DyadicTest {
         BigInteger tie = BigInteger.ONE.shiftLeft(200).setBit(147);
         assertEquals(sign, new BinaryFraction(signed(sign, tie), 200).toDouble());
         assertEquals(
-                sign * Math.nextUp(1.0), new BinaryFraction(signed(sign, tie.setBit(0)), 200).toDouble());
+                sign * Math.nextUp(1.0),
+                new BinaryFraction(signed(sign, tie.setBit(0)), 200).toDouble());
     }
 
     @ParameterizedTest(name = "what a division leaves is lost: {0}")

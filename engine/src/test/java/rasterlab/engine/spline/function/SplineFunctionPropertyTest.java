@@ -11,7 +11,10 @@ import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 import rasterlab.engine.study.Deviation;
 
-/** Checks the promises of a spline on random knots whose widths differ by up to a factor of a thousand. */
+/**
+ * Checks the promises of a spline on random knots whose widths differ by up to a factor of a
+ * thousand.
+ */
 class SplineFunctionPropertyTest {
     private static final SplineFunctionTopic TOPIC = new SplineFunctionTopic();
     private static final double CLOSE = 1e-9;

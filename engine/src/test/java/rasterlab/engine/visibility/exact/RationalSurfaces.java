@@ -10,8 +10,10 @@ import rasterlab.engine.visibility.PixelPoint;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * Finds by force what is seen at each pixel by the rules of {@link ExactVisibility}: every line of sight is met with every face in quotients of whole numbers, in the world, where a point of the line is compared with the polygon in two of its coordinates. It shares nothing with what it checks but
- * the rules.
+ * Finds by force what is seen at each pixel by the rules of {@link ExactVisibility}: every line of
+ * sight is met with every face in quotients of whole numbers, in the world, where a point of the
+ * line is compared with the polygon in two of its coordinates. It shares nothing with what it
+ * checks but the rules.
  */
 final class RationalSurfaces {
     private static final Rational TOLERANCE = Rational.of(0x1p-40);
