@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
@@ -375,7 +374,7 @@ public record Exercise(
     /**
      * The rules for inputs on which faulty methods fail.
      *
-     * @param inputs the most that may be handed in together, from 1
+     * @param inputs the most that may be handed in together
      * @param sizePoints for small ones; the faulty methods share the rest
      * @param small characters of JSON without white space that earn all of them
      * @param large characters that earn none of them, more than {@code small}
@@ -383,13 +382,6 @@ public record Exercise(
     public record Breaking(int inputs, int sizePoints, int small, int large) {
         /** The name of the case that pays for small inputs. */
         public static final String SIZE = "small-input";
-
-        public Breaking {
-            Bounds.requireAtLeast("inputs", inputs, 1);
-            if (large <= small)
-                throw new IllegalArgumentException(
-                        "large must be more than small, %d, got %d".formatted(small, large));
-        }
 
         /** The points for inputs of so many characters, before what is left unbroken counts. */
         public double sizePoints(int characters) {

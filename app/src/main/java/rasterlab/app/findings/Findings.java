@@ -47,7 +47,7 @@ public final class Findings {
     private final Consumer<String> progress;
     private final BooleanSupplier stopped;
 
-    /** Tells what became of a topic: its first sentence, or why there is none. */
+    /** The finding about a topic: its first sentence, or why there is none. */
     private record Found(boolean whole, String sentence) {}
 
     /**

@@ -22,8 +22,7 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.PaceComparison;
 
 /**
- * Tells what the numbers of one topic say, in a few sentences: who wins where, what accuracy costs,
- * and where it fails first. Nothing is said of times that are not told apart but that they are not.
+ * Says in a few sentences what the numbers of one topic show: who wins where, what accuracy costs, and where it fails first. Nothing is said of times that are not told apart but that they are not.
  */
 final class FoundWords {
     private final Topic<?, ?, ?> topic;
@@ -82,7 +81,7 @@ final class FoundWords {
                 : wins + " " + texts.text("wins.open", String.join("; ", open));
     }
 
-    /** Tells what the quickest exact method costs beside the quickest of all. */
+    /** The price of the quickest exact method beside the quickest of all. */
     private Optional<String> price() {
         List<Measurement> places = front.ranking().places();
         if (places.isEmpty()) return Optional.empty();

@@ -156,7 +156,7 @@ public final class HazardPage<C, I, O> {
                 .toString();
     }
 
-    /** Tells what a method made of the hazard, under guard, since an answer may be huge. */
+    /** The picture of a method's answer to the hazard, under guard, since an answer may be huge. */
     private Optional<CasePicture> picture(Hazard<I> hazard, Tried<O> tried) {
         if (tried.made().isEmpty()) return Optional.empty();
         var drawn =

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.contract.Reflection;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;

@@ -1,6 +1,7 @@
 package rasterlab.app.line;
 
 import java.util.Optional;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * The state that the lab shows at one moment.
@@ -11,6 +12,11 @@ import java.util.Optional;
  * @param arrangement changes when the stage should show the whole segment again
  */
 public record LineLabState(LineChoice choice, LineDrawings drawings, int step, int arrangement) {
+    public LineLabState {
+        int all = drawings.drawing().pixels();
+        Bounds.require("step", step, Math.min(1, all), all);
+    }
+
     /** The drawing of the chosen method. */
     public LineDrawing drawing() {
         return drawings.drawing();

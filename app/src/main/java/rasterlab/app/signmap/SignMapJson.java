@@ -49,7 +49,7 @@ public final class SignMapJson {
         out.writeEndObject();
     }
 
-    /** What is said of a point. */
+    /** The words about a point. */
     @FunctionalInterface
     private interface Said {
         int at(int column, int row);

@@ -41,7 +41,7 @@ public final class SignMaps {
         return SignSubject.of(Topics.named(topic));
     }
 
-    /** What was counted, as comma-separated values. */
+    /** The counts, as comma-separated values. */
     public static String csv(List<SignMap> maps) {
         var rows = new StringJoiner("\r\n", "", "\r\n");
         rows.add("predicate,method,numbers,x,y,points,wrong,more,less,unanswered,share");

@@ -34,7 +34,7 @@ final class SignPainter {
         minus = MethodColours.mix(look.ground(), MethodColours.GREY, MINUS);
     }
 
-    /** What a dot of the picture shows. */
+    /** The meaning of a dot of the picture. */
     enum Dot {
         PLUS,
         ZERO,

@@ -87,7 +87,7 @@ public final class SignWindow extends JDialog {
         setLocationRelativeTo(getOwner());
     }
 
-    /** What the picture shows, for those who do not see it. */
+    /** The picture in words, for those who do not see it. */
     private static String words(List<SignMap> maps, Language language) {
         Texts texts = Texts.of("signmap", language);
         return maps.stream()

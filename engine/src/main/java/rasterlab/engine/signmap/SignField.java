@@ -11,7 +11,7 @@ import rasterlab.engine.predicate.Spacing;
  * @param low the least y, above 0
  */
 record SignField(Spacing spacing, int size, double left, double low) {
-    /** What is said of each point, row after row from the lowest. */
+    /** The answers for all points, row after row from the lowest. */
     byte[] answers(Sign sign) {
         var answers = new byte[size * size];
         IntStream.range(0, answers.length)

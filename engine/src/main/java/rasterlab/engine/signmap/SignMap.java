@@ -3,7 +3,7 @@ package rasterlab.engine.signmap;
 import rasterlab.engine.predicate.Spacing;
 
 /**
- * What a method says of a square of neighbouring points, beside what is right.
+ * The answers of a method for a square of neighbouring points, beside the right ones.
  *
  * <p>A sign is −1, 0 or 1; of a question that is answered by yes or no, 1 is yes and 0 is no.
  */

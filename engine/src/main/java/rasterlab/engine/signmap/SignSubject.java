@@ -14,7 +14,7 @@ public interface SignSubject {
     List<String> methods();
 
     /**
-     * What that method answers.
+     * The answers of that method.
      *
      * @throws IllegalArgumentException if there is none of that name; lists those there are
      */

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.exercises.Predicting;
 import rasterlab.exercises.Predicting.Asked;
 import rasterlab.exercises.score.Message;
@@ -20,6 +21,7 @@ import rasterlab.exercises.score.Message;
 public record Question(
         Predicting rules, int number, String input, List<JsonNode> before, JsonNode step) {
     public Question {
+        Bounds.requireAtLeast("number", number, 1);
         before = List.copyOf(before);
     }
 

@@ -61,7 +61,7 @@ public record MethodCase(
     }
 
     /**
-     * What a search for hazards says of an input.
+     * The remark of a search for hazards on an input.
      *
      * @param verdict that the method earned on it, such as "wrong"
      * @param seed of the search

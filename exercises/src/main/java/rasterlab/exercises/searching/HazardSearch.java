@@ -151,7 +151,7 @@ public final class HazardSearch<C, I, O> {
         return Optional.empty();
     }
 
-    /** What takes long is not changed again: hundreds of others can be tried instead. */
+    /** An input that takes long is not changed again: hundreds of others can be tried instead. */
     private void forget() {
         slow++;
         if (changedOf >= 0 && kept.size() > 1) kept.remove(changedOf);
@@ -172,7 +172,7 @@ public final class HazardSearch<C, I, O> {
                 || kind == Verdict.Kind.CRASHED;
     }
 
-    /** What the method does with an input; empty where that says nothing of the method. */
+    /** The verdict on the method for an input; empty where it says nothing of the method. */
     private Optional<Verdict> verdict(I input) {
         var exact =
                 Guard.call("exact answer", () -> HazardTrial.judging(topic, input, LIMIT), LIMIT);

@@ -1,6 +1,6 @@
 package rasterlab.exercises.searching;
 
-/** What a search tells while it goes on, on the thread that searches. */
+/** Receives the progress of a search, on the thread that searches. */
 public interface SearchTold {
     /** Tells how many inputs were tried so far, every now and then. */
     void tried(long inputs);

@@ -22,7 +22,7 @@ class HazardSearchTest {
     /** Ample: each of these is found with the first few inputs. */
     private static final Duration TIME = Duration.ofMinutes(2);
 
-    /** What a search told, in its order. */
+    /** The messages of a search, in their order. */
     private static final class Heard implements SearchTold {
         final List<Find> finds = new ArrayList<>();
 

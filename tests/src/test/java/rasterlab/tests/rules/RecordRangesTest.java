@@ -121,7 +121,7 @@ class RecordRangesTest {
         return said.find() ? said.group(1).strip() : "";
     }
 
-    /** Its body, to the first line that closes it; empty where the record has none. */
+    /** The body of the compact constructor, to the first line that closes it; empty where the record has none. */
     private static String compactConstructor(String name, String body) {
         Matcher constructor =
                 Pattern.compile(

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wireframe;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 /**
@@ -30,6 +31,7 @@ public record ListChoice(
     public static final int MOST = 12;
 
     public ListChoice {
+        Bounds.requireAtLeast("selected", selected, -1);
         points = List.copyOf(points);
         items = List.copyOf(items);
     }

@@ -3,6 +3,7 @@ package rasterlab.app.coordinates.view;
 import java.util.EnumMap;
 import java.util.Map;
 import rasterlab.app.coordinates.figure.Viewpoint;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * The user's choice, which undo brings back.
@@ -24,6 +25,7 @@ public record ViewChoice(
         String method,
         Viewpoint viewpoint) {
     public ViewChoice {
+        Bounds.requireAtLeast("vertex", vertex, 1);
         numbers = Map.copyOf(numbers);
     }
 

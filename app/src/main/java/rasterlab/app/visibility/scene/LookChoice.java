@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.app.model.TextureChange;
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.DrawnDepths;

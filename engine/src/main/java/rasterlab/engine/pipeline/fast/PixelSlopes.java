@@ -79,7 +79,7 @@ final class PixelSlopes {
         return right[quantity.ordinal()];
     }
 
-    /** Its growth downward. */
+    /** The growth of a quantity downward. */
     float[] down(VertexQuantity quantity) {
         return down[quantity.ordinal()];
     }

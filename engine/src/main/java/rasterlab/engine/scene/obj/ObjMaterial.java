@@ -2,6 +2,7 @@ package rasterlab.engine.scene.obj;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.engine.geometry.Bounds;
 
 /**
  * How the faces of a model look. Colours are red, green and blue, 0 to 1 unless a light shines
@@ -51,6 +52,8 @@ public record ObjMaterial(
     }
 
     public ObjMaterial {
+        Bounds.require("shininess", shininess, 0, 1000);
+        Bounds.require("illumination", illumination, 0, 10);
         ambient = List.copyOf(ambient);
         diffuse = List.copyOf(diffuse);
         specular = List.copyOf(specular);

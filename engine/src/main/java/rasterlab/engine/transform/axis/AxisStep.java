@@ -4,7 +4,7 @@ import rasterlab.engine.transform.CountingArithmetic;
 
 /** One of the seven steps: a shift, or a turn in the plane of two coordinates. */
 sealed interface AxisStep {
-    /** Its work, for the step-by-step view. */
+    /** The work of a step, for the step-by-step view. */
     String text();
 
     /** Does it to the point whose x stands at {@code at}. */

@@ -129,31 +129,22 @@ record TorusScene(int triangles, int width, int height) {
         return new TriangleView(toEye(), toClip());
     }
 
-    /** From there to −w ≤ x, y, z ≤ w, with the middle of the picture where a user has it. */
+    /** The way from there to −w ≤ x, y, z ≤ w, with the middle of the picture where a user has it. */
     Matrix4d toClip() {
         var fit = PictureFit.of(width, height, PICTURE_SCALE);
         double size = 2 * fit.pixelsPerUnit() * CAMERA.rho();
         double right = (2 * fit.toPixelX(0) + 1) / width - 1;
         double up = 1 - (2 * fit.toPixelY(0) + 1) / height;
         double deep = FAR - NEAR;
-        return new Matrix4d(
-                        size / width,
-                        0,
-                        right,
-                        0, //
-                        0,
-                        size / height,
-                        up,
-                        0, //
-                        0,
-                        0,
-                        (FAR + NEAR) / deep,
-                        -2 * FAR * NEAR / deep, //
-                        0,
-                        0,
-                        1,
-                        0)
-                .transpose()
+        return new Matrix4d()
+                .zero()
+                .m00(size / width)
+                .m20(right)
+                .m11(size / height)
+                .m21(up)
+                .m22((FAR + NEAR) / deep)
+                .m32(-2 * FAR * NEAR / deep)
+                .m23(1)
                 .mul(turned());
     }
 
