@@ -35,17 +35,6 @@ public final class TriedMethod {
     }
 
     /**
-     * Tries a method on some of the exercise's cases.
-     *
-     * @param method of the topic's contract
-     * @param seed draws the generated cases
-     */
-    public static TriedMethod on(
-            Exercise exercise, List<Case> cases, TopicGrading grading, Object method, long seed) {
-        return on(exercise, calls(exercise, cases, grading, seed), method);
-    }
-
-    /**
      * The calls of each of the exercise's cases, on which many methods may be tried: what is right
      * there is worked out once for all of them.
      */
@@ -54,7 +43,7 @@ public final class TriedMethod {
         return calls(exercise, exercise.cases(), grading, seed);
     }
 
-    private static Map<Case, List<TopicGrading.Call>> calls(
+    static Map<Case, List<TopicGrading.Call>> calls(
             Exercise exercise, List<Case> cases, TopicGrading grading, long seed) {
         Map<Case, List<TopicGrading.Call>> calls = new LinkedHashMap<>();
         for (Case one : cases) calls.put(one, grading.calls(one, exercise.tolerance(), seed));

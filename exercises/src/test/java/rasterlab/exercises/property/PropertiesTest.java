@@ -14,7 +14,7 @@ import rasterlab.engine.study.Mutant;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.proving.TriedMethod;
+import rasterlab.exercises.proving.Marked;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.topic.TopicGradings;
@@ -49,7 +49,7 @@ class PropertiesTest {
 
     private static List<String> broken(Exercise exercise, Object method, long seed) {
         List<Case> cases = properties(exercise);
-        return TriedMethod.on(exercise, cases, TopicGradings.of(exercise), method, seed).breaking();
+        return Marked.on(exercise, cases, TopicGradings.of(exercise), method, seed).breaking();
     }
 
     @ParameterizedTest(name = "a right method of {0} breaks a property")

@@ -1,6 +1,8 @@
 package rasterlab.exercises.proving;
 
+import java.util.List;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.marking.Marking;
 
@@ -15,6 +17,18 @@ public final class Marked {
      * @param seed draws the generated cases
      */
     public static Marking cases(Exercise exercise, TopicGrading grading, Object method, long seed) {
-        return TriedMethod.on(exercise, exercise.cases(), grading, method, seed).marking;
+        return on(exercise, exercise.cases(), grading, method, seed).marking;
+    }
+
+    /**
+     * Tries a method on some of the exercise's cases.
+     *
+     * @param method of the topic's contract
+     * @param seed draws the generated cases
+     */
+    public static TriedMethod on(
+            Exercise exercise, List<Case> cases, TopicGrading grading, Object method, long seed) {
+        return TriedMethod.on(
+                exercise, TriedMethod.calls(exercise, cases, grading, seed), method);
     }
 }

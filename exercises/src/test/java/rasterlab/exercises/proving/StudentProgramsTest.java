@@ -158,7 +158,7 @@ class StudentProgramsTest {
                         .filter(one -> one.visibility() == Disclosure.OPEN)
                         .toList();
         TriedMethod tried =
-                TriedMethod.on(
+                Marked.on(
                         exercise,
                         open,
                         TopicGradings.of(exercise),
