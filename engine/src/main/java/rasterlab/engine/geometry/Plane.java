@@ -50,6 +50,11 @@ public record Plane(Vector normal, double c) {
         return fits ? near1.shifted(shift) : near1;
     }
 
+    /** f(p) = Ax + By + Cz − c: positive on the side the normal points to, 0 on the plane. */
+    public double side(Vector p) {
+        return normal.dot(p) - c;
+    }
+
     /** |c| / |n|. */
     public double distanceFromOrigin() {
         return Math.abs(c) / normal.length();

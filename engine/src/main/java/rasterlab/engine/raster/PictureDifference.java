@@ -1,7 +1,5 @@
 package rasterlab.engine.raster;
 
-import rasterlab.engine.geometry.Bounds;
-
 /**
  * How a picture differs from the expected one, pixel by pixel.
  *
@@ -33,7 +31,9 @@ public record PictureDifference(
     private static final int ARM_LENGTH = 2;
 
     public PictureDifference {
-        Bounds.require("largestLevelDifference", largestLevelDifference, 0, 255);
+        if (largestLevelDifference < 0 || largestLevelDifference > 255)
+            throw new IllegalArgumentException(
+                    "largestLevelDifference must be from 0 to 255, got " + largestLevelDifference);
     }
 
     /**

@@ -19,11 +19,6 @@ class SpaceTest {
         return new Vector(x, y, z);
     }
 
-    /** f(p) = n·p − c: positive on the side the normal points to, 0 on the plane. */
-    private static double side(Vector p) {
-        return PLANE.normal().dot(p) - PLANE.c();
-    }
-
     @Test
     void unitVectorsTurnRightHanded() {
         assertEquals(at(0, 0, 1), at(1, 0, 0).cross(at(0, 1, 0)));
@@ -47,14 +42,14 @@ class SpaceTest {
     @Test
     void planeThroughThreePointsHoldsAllThree() {
         for (Vector point : new Vector[] {at(1, 0, 0), at(0, 2, 0), at(0, 0, 3)})
-            assertEquals(0, side(point), point.toString());
+            assertEquals(0, PLANE.side(point), point.toString());
     }
 
     @Test
     void sideHasOneSignOnEachSide() {
-        double origin = side(O);
-        assertTrue(origin * side(at(0.1, 0.1, 0.1)) > 0);
-        assertTrue(origin * side(at(2, 2, 2)) < 0);
+        double origin = PLANE.side(O);
+        assertTrue(origin * PLANE.side(at(0.1, 0.1, 0.1)) > 0);
+        assertTrue(origin * PLANE.side(at(2, 2, 2)) < 0);
     }
 
     @Test
@@ -62,7 +57,7 @@ class SpaceTest {
         // x/1 + y/2 + z/3 = 1, so the distance is 1/√(1 + 1/4 + 1/9) = 6/7.
         assertEquals(6.0 / 7, PLANE.distanceFromOrigin(), 1e-15);
         assertEquals(6.0 / 7, PLANE.nearestToOrigin().length(), 1e-15);
-        assertEquals(0, side(PLANE.nearestToOrigin()), 1e-14);
+        assertEquals(0, PLANE.side(PLANE.nearestToOrigin()), 1e-14);
     }
 
     @Test
