@@ -89,6 +89,16 @@ public final class HazardTrial {
     }
 
     /**
+     * Judges methods on {@code input}, whose right answer is worked out once for all of them.
+     *
+     * @param wallLimit the longest each may take
+     */
+    public static <C, I, O> Function<Method<C>, Verdict> judging(
+            Topic<C, I, O> topic, I input, Duration wallLimit) {
+        return trying(topic, input, wallLimit).andThen(Tried::verdict);
+    }
+
+    /**
      * The same with what the method made of it.
      *
      * @param wallLimit the longest it may take

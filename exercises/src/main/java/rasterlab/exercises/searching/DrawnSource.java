@@ -46,11 +46,6 @@ final class DrawnSource implements ValueSource {
     }
 
     @Override
-    public boolean startsText() {
-        return random.nextBoolean();
-    }
-
-    @Override
     public boolean isNull() {
         return random.nextInt(4) == 0;
     }
