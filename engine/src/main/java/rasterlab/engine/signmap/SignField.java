@@ -11,6 +11,12 @@ import rasterlab.engine.predicate.Spacing;
  * @param low the least y, above 0
  */
 record SignField(Spacing spacing, int size, double left, double low) {
+    SignField {
+        if (!(left > 0 && low > 0))
+            throw new IllegalArgumentException(
+                    "left and low must be above 0, got %s and %s".formatted(left, low));
+    }
+
     /** The answers for all points, row after row from the lowest. */
     byte[] answers(Sign sign) {
         var answers = new byte[size * size];
