@@ -35,7 +35,7 @@ public final class DraftFile implements Closeable {
     /** The ending of every draft of earlier versions. */
     private static final String EARLIER = "java";
 
-    /** What another window wrote. */
+    /** The text that another window wrote. */
     public record Other(String file, Instant changed, String text) {}
 
     private final Path folder;

@@ -10,7 +10,7 @@ import rasterlab.app.exercise.outcome.Notice;
  * @param field what of the form the problem is about
  */
 public record JoinAnswer(boolean joined, Notice problem, Field field) {
-    /** What the form asks for. */
+    /** The data that the form asks for. */
     public enum Field {
         ADDRESS,
         CODE,

@@ -37,12 +37,23 @@ public record Lamp(
         double cutoff,
         double exponent) {
     public static final double FAINTEST = 0.05;
+
+    public Lamp {
+        Bounds.require("rgb", rgb, 0, 0xFFFFFF);
+        Bounds.require("strength", strength, FAINTEST, STRONGEST);
+        Bounds.requireAtLeast("constant", constant, 0);
+        Bounds.requireAtLeast("linear", linear, 0);
+        Bounds.requireAtLeast("quadratic", quadratic, 0);
+        Bounds.require("cutoff", cutoff, 1, 90);
+        Bounds.require("exponent", exponent, 0, 128);
+    }
+
     public static final double STRONGEST = 20;
 
     /** World units that a distance of 1 in the attenuation stands for. */
     static final double UNIT = 100;
 
-    /** What a light is. */
+    /** The kind of a light. */
     public enum Kind {
         /** Shines from its place all around. */
         POINT,
@@ -104,7 +115,7 @@ public record Lamp(
                 kind, on, x, y, z, rgb, strength, constant, linear, quadratic, cutoff, other);
     }
 
-    /** What it sends out. */
+    /** The light that it sends out. */
     public LightSource source() {
         double[] light = {
             strength * (rgb >> 16 & 255) / 255,

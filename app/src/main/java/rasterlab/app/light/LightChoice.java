@@ -63,6 +63,8 @@ public record LightChoice(
             double fromX, double fromY, double toX, double toY, double atX, double atY) {}
 
     public LightChoice {
+        Bounds.require("zoom", zoom, SMALLEST, LARGEST);
+        Bounds.require("ambient", ambient, 0, 1);
         lamps = List.copyOf(lamps);
         terms = Set.copyOf(terms);
         // What an earlier version kept does not have it.
@@ -235,7 +237,7 @@ public record LightChoice(
         return with(next, Math.min(selected, next.size() - 1));
     }
 
-    /** What all lamps that shine make of the scene. */
+    /** The light of the scene with all lamps that shine. */
     public LightModel model() {
         double[] everywhere = {ambient, ambient, ambient};
         return new LightModel(

@@ -23,6 +23,15 @@ public record MaterialChoice(
         double emission,
         double shininess) {
     public static final double MOST = 2;
+
+    public MaterialChoice {
+        Bounds.require("ambient", ambient, 0, 2);
+        Bounds.require("diffuse", diffuse, 0, 2);
+        Bounds.require("specular", specular, 0, 2);
+        Bounds.require("emission", emission, 0, 1);
+        Bounds.require("shininess", shininess, 0, 200);
+    }
+
     public static final double SHINIEST = 200;
 
     public static MaterialChoice of(Substance substance) {

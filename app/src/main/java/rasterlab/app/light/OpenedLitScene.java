@@ -56,7 +56,7 @@ public record OpenedLitScene(LightChoice choice, List<String> notes, boolean who
 
     private static final String MODEL = ".obj";
 
-    /** What is opened by the ends of their names, lower-case. */
+    /** The files that are opened, by the ends of their names, lower-case. */
     public static final List<String> ENDINGS = List.of(MODEL, SceneText.EXTENSION);
 
     private static final List<Part<?>> PARTS =

@@ -43,7 +43,11 @@ public record PointReading(
      * @param added red, green, blue
      */
     public record OfLamp(
-            int number, double diffuse, double mirrored, double factor, double[] added) {}
+            int number, double diffuse, double mirrored, double factor, double[] added) {
+        public OfLamp {
+            Bounds.requireAtLeast("number", number, 1);
+        }
+    }
 
     static PointReading of(LightChoice choice, ViewedMesh view, SeenPoint seen) {
         Material material = LightTerm.only(choice.terms(), choice.material().material());

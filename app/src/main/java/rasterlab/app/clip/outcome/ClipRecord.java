@@ -8,7 +8,7 @@ import rasterlab.engine.clip.ClippedEnds;
 import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.study.Deviation;
 
-/** What a method does to segments, taken down while it runs. */
+/** Records what a method does to segments while it runs. */
 public final class ClipRecord {
     private final String method;
     private final boolean decidesByCode;

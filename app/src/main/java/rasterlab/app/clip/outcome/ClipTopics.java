@@ -71,7 +71,7 @@ public record ClipTopics(
         return ((VolumeScene) scene).showing((SegmentsInVolume) input);
     }
 
-    /** What the decision variable of a method is, as a formula; "" for one without. */
+    /** The formula of a method's decision variable; "" for one without. */
     public static String decisionFormula(Method<?> method) {
         if (method.implementation() instanceof SteppedSegmentClipper stepped)
             return stepped.decisionFormula();

@@ -54,7 +54,7 @@ public record Clipping(
         parts = List.copyOf(parts);
     }
 
-    /** What is left of one segment, if anything. */
+    /** The rest of one segment, if there is any. */
     public Optional<Part> part(int item) {
         return parts.stream().filter(part -> part.item() == item).findFirst();
     }

@@ -13,7 +13,7 @@ public final class Codes {
         return "0".repeat(Math.max(0, width - bits.length())) + bits;
     }
 
-    /** What a step decided by: a code, or t; "" where there was nothing to decide. */
+    /** The value that a step decided by: a code, or t; "" where there was nothing to decide. */
     public static String decision(boolean byCode, ClipStep step, Locale locale) {
         if (Double.isNaN(step.decision())) return "";
         return byCode

@@ -40,7 +40,12 @@ public record Outcome(
      * @param line from 1; 0 where none is known
      * @param column from 1; 0 where none is known
      */
-    public record Remark(int line, int column, Said said) {}
+    public record Remark(int line, int column, Said said) {
+        public Remark {
+            Bounds.requireAtLeast("line", line, 0);
+            Bounds.requireAtLeast("column", column, 0);
+        }
+    }
 
     public Outcome {
         cases = TriedCase.toldApart(cases);

@@ -35,7 +35,7 @@ import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.score.CaseReport;
 
-/** What was said to the source: verdict, points, every case with its reason and pictures. */
+/** The outcome of a source: verdict, points, every case with its reason and pictures. */
 public final class ResultPane extends JPanel {
     private static final long serialVersionUID = 1L;
 

@@ -21,7 +21,7 @@ import rasterlab.exercises.formula.Formulas;
 import rasterlab.exercises.formula.TexFormula;
 import rasterlab.exercises.formula.Typeset;
 
-/** What an exercise asks for, as a page. */
+/** The statement of an exercise, as a page. */
 public final class StatementPane extends JEditorPane implements Settling {
     private static final long serialVersionUID = 1L;
 

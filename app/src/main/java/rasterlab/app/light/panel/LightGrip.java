@@ -2,6 +2,7 @@ package rasterlab.app.light.panel;
 
 import rasterlab.engine.geometry.Bounds;
 
+
 /**
  * Something on the pictures that can be dragged.
  *
@@ -9,7 +10,11 @@ import rasterlab.engine.geometry.Bounds;
  * @param index of the lamp; 0 for the others
  */
 public record LightGrip(Kind kind, int index) {
-    /** What can be dragged. */
+    public LightGrip {
+        Bounds.requireAtLeast("index", index, 0);
+    }
+
+    /** The kind of thing that can be dragged. */
     public enum Kind {
         LAMP,
         FROM,

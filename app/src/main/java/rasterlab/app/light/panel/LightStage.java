@@ -119,7 +119,7 @@ public final class LightStage extends SelfDrawn implements Settling {
         return new Dimension(800, 600);
     }
 
-    /** What is shown, as an SVG document with the pictures in it. */
+    /** The stage as an SVG document with the pictures in it. */
     public SvgDrawing svg() {
         return SvgPicture.of(this, this::paintAll);
     }

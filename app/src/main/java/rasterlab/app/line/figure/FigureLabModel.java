@@ -40,7 +40,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     private int soughts;
 
-    /** The lab of somebody without programs of his own. */
+    /** A lab for a user without own programs. */
     public FigureLabModel(Executor events, Consumer<Throwable> onFailure) {
         this(new OwnMethods(), events, onFailure);
     }

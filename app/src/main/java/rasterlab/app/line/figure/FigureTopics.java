@@ -112,7 +112,7 @@ public record FigureTopics(
                 : Optional.empty();
     }
 
-    /** What the decision variable of a method is, as a formula; "" for one without. */
+    /** The formula of a method's decision variable; "" for one without. */
     public static String decisionFormula(Method<?> method) {
         if (method.implementation() instanceof SteppedCircle stepped)
             return stepped.decisionFormula();

@@ -19,7 +19,7 @@ public record CutAnswer(List<Cut> cuts, int of) implements PolygonAnswer {
      */
     public record Cut(int a, int b, int c, long turns, Fault fault) {}
 
-    /** What can be wrong with a triangle by itself. */
+    /** A fault that a triangle can have by itself. */
     public enum Fault {
         NONE,
         CLOCKWISE,

@@ -132,7 +132,7 @@ public record PolygonTopics(
                         y);
     }
 
-    /** What decides a method's steps, as a formula or in words; "" for one without steps. */
+    /** The decision of a method's steps, as a formula or in words; "" for one without steps. */
     public static String decisionFormula(Method<?> method) {
         Object implementation = method.implementation();
         if (implementation instanceof SteppedTriangleTest test) return test.valueFormula();

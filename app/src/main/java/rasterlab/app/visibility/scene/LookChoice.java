@@ -70,6 +70,8 @@ public record LookChoice(
                     List.of());
 
     public LookChoice {
+        Bounds.require("crease", crease, 0, 180);
+        Bounds.require("cue", cue, 0, 1);
         if (!(near >= 0 && near < far))
             throw new IllegalArgumentException(
                     "near must be from 0 to below far, got near %s, far %s".formatted(near, far));

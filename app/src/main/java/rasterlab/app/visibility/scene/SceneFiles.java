@@ -26,7 +26,7 @@ import rasterlab.exercises.scene.Settings;
 
 /** Scenes, models and textures from files, and views of scenes into files. */
 public final class SceneFiles {
-    /** What is opened by the ends of their names, lower-case. */
+    /** The files that are opened, by the ends of their names, lower-case. */
     public static final List<String> ENDINGS =
             List.of(SceneText.EXTENSION, ".obj", ".png", ".jpg", ".jpeg", ".gif", ".bmp");
 
@@ -45,12 +45,12 @@ public final class SceneFiles {
         }
     }
 
-    /** What the user opens. */
+    /** The files that the user opens. */
     public static Answer read(Path file) {
         return read(file, () -> isModel(file) ? model(file) : new Answer(opened(file), ""), "");
     }
 
-    /** What an earlier run showed. */
+    /** The view that an earlier run showed. */
     public static Answer read(ComingBack back) {
         return read(back.file(), back::read, back.instead());
     }

@@ -20,9 +20,9 @@ import rasterlab.app.spline.SplineMode;
 import rasterlab.app.spline.curve.Sampling;
 import rasterlab.contract.SplineEnds;
 
-/** What the tabs show besides what they open with. */
+/** The states of the tabs besides those they open with. */
 public final class LabStates {
-    /** What else the tab of splines shows, each with texts of its own. */
+    /** The other states of the tab of splines, each with texts of its own. */
     private static final List<Consumer<SplineLabModel>> OTHER_SPLINES =
             List.of(
                     model -> model.curve().chooseForm(CurveForm.PIECES),
@@ -54,7 +54,7 @@ public final class LabStates {
                     model -> model.rotation().chooseMethod("buneman-textbook"),
                     model -> model.show(CoordinatesMode.MEETING));
 
-    /** What else a tab shows, with texts of its own. */
+    /** Another state of a tab, with texts of its own. */
     public record Other(String tab, String name, Consumer<LabModels> change) {}
 
     public static List<Other> others() {
