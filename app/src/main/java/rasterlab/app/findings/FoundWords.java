@@ -22,7 +22,8 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.study.measuring.PaceComparison;
 
 /**
- * Says in a few sentences what the numbers of one topic show: who wins where, what accuracy costs, and where it fails first. Nothing is said of times that are not told apart but that they are not.
+ * Says in a few sentences what the numbers of one topic show: who wins where, what accuracy costs,
+ * and where it fails first. Nothing is said of times that are not told apart but that they are not.
  */
 final class FoundWords {
     private final Topic<?, ?, ?> topic;

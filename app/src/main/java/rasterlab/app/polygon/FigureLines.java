@@ -11,7 +11,6 @@ import java.util.List;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.polygon.figure.PolygonPoint;
 
 /** Lines of a figure on the stage. */

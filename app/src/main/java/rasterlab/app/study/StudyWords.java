@@ -44,7 +44,9 @@ public final class StudyWords {
         return OwnWords.called(method, texts.language());
     }
 
-    /** The unit that is counted, as it stands behind "per"; in English where it has no translation. */
+    /**
+     * The unit that is counted, as it stands behind "per"; in English where it has no translation.
+     */
     public String item(Study study) {
         return own(study).textOr("item", texts.textOr(itemKey(study.item()), study.item()));
     }

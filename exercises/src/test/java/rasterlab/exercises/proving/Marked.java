@@ -28,7 +28,6 @@ public final class Marked {
      */
     public static TriedMethod on(
             Exercise exercise, List<Case> cases, TopicGrading grading, Object method, long seed) {
-        return TriedMethod.on(
-                exercise, TriedMethod.calls(exercise, cases, grading, seed), method);
+        return TriedMethod.on(exercise, TriedMethod.calls(exercise, cases, grading, seed), method);
     }
 }

@@ -121,7 +121,10 @@ class RecordRangesTest {
         return said.find() ? said.group(1).strip() : "";
     }
 
-    /** The body of the compact constructor, to the first line that closes it; empty where the record has none. */
+    /**
+     * The body of the compact constructor, to the first line that closes it; empty where the record
+     * has none.
+     */
     private static String compactConstructor(String name, String body) {
         Matcher constructor =
                 Pattern.compile(

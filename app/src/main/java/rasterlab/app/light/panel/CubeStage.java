@@ -85,7 +85,10 @@ final class CubeStage extends SelfDrawn {
         if (!said.isEmpty()) Plates.sentenceAbove(g, said, getWidth(), getHeight() - 12);
     }
 
-    /** The words below the cube: of the hazard, else the reason why the user's program has no answer. */
+    /**
+     * The words below the cube: of the hazard, else the reason why the user's program has no
+     * answer.
+     */
     private String said() {
         Optional<HazardNote> note = model.state().note();
         if (note.isPresent()) return note.get().in(texts.language());

@@ -2,7 +2,6 @@ package rasterlab.app.light.panel;
 
 import rasterlab.engine.geometry.Bounds;
 
-
 /**
  * Something on the pictures that can be dragged.
  *

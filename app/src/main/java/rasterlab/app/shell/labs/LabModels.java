@@ -200,7 +200,10 @@ public final class LabModels implements AutoCloseable {
         return made.isPresent() ? made.get().model().unsavedDrafts() : List.of();
     }
 
-    /** The labs that open as they were left, of those that are made, by the names under which they are kept. */
+    /**
+     * The labs that open as they were left, of those that are made, by the names under which they
+     * are kept.
+     */
     public Map<String, Kept<?>> kept() {
         var kept = new LinkedHashMap<String, Kept<?>>();
         labs.values().forEach(lab -> kept.putAll(lab.kept()));

@@ -74,7 +74,9 @@ public final class LabsFile {
         }
     }
 
-    /** The kept state of the labs; empty where nothing is kept or it cannot be read. On any thread. */
+    /**
+     * The kept state of the labs; empty where nothing is kept or it cannot be read. On any thread.
+     */
     public Optional<Content> read() {
         boolean there = Files.exists(file);
         Optional<Content> content = held();
@@ -179,7 +181,10 @@ public final class LabsFile {
                 + " is missing or not what it should be";
     }
 
-    /** The states of all labs that are made, by the names of their parts of the file. On the event thread. */
+    /**
+     * The states of all labs that are made, by the names of their parts of the file. On the event
+     * thread.
+     */
     public static Map<String, Object> choices(LabModels models) {
         return choices(models.kept());
     }

@@ -129,7 +129,9 @@ record TorusScene(int triangles, int width, int height) {
         return new TriangleView(toEye(), toClip());
     }
 
-    /** The way from there to −w ≤ x, y, z ≤ w, with the middle of the picture where a user has it. */
+    /**
+     * The way from there to −w ≤ x, y, z ≤ w, with the middle of the picture where a user has it.
+     */
     Matrix4d toClip() {
         var fit = PictureFit.of(width, height, PICTURE_SCALE);
         double size = 2 * fit.pixelsPerUnit() * CAMERA.rho();
