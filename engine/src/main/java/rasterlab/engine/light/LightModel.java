@@ -41,6 +41,11 @@ public record LightModel(
         return new LightModel(ambient, false, false, Reflection.BLINN_PHONG, List.of(lights));
     }
 
+    /** The same with another specular term. */
+    public LightModel with(Reflection other) {
+        return new LightModel(globalAmbient, localViewer, twoSided, other, lights);
+    }
+
     /** The same with a direction to the eye for each point. */
     public LightModel withLocalViewer() {
         return new LightModel(globalAmbient, true, twoSided, reflection, lights);

@@ -41,8 +41,12 @@ class PixelPicturesTest {
         BufferedImage picture = picture(pictures);
         assertEquals(PixelMark.ARGB, picture.getRGB(32 + 16, 16));
         assertNotEquals(PixelMark.ARGB, picture.getRGB(16, 16), "drawn once");
-        assertEquals(List.of("#*#"), of(pictures, CasePicture.DIFFERENCE).rows());
-        assertEquals(List.of("###"), of(pictures, CasePicture.ACTUAL).rows());
+        assertEquals(List.of("#*#"), rows(of(pictures, CasePicture.DIFFERENCE)));
+        assertEquals(List.of("###"), rows(of(pictures, CasePicture.ACTUAL)));
+    }
+
+    private static List<String> rows(CasePicture picture) {
+        return PixelRows.of(picture.text().in("en"), picture.part());
     }
 
     private static BufferedImage picture(List<CasePicture> pictures) throws IOException {
@@ -102,10 +106,7 @@ class PixelPicturesTest {
         assertEquals(
                 List.of(place + ".#", place + "#.", place + "+-"),
                 pictures.stream().map(one -> one.text().in("en")).toList());
-        CasePicture expected = pictures.get(0);
-        assertEquals(
-                List.of("#".repeat(78) + ".#"),
-                PixelRows.of(expected.text().in("en"), expected.part()));
+        assertEquals(List.of("#".repeat(78) + ".#"), rows(pictures.get(0)));
     }
 
     @Test

@@ -40,11 +40,11 @@ class IdleProgramTest {
                 exercise.cases().stream()
                         .filter(one -> one.visibility() == Disclosure.OPEN)
                         .toList();
-        return TriedMethod.on(exercise, open, TopicGradings.of(exercise), program, 1);
+        return Marked.on(exercise, open, TopicGradings.of(exercise), program, 1);
     }
 
     private static String told(TriedMethod tried, String language) {
-        return tried.marking().reports().stream()
+        return tried.marking.reports().stream()
                 .map(CaseReport::said)
                 .map(said -> said.in(language))
                 .collect(joining("\n"));
@@ -54,7 +54,7 @@ class IdleProgramTest {
     @MethodSource("idle")
     void aProgramThatDoesNothingIsToldNoOtherMistake(String id) throws Exception {
         TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
-        List<Message.Sentence> shared = tried.marking().shared().sentences();
+        List<Message.Sentence> shared = tried.marking.shared().sentences();
         assertEquals(id.equals("depth-triangle") ? 3 : 2, shared.size(), shared.toString());
         assertTrue(shared.get(1).key().startsWith("mistake.nothing-"), shared.toString());
         assertFalse(told(tried, "en").contains("the same comes out if"), told(tried, "en"));
@@ -75,7 +75,7 @@ class IdleProgramTest {
             """)
     void whatTheProgramDoesIsTold(String id, String said) throws Exception {
         TriedMethod tried = tried(id, CompiledProgram.of(CATALOGUE.named(id).starter()));
-        assertEquals(said, tried.marking().shared().in("en"));
+        assertEquals(said, tried.marking.shared().in("en"));
     }
 
     @Test
