@@ -94,7 +94,7 @@ public record PlanReport(PlanTrial trial, String costs, List<Combination> proof)
         return decision.reason().in(texts.text("reason." + decision.reason().key()));
     }
 
-    /** What was chosen, where it is words rather than a name, in a language. */
+    /** The choice, where it is words rather than a name, in a language. */
     public static String word(Texts texts, String chosen) {
         String key = "word." + chosen.replaceAll("[ ,]+", "-");
         if (texts.has(key)) return texts.text(key);

@@ -1,5 +1,5 @@
 /**
- * What is told of a picture that was drawn and of one that was planned: choices with their reasons,
+ * The words on a picture that was drawn and on one that was planned: choices with their reasons,
  * counted work, measured time, errors.
  *
  * <p>Start with {@link rasterlab.app.plan.PlanReport}.

@@ -43,7 +43,7 @@ final class AutoVisibility {
         return new Choice(sight.method(), sight.reason().english());
     }
 
-    /** What {@code auto} is for a view. */
+    /** The method that {@code auto} stands for in a view. */
     Sight sight(RenderRequest request, RequestView seen) {
         Look look = request.look();
         var areas = new ScreenAreas(seen.viewed());

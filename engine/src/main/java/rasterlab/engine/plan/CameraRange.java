@@ -1,12 +1,13 @@
 package rasterlab.engine.plan;
 
+import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.transform.SphericalView;
 
 /**
  * The cameras for which a plan's proofs hold.
  *
  * @param at the camera it was made for
- * @param turn how far the direction to the eye may turn from there, in radians
+ * @param turn how far the direction to the eye may turn from there, in radians, at least 0
  * @param zoom the largest factor of ρ, either way, at least 1
  */
 public record CameraRange(SphericalView at, double turn, double zoom) {
@@ -14,6 +15,11 @@ public record CameraRange(SphericalView at, double turn, double zoom) {
     static final double TURN = Math.toRadians(2);
 
     static final double ZOOM = 1.05;
+
+    public CameraRange {
+        Bounds.requireAtLeast("turn", turn, 0);
+        Bounds.requireAtLeast("zoom", zoom, 1);
+    }
 
     /** The cameras near one. */
     static CameraRange around(SphericalView at) {

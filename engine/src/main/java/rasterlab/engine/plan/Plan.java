@@ -31,7 +31,7 @@ public record Plan(
     }
 
     /**
-     * What a picture takes.
+     * The work that a picture takes.
      *
      * @param work estimated
      * @param milliseconds predicted from the work

@@ -32,19 +32,21 @@ record ShadingPlan(
         boolean fromHere,
         LightWork directWork,
         LightWork paintedWork) {
-    /** What mixing must save, as a share. */
+    /** The least share that mixing must save. */
     private static final double WORTH = 0.9;
 
-    /** What a camera within range may turn the direction to the eye by, off the middle. */
+    /**
+     * The angle by which a camera within range may turn the direction to the eye, off the middle.
+     */
     private static final double EYE_TURN = 2.5 * CameraRange.TURN;
 
-    /** What a picture's work costs, in milliseconds. */
+    /** The cost of a picture's work, in milliseconds. */
     interface Price {
         double of(PictureWork work);
     }
 
     /**
-     * What is shaded.
+     * The faces that are shaded.
      *
      * @param fronts whether backs are left out
      * @param glass whether something is seen through faces, whose order needs one way of lighting

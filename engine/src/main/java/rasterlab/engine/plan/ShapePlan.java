@@ -38,7 +38,7 @@ final class ShapePlan {
     private final double pixels;
     private final double levels;
 
-    /** What became of a scene. */
+    /** The outcome for a scene. */
     record Result(Scene scene, List<PlanDecision> decisions) {}
 
     ShapePlan(Scene scene, ViewedMesh view, Tolerance tolerance) {

@@ -25,7 +25,7 @@ import rasterlab.engine.scene.shape.SurfacePoint;
  * @param bend the largest angle between a mixed normal and the surface's, radians
  */
 record ShapeSteps(int u, int v, int faces, double sag, double bend) {
-    /** What the middles may miss of the largest rise. */
+    /** The part of the largest rise that the middles may miss. */
     private static final double ROOM = 1.1;
 
     /** Columns of cells that are looked at. */

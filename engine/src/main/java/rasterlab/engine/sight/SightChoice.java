@@ -44,7 +44,7 @@ public final class SightChoice {
     private final boolean exact;
 
     /**
-     * What was chosen.
+     * The choice that was made.
      *
      * @param method its name
      * @param frontsOnly whether faces that show their backs are left out, with the pipeline

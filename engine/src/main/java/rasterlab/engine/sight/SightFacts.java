@@ -10,8 +10,8 @@ import rasterlab.engine.visibility.ray.FaceCrossings;
 import rasterlab.engine.visibility.ray.SharedPlanes;
 
 /**
- * What is true of a scene's faces wherever they are seen from; each fact is found when it is first
- * asked for, and kept.
+ * The facts that hold for a scene's faces wherever they are seen from; each fact is found when it
+ * is first asked for, and kept.
  */
 public final class SightFacts {
     /** A mesh of more faces is not searched face against face. */

@@ -99,7 +99,7 @@ public final class FieldFaults {
         return true;
     }
 
-    /** What may be right there: 1, 0, or another item of the array. */
+    /** The values that may be right there: 1, 0, or another item of the array. */
     private List<JsonNode> values(ArrayNode array, String above, int index) {
         List<JsonNode> values = new ArrayList<>();
         for (int i = 0; i < array.size() && values.size() < 3; i++)

@@ -28,7 +28,7 @@ final class KnownMistakes<C, I, O> {
     private final Demand demand;
     private final UnaryOperator<O> right;
 
-    /** What each gives, worked out once, as long as there is place for it. */
+    /** The answer of each, worked out once, as long as there is place for it. */
     private SoftReference<Map<String, Optional<O>>> outputs =
             new SoftReference<>(new ConcurrentHashMap<>());
 

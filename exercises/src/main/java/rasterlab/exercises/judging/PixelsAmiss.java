@@ -50,7 +50,7 @@ final class PixelsAmiss {
                 && PixelSet.of(actual).size() < actual.size();
     }
 
-    /** What does not fit the other answers of a method, where {@code right} would. */
+    /** The pixels that do not fit the other answers of a method, where {@code right} would. */
     Message unfit() {
         if (!difference.missing().isEmpty())
             return Message.of("pixel.unfit-missing", first(difference.missing()));

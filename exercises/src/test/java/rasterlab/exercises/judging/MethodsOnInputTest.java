@@ -103,7 +103,7 @@ class MethodsOnInputTest {
         assertTrue(refused.getMessage().endsWith("and 18 more mistakes"), refused.getMessage());
     }
 
-    /** What is spoilt: a field, in the first input among a topic's hazards. */
+    /** The spoilt place: a field, in the first input among a topic's hazards. */
     static Stream<Arguments> spoilt() {
         return Topics.all().stream()
                 .flatMap(

@@ -24,7 +24,7 @@ import javax.tools.ToolProvider;
 final class CompiledProgram extends ClassLoader {
     private static final Pattern PUBLIC_CLASS = Pattern.compile("public (?:final )?class (\\w+)");
 
-    /** What it knows of the JDK is read once. */
+    /** The index of the JDK that it compiles against is read once. */
     private static final StandardJavaFileManager FILES =
             ToolProvider.getSystemJavaCompiler().getStandardFileManager(null, null, null);
 

@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline.direct;
 
 /**
- * What a plan has proved may be left out of a picture.
+ * The work that a plan has proved a picture can do without.
  *
  * @param levels by how many levels of 0 to 255 light that is mixed from a face's corners may differ
  *     from the formula at each pixel; 0 works it out at each pixel everywhere

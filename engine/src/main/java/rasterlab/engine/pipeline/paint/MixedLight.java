@@ -7,7 +7,7 @@ import rasterlab.engine.scene.Mesh;
  * enough, it is mixed; the other faces have the formula at each pixel.
  */
 public final class MixedLight {
-    /** What rounding and the pipeline's quick colours may add, in levels. */
+    /** The most that rounding and the pipeline's quick colours may add, in levels. */
     private static final double ROOM = 0.5;
 
     private final FaceLights lights;

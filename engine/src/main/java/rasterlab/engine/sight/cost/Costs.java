@@ -12,14 +12,14 @@ import java.util.Properties;
 import java.util.Set;
 
 /**
- * What one unit of each kind of work costs, by measurement: {@code frame + Σ nᵢ·cᵢ}, n counted, c
- * from the table that ships with the engine and names its machine, day and method.
+ * The measured cost of one unit of each kind of work: {@code frame + Σ nᵢ·cᵢ}, n counted, c from
+ * the table that ships with the engine and names its machine, day and method.
  */
 public final class Costs {
     /** Stands for what a picture costs whatever is on it. */
     private static final String FRAME = "frame";
 
-    /** What the pipeline does on all cores. */
+    /** The work that the pipeline does on all cores. */
     private static final Set<String> PARALLEL =
             Set.of("fragments", "pixel-lights", "texels", "pixels");
 

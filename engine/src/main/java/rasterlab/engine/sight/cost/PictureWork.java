@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
- * What one picture takes, counted stage by stage.
+ * The work of one picture, counted stage by stage.
  *
  * @param vertices brought into the eye's space
  * @param clipped faces cut by the near, the far or a clip plane
