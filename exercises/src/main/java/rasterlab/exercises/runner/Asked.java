@@ -15,6 +15,7 @@ import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.HeldArrays;
 import rasterlab.exercises.child.Values;
 import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Answer.Ending;
 import rasterlab.exercises.score.Message;

@@ -10,6 +10,14 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.Isolation.ProcessLimit;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Launcher;
+import rasterlab.exercises.runner.process.LimitCheck;
+import rasterlab.exercises.runner.process.Programs;
+import rasterlab.exercises.runner.process.Request;
+import rasterlab.exercises.runner.process.SystemAccount;
 import rasterlab.exercises.score.Message;
 
 /** Finds the strongest box that works on this machine by trying it once. */

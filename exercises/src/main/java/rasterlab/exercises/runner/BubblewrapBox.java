@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.score.Message;
 
 /**

@@ -16,6 +16,8 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.Answer;

@@ -14,6 +14,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Disclosure;

@@ -7,6 +7,9 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Launcher;
 import rasterlab.exercises.score.Message;
 
 /**

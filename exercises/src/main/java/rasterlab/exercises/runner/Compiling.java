@@ -1,5 +1,9 @@
 package rasterlab.exercises.runner;
 
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.TimeLimit;
+
 /** Makes class files of a source. */
 @FunctionalInterface
 interface Compiling {

@@ -17,6 +17,8 @@ import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.CaseTrial;
 import rasterlab.exercises.marking.Marking;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;

@@ -3,6 +3,7 @@ package rasterlab.exercises.runner;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 

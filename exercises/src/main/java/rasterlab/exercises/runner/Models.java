@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.ClassFiles;
 import rasterlab.exercises.runner.scan.AllowList;
 import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.GradingVerdict;

@@ -4,6 +4,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.OperatingSystemMXBean;
 import java.time.Duration;
 import java.util.function.DoubleSupplier;
+import rasterlab.exercises.runner.process.TimeLimit;
 
 /**
  * How much wall time a child gets for its processor time. On a busy machine a method waits for its

@@ -2,6 +2,8 @@ package rasterlab.exercises.runner;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.Programs;
 import rasterlab.exercises.score.Message;
 
 /** A process of its own and the limits that go with it, on every operating system. */

@@ -6,6 +6,7 @@ import rasterlab.engine.study.LimitReached;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.ContractCalls;
+import rasterlab.exercises.runner.process.ChildLost;
 
 /** Times a program and the reference in turns on the same inputs, whatever the program answers. */
 final class Slowness {

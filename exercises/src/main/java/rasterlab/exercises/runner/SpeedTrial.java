@@ -8,6 +8,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCalls;
+import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.SpeedPoints;

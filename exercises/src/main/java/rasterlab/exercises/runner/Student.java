@@ -8,6 +8,8 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.marking.TriedCall;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;

@@ -15,6 +15,10 @@ import rasterlab.exercises.child.ContractCall;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.PayloadReader;
+import rasterlab.exercises.runner.process.Request;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 

@@ -22,6 +22,7 @@ import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.HeldArrays;
 import rasterlab.exercises.child.Values;
 import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.process.Request;
 
 /**
  * The calls that a right method gets for the inputs of a batch, to be made of another and timed.

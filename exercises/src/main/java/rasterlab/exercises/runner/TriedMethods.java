@@ -11,6 +11,10 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.breaking.BreakMain;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.judging.MethodsOnInput.Tried;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Request;
+import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.score.Message;
 
 /**

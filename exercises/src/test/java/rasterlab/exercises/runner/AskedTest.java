@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.contract.MatrixFormula;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.process.ChildLost;
 import rasterlab.exercises.score.Answer;
 
 /** Each message of a child is an answer, a finding in words of ours, or the child's loss. */

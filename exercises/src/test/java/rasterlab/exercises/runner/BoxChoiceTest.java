@@ -20,6 +20,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.Launcher;
+import rasterlab.exercises.runner.process.Programs;
 
 /** A bubblewrap that does not work is told with its true reason and holds nobody up. */
 @DisabledOnOs(OS.WINDOWS)
@@ -51,7 +54,7 @@ class BoxChoiceTest {
         Path program = folder.resolve("bwrap");
         Files.writeString(program, script);
         Files.setPosixFilePermissions(program, PosixFilePermissions.fromString("rwx------"));
-        try (ChildJars jars = ChildJars.assemble(folder);
+        try (ChildJars jars = ChildJars.assemble();
                 Launcher launcher = new Launcher(jars)) {
             Box box = new BoxChoice(launcher, jars, limit).inBubblewrap(program.toString());
             assertEquals("process limits only", box.isolation().name());

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.runner.process.Programs;
 
 /** Runs methods that got past the byte-code check inside bubblewrap. */
 @Tag("slow")

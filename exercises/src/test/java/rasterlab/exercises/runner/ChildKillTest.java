@@ -12,6 +12,9 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.Programs;
 
 /**
  * A child is killed at any moment of its start. In a box it is three processes, and the second,

@@ -6,7 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Comparator;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -16,6 +20,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Request;
 import rasterlab.exercises.score.Answer;
 
 /** A method that got past the byte-code check can do nothing to the parent but lose. */
@@ -147,5 +154,19 @@ class ChildTest {
                 unscanned.draw(
                         method("throw new RuntimeException(\"\" + System.getenv(\"PATH\"));\n"));
         assertEquals("java.lang.RuntimeException: null", answer.thrown());
+    }
+
+    @Test
+    void aChildStartsAfterTheFolderWasTakenAway() throws Exception {
+        try (Unscanned own = new Unscanned(JudgeSettings.Box.STRONGEST)) {
+            removeAll(own.jars.folder());
+            assertEquals("", own.draw(method("out.plot(0, 0);\n")).thrown());
+        }
+    }
+
+    private static void removeAll(Path top) throws IOException {
+        try (Stream<Path> all = Files.walk(top)) {
+            for (Path one : all.sorted(Comparator.reverseOrder()).toList()) Files.delete(one);
+        }
     }
 }

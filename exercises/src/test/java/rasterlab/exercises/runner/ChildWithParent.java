@@ -6,6 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.Daemons;
+import rasterlab.exercises.runner.process.TimeLimit;
 
 /**
  * A judge's process whose child, in no box, is at something endless until this process is killed.

@@ -23,6 +23,8 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.Launcher;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;

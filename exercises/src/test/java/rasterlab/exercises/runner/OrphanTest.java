@@ -11,6 +11,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.exercises.runner.process.Programs;
 
 /** A child whose parent was killed is ended by nothing of the system's without a box. */
 @Tag("slow")

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.exercises.Sources;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.TimeLimit;
 
 /** Processor time is limited; wall time catches only what waits. */
 @Tag("slow")

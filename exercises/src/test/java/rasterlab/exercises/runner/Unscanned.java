@@ -5,6 +5,12 @@ import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.process.Child;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Launcher;
+import rasterlab.exercises.runner.process.Request;
+import rasterlab.exercises.runner.process.TimeLimit;
 import rasterlab.exercises.score.Answer;
 
 /** Runs sources without the byte-code check, to see what the process alone holds. */

@@ -4,6 +4,8 @@ import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import rasterlab.exercises.child.CompilerInProcess;
+import rasterlab.exercises.runner.process.ChildJars;
+import rasterlab.exercises.runner.process.TimeLimit;
 
 /**
  * Compiles all sources of a test class in this process, as a child does: one that starts for each

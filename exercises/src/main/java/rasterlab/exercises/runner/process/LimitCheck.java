@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** Looks whether the limits that a child was started with hold, as the kernel tells them. */
-final class LimitCheck {
+public final class LimitCheck {
     private static final int NAME_WIDTH = 26;
 
     private LimitCheck() {}
@@ -19,7 +19,7 @@ final class LimitCheck {
      *
      * @param processes whether their number is limited too
      */
-    static Optional<String> fault(ProcessHandle child, boolean processes) {
+    public static Optional<String> fault(ProcessHandle child, boolean processes) {
         List<ProcessHandle> all = new java.util.ArrayList<>(child.descendants().toList());
         all.add(child);
         for (ProcessHandle one : all) {

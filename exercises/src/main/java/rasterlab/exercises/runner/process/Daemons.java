@@ -1,12 +1,12 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.util.concurrent.ThreadFactory;
 
 /** Threads that do not keep the program alive. */
-final class Daemons {
+public final class Daemons {
     private Daemons() {}
 
-    static ThreadFactory named(String name) {
+    public static ThreadFactory named(String name) {
         return task -> {
             Thread thread = new Thread(task, name);
             thread.setDaemon(true);

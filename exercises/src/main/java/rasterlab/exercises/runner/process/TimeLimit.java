@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.time.Duration;
 
@@ -8,11 +8,11 @@ import java.time.Duration;
  * @param processor processor time that it may use
  * @param wall time that may pass, so that one who waits or sleeps does not do so for ever
  */
-record TimeLimit(Duration processor, Duration wall) {
+public record TimeLimit(Duration processor, Duration wall) {
     /**
      * A limit on wall time and processor time alike, for a child that runs nothing of a student's.
      */
-    static TimeLimit wall(Duration limit) {
+    public static TimeLimit wall(Duration limit) {
         return new TimeLimit(limit, limit);
     }
 }

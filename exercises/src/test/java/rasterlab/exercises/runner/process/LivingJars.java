@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.IOException;
 import java.nio.file.Path;

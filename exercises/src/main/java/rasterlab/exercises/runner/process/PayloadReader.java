@@ -1,11 +1,11 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.DataInputStream;
 import java.io.IOException;
 
 /** Reads an answer's payload. */
 @FunctionalInterface
-interface PayloadReader<T> {
+public interface PayloadReader<T> {
     /**
      * @param status of {@link rasterlab.exercises.child.Wire}
      * @throws IOException when the payload is not what the status promises

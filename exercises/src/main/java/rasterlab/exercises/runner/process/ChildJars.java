@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -18,7 +18,7 @@ import rasterlab.exercises.topic.TopicGradings;
  * The two jars that children get, in a temporary folder of our own: the harness and the contract.
  * Where somebody cleans temporary folders while the judge lives, they are made anew.
  */
-final class ChildJars implements AutoCloseable {
+public final class ChildJars implements AutoCloseable {
     private static final String CONTRACT = "contract.jar";
     private static final String CONTRACTS = "rasterlab/contract/";
     private static final String HARNESS = "harness.jar";
@@ -33,7 +33,7 @@ final class ChildJars implements AutoCloseable {
         folder = filled();
     }
 
-    static ChildJars assemble() {
+    public static ChildJars assemble() {
         return assemble(Path.of(System.getProperty("java.io.tmpdir")));
     }
 
@@ -83,16 +83,16 @@ final class ChildJars implements AutoCloseable {
     }
 
     /** The classes that a student's source may see. */
-    Path contract() {
+    public Path contract() {
         return folder().resolve(CONTRACT);
     }
 
-    Path harness() {
+    public Path harness() {
         return folder().resolve(HARNESS);
     }
 
     /** Holds the two jars and nothing else to read; another one after the first was taken away. */
-    synchronized Path folder() {
+    public synchronized Path folder() {
         try {
             if (!folder.intact()) {
                 folder.close();

@@ -1,14 +1,14 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.time.Duration;
 import rasterlab.exercises.score.Message;
 
 /** A child gave no answer that can be used, and is dead now. */
-final class ChildLost extends Exception {
+public final class ChildLost extends Exception {
     private static final long serialVersionUID = 1L;
 
     /** Why there is no answer. */
-    enum Reason {
+    public enum Reason {
         /** The limit of processor time, or that of wall time, passed. */
         TIME,
         /** The child ended because its memory did not suffice. */
@@ -29,7 +29,7 @@ final class ChildLost extends Exception {
     private final transient Message said;
     private final boolean idle;
 
-    ChildLost(Reason reason, Message said) {
+    public ChildLost(Reason reason, Message said) {
         this(reason, said, false);
     }
 
@@ -41,7 +41,7 @@ final class ChildLost extends Exception {
     }
 
     /** Describes a child that used so much processor time and gave no answer. */
-    static ChildLost late(TimeLimit limit, Duration used) {
+    public static ChildLost late(TimeLimit limit, Duration used) {
         boolean idle = used.multipliedBy(2).compareTo(limit.processor()) < 0;
         Message said =
                 idle
@@ -51,22 +51,22 @@ final class ChildLost extends Exception {
     }
 
     /** Describes a child that sent what is no answer. */
-    static ChildLost protocol(Exception fault) {
+    public static ChildLost protocol(Exception fault) {
         return new ChildLost(Reason.PROTOCOL, Message.of("child.protocol", fault.getMessage()));
     }
 
     /**
      * Whether it used so little of its time that the machine may be to blame: to be tried again.
      */
-    boolean isIdle() {
+    public boolean isIdle() {
         return idle;
     }
 
-    Message said() {
+    public Message said() {
         return said;
     }
 
-    Reason reason() {
+    public Reason reason() {
         return reason;
     }
 
@@ -75,7 +75,7 @@ final class ChildLost extends Exception {
      *
      * @param again whether it happened in a second try, too
      */
-    boolean isOursToRepeat(boolean again) {
+    public boolean isOursToRepeat(boolean again) {
         return reason == Reason.KILLED || (reason == Reason.SIGNAL && !again);
     }
 }

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -12,7 +12,7 @@ import java.util.concurrent.Executors;
  * Starts processes, all from one thread that stays: bubblewrap's --die-with-parent kills the child
  * when the thread that started it ends.
  */
-final class Launcher implements AutoCloseable {
+public final class Launcher implements AutoCloseable {
     private final ChildJars jars;
     private final ExecutorService thread =
             Executors.newSingleThreadExecutor(Daemons.named("rasterlab-launcher"));
@@ -20,7 +20,7 @@ final class Launcher implements AutoCloseable {
     /**
      * @param jars in whose folder processes start
      */
-    Launcher(ChildJars jars) {
+    public Launcher(ChildJars jars) {
         this.jars = jars;
     }
 
@@ -29,7 +29,7 @@ final class Launcher implements AutoCloseable {
      *
      * @throws UncheckedIOException when it cannot be started
      */
-    Process start(List<String> command) {
+    public Process start(List<String> command) {
         try {
             // join, unlike get, is not left by an interrupt: no started process gets lost
             return CompletableFuture.supplyAsync(() -> spawn(command), thread).join();

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
@@ -26,7 +26,7 @@ import rasterlab.exercises.score.Message;
  * A started child process, asked one request at a time. Reading and writing happen on threads of
  * its own, so a child that neither reads nor writes holds nobody up.
  */
-final class Child implements AutoCloseable {
+public final class Child implements AutoCloseable {
     private static final byte[] END = new byte[0];
     private static final int MOST_STDERR = 4096;
 
@@ -57,7 +57,7 @@ final class Child implements AutoCloseable {
     /**
      * @param boxed whether the process is a box, in which the child proper is another
      */
-    Child(Process process, boolean boxed) {
+    public Child(Process process, boolean boxed) {
         this.process = process;
         this.boxed = boxed;
         this.processorTime = new ProcessorTime(process, boxed);
@@ -65,26 +65,26 @@ final class Child implements AutoCloseable {
         threads.execute(this::drainStderr);
     }
 
-    boolean isAlive() {
+    public boolean isAlive() {
         return process.isAlive();
     }
 
-    ProcessHandle handle() {
+    public ProcessHandle handle() {
         return process.toHandle();
     }
 
     /** The first output of the process to stderr, for our own faults only. */
-    String complaint() {
+    public String complaint() {
         return complaint;
     }
 
     /** Processor time used so far; empty where the system does not tell. */
-    Optional<Duration> used() {
+    public Optional<Duration> used() {
         return processorTime.used();
     }
 
     /** The same with a limit of wall time alone. */
-    <T> T ask(Request request, Duration wall, PayloadReader<T> reading)
+    public <T> T ask(Request request, Duration wall, PayloadReader<T> reading)
             throws ChildLost, InterruptedException {
         return ask(request, TimeLimit.wall(wall), reading);
     }
@@ -94,7 +94,7 @@ final class Child implements AutoCloseable {
      *
      * @throws ChildLost when there is no usable answer within the limit; the process is dead then
      */
-    <T> T ask(Request request, TimeLimit limit, PayloadReader<T> reading)
+    public <T> T ask(Request request, TimeLimit limit, PayloadReader<T> reading)
             throws ChildLost, InterruptedException {
         nonce = nonces.nextLong();
         byte[] frame = request.frame(nonce);
@@ -108,7 +108,8 @@ final class Child implements AutoCloseable {
     }
 
     /** Reads a further answer to the last request. */
-    <T> T more(TimeLimit limit, PayloadReader<T> reading) throws ChildLost, InterruptedException {
+    public <T> T more(TimeLimit limit, PayloadReader<T> reading)
+            throws ChildLost, InterruptedException {
         return more(limit, used(), reading);
     }
 
@@ -156,7 +157,7 @@ final class Child implements AutoCloseable {
         return new ChildLost(ChildLost.Reason.KILLED, Message.of("child.no-judge"));
     }
 
-    static String seconds(Duration limit) {
+    public static String seconds(Duration limit) {
         return String.valueOf(limit.toMillis() / 1000.0);
     }
 

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -6,10 +6,10 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 
 /** Builds one request's payload. */
-final class Request {
+public final class Request {
     /** Writes the payload. */
     @FunctionalInterface
-    interface Payload {
+    public interface Payload {
         void writeTo(DataOutputStream out) throws IOException;
     }
 
@@ -19,12 +19,12 @@ final class Request {
     /**
      * @param operation of {@link rasterlab.exercises.child.Wire}
      */
-    Request(int operation, Payload payload) {
+    public Request(int operation, Payload payload) {
         this.operation = operation;
         this.payload = payload;
     }
 
-    byte[] frame(long nonce) {
+    public byte[] frame(long nonce) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (DataOutputStream out = new DataOutputStream(bytes)) {
             out.writeByte(operation);

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -12,7 +12,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Class files of our own program, as resources: from a folder of classes or from a jar alike. */
-final class ClassFiles {
+public final class ClassFiles {
     private ClassFiles() {}
 
     /**
@@ -22,7 +22,7 @@ final class ClassFiles {
      * @param prefix of the classes to follow, such as "rasterlab/contract/"
      * @return resource name, such as "rasterlab/contract/Pixels.class", to bytes
      */
-    static Map<String, byte[]> closure(Class<?> root, String prefix) {
+    public static Map<String, byte[]> closure(Class<?> root, String prefix) {
         Pattern mention = Pattern.compile(Pattern.quote(prefix) + "[A-Za-z0-9_$/]+");
         Map<String, byte[]> found = new TreeMap<>();
         Deque<String> open = new ArrayDeque<>();

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -18,7 +18,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.exercises.Sources;
 
 /** The temporary folder outlives neither its judge nor its own loss. */
 @Tag("slow")
@@ -52,14 +51,6 @@ class ChildJarsTest {
             return file.stream()
                     .map(entry -> entry.getName().replaceAll("/[^/]*$", ""))
                     .collect(Collectors.toSet());
-        }
-    }
-
-    @Test
-    void aChildStartsAfterTheFolderWasTakenAway() throws Exception {
-        try (Unscanned unscanned = new Unscanned(JudgeSettings.Box.STRONGEST)) {
-            removeAll(unscanned.jars.folder());
-            assertEquals("", unscanned.draw(Sources.method("out.plot(0, 0);\n")).thrown());
         }
     }
 

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.process;
 
 import java.io.File;
 import java.io.IOException;
@@ -11,12 +11,12 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Programs of this machine that children are started with. */
-final class Programs {
+public final class Programs {
     /**
      * The limit for all processes and threads of the account: beyond what a server with 64 workers
      * and a person's session need, and far below what a machine can bear.
      */
-    static final int MOST_PROCESSES = 4096;
+    public static final int MOST_PROCESSES = 4096;
 
     static final int MOST_FILES = 256;
     static final int MOST_SECONDS = 30;
@@ -24,7 +24,7 @@ final class Programs {
     private Programs() {}
 
     /** The folder of the running JDK without symbolic links. */
-    static Path javaHome() {
+    public static Path javaHome() {
         try {
             return Path.of(System.getProperty("java.home")).toRealPath();
         } catch (IOException e) {
@@ -32,12 +32,12 @@ final class Programs {
         }
     }
 
-    static String java() {
+    public static String java() {
         boolean windows = File.separatorChar == '\\';
         return javaHome().resolve("bin").resolve(windows ? "java.exe" : "java").toString();
     }
 
-    static Optional<String> onPath(String name) {
+    public static Optional<String> onPath(String name) {
         String path = System.getenv("PATH");
         return Stream.of(path == null ? new String[0] : path.split(File.pathSeparator))
                 .filter(folder -> !folder.isEmpty())
@@ -55,7 +55,7 @@ final class Programs {
      *
      * @param processes whether the number of processes is limited too
      */
-    static List<String> limits(boolean processes) {
+    public static List<String> limits(boolean processes) {
         List<String> command = new ArrayList<>();
         onPath("prlimit")
                 .ifPresent(
