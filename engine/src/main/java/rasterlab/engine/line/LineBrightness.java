@@ -30,13 +30,13 @@ public record LineBrightness(long light, long length, double degrees) {
             shaded.shade(s.x0(), s.y0(), s.x1(), s.y1(), (x, y, coverage) -> light[0] += coverage);
         else method.draw(s.x0(), s.y0(), s.x1(), s.y1(), (x, y) -> light[0] += CoverageLine.FULL);
         long n = s.steps();
-        double dx = (double) s.x1() - s.x0();
-        double dy = (double) s.y1() - s.y0();
+        double dx = Math.abs((double) s.x1() - s.x0());
+        double dy = Math.abs((double) s.y1() - s.y0());
         double stretch = n == 0 ? 1 : Math.hypot(dx, dy) / n;
         return new LineBrightness(
                 light[0],
                 Math.round(CoverageLine.FULL * (n + 1) * stretch),
-                Math.toDegrees(Math.acos(1 / stretch)));
+                Math.toDegrees(Math.atan2(Math.min(dx, dy), Math.max(dx, dy))));
     }
 
     /** Light for a pixel of length; 1 for a row of full pixels. */
