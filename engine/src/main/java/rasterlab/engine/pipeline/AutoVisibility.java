@@ -12,27 +12,16 @@ import rasterlab.engine.sight.SightFacts;
 import rasterlab.engine.sight.cost.Costs;
 
 /**
- * The cheapest visibility method that is proved right, found by {@link SightChoice}; what it knows
- * of a scene is kept for the next picture of it.
+ * The cheapest visibility method whose picture is exact, found by {@link SightChoice}; what it
+ * knows of a scene is kept for the next picture of it. Which one is chosen changes how long a
+ * picture takes and no pixel of it.
  *
  * <p>Outlines are drawn by painters only; transparent faces that a paint colours by itself need a
  * buffer that mixes them.
  */
 final class AutoVisibility {
     private final Costs costs = Costs.measured();
-    private final int cores;
     private Optional<SightFacts> known = Optional.empty();
-
-    AutoVisibility() {
-        this(Runtime.getRuntime().availableProcessors());
-    }
-
-    /**
-     * @param cores that the pipeline works on
-     */
-    AutoVisibility(int cores) {
-        this.cores = cores;
-    }
 
     /** The choice for a request that may name a method itself. */
     Choice of(RenderRequest request) {
@@ -59,8 +48,7 @@ final class AutoVisibility {
                     "zfloat",
                     Reason.of("paint", "transparent faces, coloured by a paint of their own"),
                     areas);
-        return new SightChoice(facts, seen.viewed(), costs, cores, true)
-                .choose(light, light, areas);
+        return new SightChoice(facts, seen.viewed(), costs).exact(light, areas);
     }
 
     private static Sight plain(String method, Reason reason, ScreenAreas areas) {

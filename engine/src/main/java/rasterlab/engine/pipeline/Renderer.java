@@ -11,7 +11,6 @@ import rasterlab.engine.naming.Named;
 import rasterlab.engine.pipeline.direct.DirectLook;
 import rasterlab.engine.pipeline.direct.DirectPicture;
 import rasterlab.engine.pipeline.direct.NumberedFaces;
-import rasterlab.engine.pipeline.direct.Savings;
 import rasterlab.engine.pipeline.fast.TrianglePipeline;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
@@ -21,7 +20,6 @@ import rasterlab.engine.pipeline.plain.PlainPipeline;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.sight.SightChoice.Sight;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.StereoPair;
@@ -53,7 +51,7 @@ public final class Renderer implements AutoCloseable {
     /** The triangle pipeline, on all cores. */
     public static final String PIPELINE = "pipeline";
 
-    /** The cheapest method that is right for a scene. */
+    /** The cheapest method whose picture of a scene is exact. */
     public static final String AUTO = "auto";
 
     /** The methods by which names are looked up; pictures are drawn by a renderer's own. */
@@ -233,15 +231,12 @@ public final class Renderer implements AutoCloseable {
             return Optional.empty();
         }
         boolean open = look.visibility().equals(AUTO);
-        Optional<Sight> sight = open ? Optional.of(auto.sight(request, seen)) : Optional.empty();
-        String chosen = sight.map(Sight::method).orElse(look.visibility());
+        String chosen = open ? auto.sight(request, seen).method() : look.visibility();
         ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
         Visibility method = drawing(look, visibilities, chosen);
         boolean wire = shading == ShadingMethod.WIRE;
         if (!wire && chosen.equals(PIPELINE) && drawsDirectly(look, shading)) {
-            boolean fronts = sight.map(Sight::frontsOnly).orElse(false);
-            DirectLook how = directLook(look, shading, fronts);
-            direct().draw(lights(look, seen), how, opaque, out, cancelled);
+            direct().draw(lights(look, seen), directLook(look, shading), opaque, out, cancelled);
             return Optional.empty();
         }
         out.clear(opaque);
@@ -261,7 +256,7 @@ public final class Renderer implements AutoCloseable {
         return shading != ShadingMethod.TONE && look.cue().isEmpty();
     }
 
-    private static DirectLook directLook(Look look, ShadingMethod shading, boolean frontsOnly) {
+    private static DirectLook directLook(Look look, ShadingMethod shading) {
         DirectLook.Light light =
                 switch (shading) {
                     case FLAT -> DirectLook.Light.FACES;
@@ -269,9 +264,7 @@ public final class Renderer implements AutoCloseable {
                     case PHONG -> DirectLook.Light.PIXELS;
                     default -> throw new AssertionError("the pipeline does not draw " + shading);
                 };
-        Savings asked = look.savings();
-        Savings savings = new Savings(asked.levels(), asked.frontsOnly() || frontsOnly);
-        return new DirectLook(light, look.texture(), savings);
+        return new DirectLook(light, look.texture(), look.savings());
     }
 
     private synchronized DirectPicture direct() {

@@ -188,8 +188,9 @@ public final class Planner {
     private Sight sight(
             ShadingPlan.Shown shown, ShadingPlan shading, List<PlanDecision> decisions) {
         ViewedMesh view = shown.seen().viewed();
-        var choice = new SightChoice(facts(shown.seen().scene()), view, costs, cores, false);
-        Sight sight = choice.choose(shading.directWork(), shading.paintedWork(), shown.areas());
+        var choice = new SightChoice(facts(shown.seen().scene()), view, costs);
+        Sight sight =
+                choice.choose(shading.directWork(), shading.paintedWork(), shown.areas(), cores);
         String method = sight.method();
         boolean fronts = sight.frontsOnly() && method.equals(Renderer.PIPELINE);
         decisions.add(

@@ -10,8 +10,6 @@ import rasterlab.engine.pipeline.paint.MixedLight;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.sight.SightChoice;
-import rasterlab.engine.sight.SightFacts;
 import rasterlab.engine.sight.cost.Family;
 import rasterlab.engine.sight.cost.PictureWork;
 import rasterlab.engine.visibility.NearnessPlane;
@@ -53,7 +51,7 @@ public final class WorkCount {
         boolean pipeline = Family.of(method) == Family.PIPELINE;
         boolean fronts =
                 method.equals("convex") && !view.cutsOpen()
-                        || pipeline && frontsOnly(request, seen);
+                        || pipeline && request.look().savings().frontsOnly();
         drawn = new boolean[mesh.faceCount()];
         for (int f = 0; f < drawn.length; f++) drawn[f] = !fronts || !view.seenFromInside(f);
         ShadingMethod shading = ShadingMethod.named(Renderer.shading(request).chosen());
@@ -71,12 +69,6 @@ public final class WorkCount {
         paintsAll = Family.of(method) == Family.PAINTER;
         nearest = new float[request.width() * request.height()];
         Arrays.fill(nearest, Float.NEGATIVE_INFINITY);
-    }
-
-    private static boolean frontsOnly(RenderRequest request, RequestView seen) {
-        if (request.look().savings().frontsOnly()) return true;
-        return request.visibility().equals(Renderer.AUTO)
-                && SightChoice.frontsOnly(new SightFacts(seen.scene()), seen.viewed());
     }
 
     /** The work of a request's faces; edges, surfaces and second eyes are not counted. */

@@ -1,7 +1,9 @@
 package rasterlab.engine.sight;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.sight.cost.Family;
 import rasterlab.engine.sight.cost.PictureWork;
@@ -34,14 +36,12 @@ public final class SightChoice {
     private static final Reason MANY =
             Reason.of(
                     "many",
-                    "depths are right on all cores, unless faces lie over each other in one plane"
-                            + " or transparent ones cross");
+                    "depths are right, unless faces lie over each other in one plane or transparent"
+                            + " ones cross");
 
     private final SightFacts facts;
     private final ViewedMesh view;
     private final Costs costs;
-    private final int cores;
-    private final boolean exact;
 
     /**
      * The choice that was made.
@@ -61,16 +61,10 @@ public final class SightChoice {
             PictureWork work,
             boolean fromHere) {}
 
-    /**
-     * @param cores that the pipeline works on
-     * @param exact whether a buffer must have all the bits that there are
-     */
-    public SightChoice(SightFacts facts, ViewedMesh view, Costs costs, int cores, boolean exact) {
+    public SightChoice(SightFacts facts, ViewedMesh view, Costs costs) {
         this.facts = facts;
         this.view = view;
         this.costs = costs;
-        this.cores = cores;
-        this.exact = exact;
     }
 
     /** Whether faces that show their backs can be left out of this view. */
@@ -79,14 +73,50 @@ public final class SightChoice {
     }
 
     /**
+     * The cheapest of the methods whose pictures are one and the same to the bit: they light faces
+     * by one paint, at the same places. The triangle pipeline is none of them, since it works in
+     * floats; nor is a buffer with fewer bits.
+     *
+     * @param light of all faces
+     * @param areas of the view's faces
+     */
+    public Sight exact(LightWork light, ScreenAreas areas) {
+        PictureWork work = light.estimate(areas, false, false, 0);
+        Optional<Sight> tree = tree(work);
+        if (tree.isPresent()) return tree.get();
+        double buffer = costs.milliseconds(Family.BUFFER, work, 1);
+        if (!facts.glass())
+            for (Sight painter : painters((1 - WORTH) * buffer, light, areas)) return painter;
+        return new Sight("zfloat", false, facts.few() ? APART : MANY, buffer, work, false);
+    }
+
+    /**
+     * The cheapest method that is right.
+     *
      * @param direct how the pipeline lights
      * @param painted how the other methods light, which have one way for all faces
      * @param areas of the view's faces
+     * @param cores that the pipeline works on
      */
-    public Sight choose(LightWork direct, LightWork painted, ScreenAreas areas) {
+    public Sight choose(LightWork direct, LightWork painted, ScreenAreas areas, int cores) {
         boolean fronts = frontsOnly(facts, view);
         PictureWork work = direct.estimate(areas, fronts, false, 0);
+        Optional<Sight> tree = tree(work);
+        if (tree.isPresent()) return tree.get();
         double pipeline = costs.milliseconds(Family.PIPELINE, work, cores);
+        double enough = (1 - WORTH) * pipeline;
+        if (!facts.glass()) {
+            for (Sight painter : painters(enough, painted, areas)) return painter;
+            PictureWork tested = painted.estimate(areas, false, false, 0);
+            double buffer = costs.milliseconds(Family.BUFFER, tested, 1);
+            if (buffer < enough && facts.few()) return buffered(buffer, tested);
+        }
+        Reason reason = fronts ? CLOSED : facts.few() ? APART : MANY;
+        return new Sight(PIPELINE, fronts, reason, pipeline, work, false);
+    }
+
+    /** The tree, where no depth of a whole face is right. */
+    private Optional<Sight> tree(PictureWork work) {
         if (facts.overlap(view))
             return forced(
                     Reason.of(
@@ -96,23 +126,18 @@ public final class SightChoice {
         if (facts.glass() && facts.crossing(view))
             return forced(
                     Reason.of("crossing", "transparent faces cross: the tree cuts them"), work);
+        return Optional.empty();
+    }
+
+    private Optional<Sight> forced(Reason reason, PictureWork work) {
+        double milliseconds = costs.milliseconds(Family.PAINTER, work, 1);
+        return Optional.of(new Sight("bsp", false, reason, milliseconds, work, false));
+    }
+
+    /** The painters that are right and take less than {@code enough}, the cheapest first. */
+    private List<Sight> painters(double enough, LightWork painted, ScreenAreas areas) {
         List<Sight> right = new ArrayList<>();
-        if (!facts.glass()) addPainters(right, pipeline, painted, areas);
-        for (Sight other : right) if (other.milliseconds < (1 - WORTH) * pipeline) return other;
-        Reason reason = fronts ? CLOSED : facts.few() ? APART : MANY;
-        return new Sight(PIPELINE, fronts, reason, pipeline, work, false);
-    }
-
-    private Sight forced(Reason reason, PictureWork work) {
-        return new Sight(
-                "bsp", false, reason, costs.milliseconds(Family.PAINTER, work, 1), work, false);
-    }
-
-    /** The painters that are right, the cheapest first, then the buffer with the fewest bits. */
-    private void addPainters(
-            List<Sight> right, double pipeline, LightWork painted, ScreenAreas areas) {
         long faces = areas.faces();
-        double enough = (1 - WORTH) * pipeline;
         PictureWork all = painted.estimate(areas, false, true, faces * faces / 2);
         PictureWork fronts = painted.estimate(areas, !view.cutsOpen(), true, 4 * faces * faces);
         double convex = costs.milliseconds(Family.PAINTER, fronts, 1);
@@ -140,14 +165,12 @@ public final class SightChoice {
                             painter,
                             all,
                             true));
-        right.sort((a, b) -> Double.compare(a.milliseconds, b.milliseconds));
-        PictureWork tested = painted.estimate(areas, false, false, 0);
-        double buffer = costs.milliseconds(Family.BUFFER, tested, 1);
-        if (buffer < enough && facts.few()) right.add(buffered(buffer, tested));
+        right.sort(Comparator.comparingDouble(Sight::milliseconds));
+        return right;
     }
 
     private Sight buffered(double milliseconds, PictureWork work) {
-        double separation = exact ? 0 : Separation.of(view);
+        double separation = Separation.of(view);
         NearnessRange range = NearnessRange.of(view);
         double near = nearest();
         double far = farthest();

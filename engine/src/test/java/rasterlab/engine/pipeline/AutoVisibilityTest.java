@@ -35,7 +35,7 @@ class AutoVisibilityTest {
                                 80,
                                 60)
                         .with(look);
-        assertEquals(chosen, new AutoVisibility(2).of(request).chosen());
+        assertEquals(chosen, new AutoVisibility().of(request).chosen());
         new Renderer().render(request, () -> false);
     }
 
@@ -43,7 +43,7 @@ class AutoVisibilityTest {
         UnaryOperator<Look> plain = look -> look;
         UnaryOperator<Look> cue = look -> look.withCue(new DepthCue(0.5));
         return Stream.of(
-                argumentSet("painter dearer than depths", "cube", "auto", plain, "pipeline"),
+                argumentSet("painter dearer than depths", "cube", "auto", plain, "zfloat"),
                 argumentSet("open body is taken for convex", "vase", "auto", plain, "zfloat"),
                 argumentSet("outlines by a method without", "vase", "auto", outline(), "painter"),
                 argumentSet("glass numbered for a cue", "transparency", "auto", cue, "zfloat"),
@@ -53,12 +53,12 @@ class AutoVisibilityTest {
                         "interpenetrating",
                         "auto",
                         plain,
-                        "pipeline"),
+                        "zfloat"),
                 argumentSet("what is asked for is changed", "cube", "z16", plain, "z16"));
     }
 
     @ParameterizedTest(name = "glass of {0} is drawn by {1}, right only for opaque faces")
-    @CsvSource({"interpenetrating, 8, bsp", "torus, 8, pipeline"})
+    @CsvSource({"interpenetrating, 8, bsp", "torus, 8, zfloat"})
     void glassIsDrawnByAMethodThatIsRightForIt(String scene, int detail, String chosen) {
         Scene opaque = Scenes.named(scene, detail);
         Scene glass = opaque.with(AutoVisibilityTest::glass);

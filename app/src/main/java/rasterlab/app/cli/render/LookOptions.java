@@ -29,7 +29,10 @@ final class LookOptions {
     @Option(
             names = "--shading",
             paramLabel = "METHOD",
-            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            description =
+                    "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}, flat where corners have no"
+                            + " normals, phong where highlights or a spot's rim would be lost,"
+                            + " otherwise gouraud",
             completionCandidates = EngineNames.OfShadings.class,
             defaultValue = "auto")
     private String shading;
@@ -37,7 +40,9 @@ final class LookOptions {
     @Option(
             names = "--texture",
             paramLabel = "FILTER",
-            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            description =
+                    "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}, mipmap where pixels may step"
+                            + " over texels, otherwise linear",
             completionCandidates = EngineNames.OfTextureModes.class,
             defaultValue = "auto")
     private String texture;

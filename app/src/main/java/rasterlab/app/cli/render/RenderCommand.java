@@ -54,7 +54,9 @@ public final class RenderCommand implements Callable<Integer> {
             names = "--visibility",
             paramLabel = "METHOD",
             description = {
-                "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}.",
+                "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE},"
+                        + " the cheapest whose picture is exact: convex or painter where that is proved,"
+                        + " zfloat, and bsp where faces share a plane or glass crosses.",
                 "raycast-surface draws the curved surface itself instead of the faces that stand for it,"
                         + " with --shading phong or auto"
             },
