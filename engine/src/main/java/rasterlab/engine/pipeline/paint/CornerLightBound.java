@@ -24,7 +24,9 @@ import rasterlab.engine.scene.Mesh;
  *
  * with φ over all the angles that the face can have. Where n·l changes its sign, max(0, n·l) has a
  * crease: mixing is off by at most p·q/(p + q), p and q being the most on either side, and the
- * highlight, which ends there, counts whole. A lamp with a cone or attenuation has no bound here.
+ * highlight, which ends there, counts whole. A lamp's strength f, which falls off with the distance
+ * and in its cone ({@link LightFalloff}), is a factor: {@code (f·c)″ ≤ |f″|·c + 2·|f′|·|c′| +
+ * f·|c″|}.
  *
  * <p>Source of the interpolation bound: S. Waldron, The error in linear interpolation at the
  * vertices of a simplex, SIAM Journal on Numerical Analysis 35(3), 1998.
@@ -78,17 +80,18 @@ final class CornerLightBound {
             TurningDirection normal,
             TurningDirection toEye) {
         LightSource source = light.source();
+        double everywhere = most(surface.ambient(), source.ambient());
         double dull = most(surface.diffuse(), source.diffuse());
         boolean shines = model.reflection() != Reflection.LAMBERT;
         double shiny = shines ? most(surface.specular(), source.specular()) : 0;
-        if (dull == 0 && shiny == 0) return 0;
-        if (!source.cone().shinesAllAround() || source.attenuation().linear() != 0) return NONE;
-        if (source.attenuation().quadratic() != 0) return NONE;
-        double strength = 1 / source.attenuation().constant();
+        if (everywhere == 0 && dull == 0 && shiny == 0) return 0;
         double[] place = {light.x(), light.y(), light.z()};
         var toLight = TurningDirection.towards(mesh, face, place, light.directional());
         if (toLight.wild()) return NONE;
+        var falloff = LightFalloff.of(light, mesh, face, toLight);
+        if (Double.isInfinite(falloff.bend())) return NONE;
         double bend = TurningDirection.product(normal, toLight) / 6;
+        double ambient = everywhere == 0 ? 0 : everywhere * falloff.bend() / 6;
         double least = 1;
         double most = -1;
         for (int k = 0; k < normal.size(); k++) {
@@ -96,27 +99,31 @@ final class CornerLightBound {
             least = Math.min(least, cosine);
             most = Math.max(most, cosine);
         }
-        if (most <= -bend) return 0;
+        if (most <= -bend) return 255 * ambient;
         boolean crease = least < bend;
         double over = Math.max(0, most + bend);
         double under = Math.max(0, bend - least);
-        double dullError = bend + (crease ? over * under / (over + under) : 0);
+        double dullError =
+                falloff.times(1, normal.speed() + toLight.speed(), 6 * bend) / 6
+                        + (crease ? falloff.most() * over * under / (over + under) : 0);
         double shinyError = 0;
-        if (shiny > 0) shinyError = highlight(surface.shininess(), crease, normal, toLight, toEye);
-        return 255 * strength * (dull * dullError + shiny * shinyError);
+        if (shiny > 0)
+            shinyError = highlight(surface.shininess(), crease, normal, toLight, toEye, falloff);
+        return 255 * (ambient + dull * dullError + shiny * shinyError);
     }
 
-    /** The error of cosˢ φ, 0 to 1. */
+    /** The error of f·cosˢ φ, f being a lamp's strength. */
     private double highlight(
             double s,
             boolean crease,
             TurningDirection normal,
             TurningDirection toLight,
-            TurningDirection toEye) {
+            TurningDirection toEye,
+            LightFalloff falloff) {
         boolean half = model.reflection() == Reflection.BLINN_PHONG;
         TurningDirection one = half ? normal : TurningDirection.mirrored(normal, toLight);
         TurningDirection other = half ? TurningDirection.between(toLight, toEye) : toEye;
-        if (one.wild() || other.wild()) return 1;
+        if (one.wild() || other.wild()) return falloff.most();
         double speed = one.speed() + other.speed();
         double slack = speed + (half ? turn / 2 : turn);
         double from = 0;
@@ -128,12 +135,12 @@ final class CornerLightBound {
         }
         if (from >= Math.PI / 2) return 0;
         double brightest = Math.pow(Math.cos(from), s);
-        if (crease || s < 2) return brightest;
+        if (crease || s < 2) return falloff.most() * brightest;
         double bend = TurningDirection.product(one, other);
-        double second =
-                s * Math.pow(Math.cos(from), s - 1) * bend
-                        + s * (s - 1) * steepest(s, from, to) * speed * speed;
-        return Math.min(brightest, second / 6);
+        double slope = s * Math.pow(Math.cos(from), s - 1);
+        double second = slope * bend + s * (s - 1) * steepest(s, from, to) * speed * speed;
+        return Math.min(
+                falloff.most() * brightest, falloff.times(brightest, slope * speed, second) / 6);
     }
 
     /** The most of cosˢ⁻² φ·sin² φ over an interval; its peak is where tan² φ = 2/(s − 2). */
