@@ -1,16 +1,34 @@
 package rasterlab.engine.signmap;
 
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.predicate.PointQuestion;
+import rasterlab.engine.predicate.Spacing;
 
-/**
- * The sign maps of a predicate's forms, around the point (½, ½).
- *
- * @param exact the right sign, whatever it costs
- */
-record FormSigns(String name, List<SignForm> forms, Sign exact) implements SignSubject {
+/** The sign maps of a predicate's forms, around the point (½, ½). */
+final class FormSigns implements SignSubject {
     private static final int SIZE = 128;
+
+    private final String name;
+    private final List<SignForm> forms;
+    private final Sign exact;
+    private final Map<Spacing, byte[]> right = new EnumMap<>(Spacing.class);
+
+    /**
+     * @param exact the right sign, whatever it costs
+     */
+    FormSigns(String name, List<SignForm> forms, Sign exact) {
+        this.name = name;
+        this.forms = List.copyOf(forms);
+        this.exact = exact;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
 
     @Override
     public List<String> methods() {
@@ -21,7 +39,10 @@ record FormSigns(String name, List<SignForm> forms, Sign exact) implements SignS
     public SignMap map(String method) {
         SignForm form = Named.find(name + " method", method, forms, SignForm::name);
         var field = new SignField(form.spacing(), SIZE, PointQuestion.HALF, PointQuestion.HALF);
-        return new SignMap(
-                name, method, false, field, field.answers(form.sign()), field.answers(exact));
+        return new SignMap(name, method, false, field, field.answers(form.sign()), right(field));
+    }
+
+    private synchronized byte[] right(SignField field) {
+        return right.computeIfAbsent(field.spacing(), spacing -> field.answers(exact));
     }
 }

@@ -3,9 +3,13 @@ package rasterlab.engine.signmap;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -49,6 +53,44 @@ class SignMapTest {
                     if (!seen.contains(map.exact(column, row))) seen.add(map.exact(column, row));
             assertTrue(seen.containsAll(List.of(0, 1)), method + " " + seen);
         }
+    }
+
+    /**
+     * Each map in {@code maps.txt}, point by point: more, less and no answers, and a sum over all
+     * answers and what is right.
+     */
+    @Test
+    void mapsAreThoseThatWereRead() throws IOException {
+        var subjects = new ArrayList<>(SignSubject.basic());
+        Topics.all().forEach(topic -> SignSubject.of(topic).ifPresent(subjects::add));
+        for (String line : read()) {
+            String[] words = line.split("[/ ]");
+            SignMap map = SignSubject.find(words[0], subjects).map(words[1]);
+            assertEquals(line, written(map));
+        }
+    }
+
+    private static List<String> read() throws IOException {
+        try (InputStream in = SignMapTest.class.getResourceAsStream("maps.txt")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
+        }
+    }
+
+    private static String written(SignMap map) {
+        var sum = new CRC32();
+        for (int row = 0; row < map.size(); row++)
+            for (int column = 0; column < map.size(); column++) {
+                sum.update(map.answer(column, row));
+                sum.update(map.exact(column, row));
+            }
+        return "%s/%s %d %d %d %08x"
+                .formatted(
+                        map.subject(),
+                        map.method(),
+                        map.extra(),
+                        map.missing(),
+                        map.unanswered(),
+                        sum.getValue());
     }
 
     /** The block structure of the paper's first figure: which point is subtracted matters. */

@@ -29,9 +29,17 @@ record Ratio(BigInteger over, BigInteger under) implements Comparable<Ratio> {
     }
 
     private static Ratio lowest(BigInteger over, BigInteger under) {
+        if (under.signum() > 0 && under.bitCount() == 1) return shifted(over, under);
         BigInteger shared = over.gcd(under);
         if (under.signum() < 0) shared = shared.negate();
         return new Ratio(over.divide(shared), under.divide(shared));
+    }
+
+    /** The same where {@code under} is a power of two, as of all doubles: without dividing. */
+    private static Ratio shifted(BigInteger over, BigInteger under) {
+        int shared = under.getLowestSetBit();
+        if (over.signum() != 0) shared = Math.min(shared, over.getLowestSetBit());
+        return new Ratio(over.shiftRight(shared), under.shiftRight(shared));
     }
 
     Ratio plus(Ratio other) {
