@@ -2,7 +2,9 @@ package rasterlab.exercises.searching;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -29,24 +31,49 @@ public final class HazardSearch<C, I, O> {
     /** The wall time of one method, and of the exact answer, for one input. */
     private static final Duration LIMIT = Duration.ofSeconds(1);
 
+    /** The same where an input is tried once more because something took longer. */
+    private static final Duration PATIENT = Duration.ofSeconds(8);
+
+    /** The part of the time that goes to such inputs, and how many wait. */
+    private static final double PATIENCE = 0.25;
+
+    private static final int MOST_WAITING = 8;
+
     private static final Duration SLOW = Duration.ofMillis(300);
     private static final long TELL_NANOS = 1_000_000_000L;
     private static final int MOST_KEPT = 60;
 
-    /** Time to make an input simpler, whatever was left. */
-    private static final Duration LEAST_SHRINKING = Duration.ofSeconds(3);
+    /** Time left to make an inexact input simpler, if the whole time is five times as long. */
+    private static final Duration SHRINKING = Duration.ofSeconds(3);
+
+    /** Time to make simpler what is found as the time ends. */
+    private static final Duration LEAST_SHRINKING = Duration.ofSeconds(1);
+
+    /** Time after the end in which a search ends by itself; then it is left behind. */
+    private static final Duration GRACE = LEAST_SHRINKING.plusMillis(500);
 
     private final Topic<C, I, O> topic;
     private final Method<C> method;
     private final List<Method<C>> witnesses;
     private final SearchedInputs<C, I, O> inputs;
     private final int seed;
-    private final SearchTold told;
+    private final LastFind told;
     private final Random random;
     private final TreeMutation mutation;
     private final List<JsonNode> kept = new ArrayList<>();
     private final long start = System.nanoTime();
     private double worst;
+    private BooleanSupplier over = () -> false;
+
+    /** Inputs on which something took too long. */
+    private final Deque<JsonNode> waiting = new ArrayDeque<>();
+
+    private long patientNanos;
+    private Duration limit = LIMIT;
+
+    /** Whether something took too long on the last input. */
+    private boolean late;
+
     private long tried;
     private int asked;
     private int drawn;
@@ -64,7 +91,7 @@ public final class HazardSearch<C, I, O> {
         this.topic = topic;
         this.method = method;
         this.seed = seed;
-        this.told = told;
+        this.told = new LastFind(told);
         witnesses =
                 topic.methods().stream()
                         .filter(Method::promisesToBeRight)
@@ -86,7 +113,7 @@ public final class HazardSearch<C, I, O> {
         return of(Topics.named(topic), method, seed, told);
     }
 
-    private static <C, I, O> HazardSearch<C, I, O> of(
+    static <C, I, O> HazardSearch<C, I, O> of(
             Topic<C, I, O> topic, String method, int seed, SearchTold told) {
         for (Mutant<C> mutant : topic.allMutants())
             if (mutant.name().equals(method))
@@ -98,25 +125,39 @@ public final class HazardSearch<C, I, O> {
     }
 
     /**
-     * Searches until something is found or the time is over.
+     * Searches until something is found or the time is over, and at most two seconds longer,
+     * whatever a method, an exact answer or a comparison does: one that comes to no end is left
+     * behind.
      *
-     * @param cancelled asked before each input
+     * @param cancelled asked before each input and each call, on a thread of the search's own
      */
     public Optional<Find> search(Duration time, BooleanSupplier cancelled) {
         long deadline = start + time.toNanos();
-        BooleanSupplier over = () -> cancelled.getAsBoolean() || System.nanoTime() - deadline >= 0;
+        return told.within(
+                () -> searched(deadline, time, cancelled),
+                Duration.ofNanos(deadline - System.nanoTime()).plus(GRACE));
+    }
+
+    private Optional<Find> searched(long deadline, Duration time, BooleanSupplier cancelled) {
+        long shrinking = Math.min(SHRINKING.toNanos(), time.toNanos() / 5);
+        over =
+                () ->
+                        cancelled.getAsBoolean()
+                                || System.nanoTime() - deadline
+                                        >= (inexact.isPresent() ? -shrinking : 0);
         kept.addAll(inputs.ofStudy());
         long next = start + TELL_NANOS;
         while (!over.getAsBoolean()) {
-            JsonNode tree = next();
+            boolean patient = !waiting.isEmpty() && patientNanos < PATIENCE * passed().toNanos();
+            JsonNode tree = patient ? waiting.remove() : next();
             if (tree == null) continue;
-            Optional<Failing> failing = tried(tree);
-            if (failing.isPresent()) return Optional.of(shrunk(failing.get(), over));
+            Optional<Failing> failing = patient ? patiently(tree) : tried(tree);
+            if (failing.isPresent()) return Optional.of(shrunk(failing.get(), deadline, cancelled));
             if (System.nanoTime() - next < 0) continue;
             told.tried(tried);
             next += TELL_NANOS;
         }
-        return inexact.map(failing -> shrunk(failing, over));
+        return inexact.map(failing -> shrunk(failing, deadline, cancelled));
     }
 
     private JsonNode next() {
@@ -135,6 +176,17 @@ public final class HazardSearch<C, I, O> {
         return asked < 400 || 50L * drawn > asked;
     }
 
+    /** Tries an input again with more time; what fails there is made simpler with it too. */
+    private Optional<Failing> patiently(JsonNode tree) {
+        long began = System.nanoTime();
+        limit = PATIENT;
+        changedOf = -1;
+        Optional<Failing> failing = tried(tree);
+        if (failing.isEmpty()) limit = LIMIT;
+        patientNanos += System.nanoTime() - began;
+        return failing;
+    }
+
     private Optional<Failing> tried(JsonNode tree) {
         Optional<I> input = inputs.read(tree);
         if (input.isEmpty()) return Optional.empty();
@@ -142,11 +194,15 @@ public final class HazardSearch<C, I, O> {
         long began = System.nanoTime();
         Optional<Verdict> verdict = verdict(input.get());
         if (System.nanoTime() - began > SLOW.toNanos()) forget();
+        if (verdict.isEmpty() && late && limit == LIMIT && waiting.size() < MOST_WAITING)
+            waiting.add(tree);
         if (verdict.isEmpty()) return Optional.empty();
         var here = new Failing(tree, verdict.get());
         if (fails(here.verdict.kind())) return Optional.of(here);
-        if (here.verdict.kind() == Verdict.Kind.DEGRADED && inexact.isEmpty())
+        if (here.verdict.kind() == Verdict.Kind.DEGRADED && inexact.isEmpty()) {
             inexact = Optional.of(here);
+            told.keep(find(tree, here.verdict, tried, passed()));
+        }
         keep(here);
         return Optional.empty();
     }
@@ -172,36 +228,52 @@ public final class HazardSearch<C, I, O> {
                 || kind == Verdict.Kind.CRASHED;
     }
 
-    /** The verdict on the method for an input; empty where it says nothing of the method. */
+    /**
+     * The verdict on the method for an input; empty where it says nothing of the method, or the
+     * time is over before that is known.
+     */
     private Optional<Verdict> verdict(I input) {
-        var exact =
-                Guard.call("exact answer", () -> HazardTrial.judging(topic, input, LIMIT), LIMIT);
-        if (!(exact instanceof Guard.Returned<Function<Method<C>, Verdict>> judging))
+        late = false;
+        Duration most = limit;
+        var exact = Guard.call("exact answer", () -> HazardTrial.judging(topic, input, most), most);
+        if (!(exact instanceof Guard.Returned<Function<Method<C>, Verdict>> judging)) {
+            late = exact instanceof Guard.TimedOut;
             return Optional.empty();
+        }
+        if (over.getAsBoolean()) return Optional.empty();
         Verdict verdict = judging.value().apply(method);
         if (verdict.kind() == Verdict.Kind.EXACT || verdict.kind() == Verdict.Kind.REFUSED)
             return Optional.of(verdict);
         boolean witnessed =
                 witnesses.isEmpty()
-                        || witnesses.stream()
-                                .anyMatch(
-                                        each ->
-                                                judging.value().apply(each).kind()
-                                                        == Verdict.Kind.EXACT);
+                        || witnesses.stream().anyMatch(each -> isExact(judging.value(), each));
         return witnessed ? Optional.of(verdict) : Optional.empty();
     }
 
-    private Find shrunk(Failing first, BooleanSupplier over) {
-        Duration after = Duration.ofNanos(System.nanoTime() - start);
+    private boolean isExact(Function<Method<C>, Verdict> judging, Method<C> each) {
+        if (over.getAsBoolean()) return false;
+        Verdict.Kind kind = judging.apply(each).kind();
+        late |= kind == Verdict.Kind.ENDLESS;
+        return kind == Verdict.Kind.EXACT;
+    }
+
+    private Duration passed() {
+        return Duration.ofNanos(System.nanoTime() - start);
+    }
+
+    private Find shrunk(Failing first, long deadline, BooleanSupplier cancelled) {
+        Duration after = passed();
         long inputsTried = tried;
         told.found(find(first.tree, first.verdict, inputsTried, after));
-        long least = System.nanoTime() + LEAST_SHRINKING.toNanos();
+        long now = System.nanoTime();
+        long end = now + Math.max(deadline - now, LEAST_SHRINKING.toNanos());
+        over = () -> cancelled.getAsBoolean() || System.nanoTime() - end >= 0;
         var last = new Verdict[] {first.verdict};
         JsonNode best =
                 new TreeShrinking(
                                 tree -> failsAs(first, tree, last),
                                 tree -> told.simpler(find(tree, last[0], inputsTried, after)),
-                                () -> over.getAsBoolean() && System.nanoTime() - least >= 0)
+                                over)
                         .shrunk(first.tree);
         return find(best, last[0], inputsTried, after);
     }
