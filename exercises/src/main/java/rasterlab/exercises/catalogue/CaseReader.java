@@ -31,7 +31,10 @@ final class CaseReader {
     /** The fields of each. */
     private static final Map<String, String[]> WITHIN =
             Map.of(
-                    "input", new String[] {"given", "hazard", "mayRefuse", "strict", "first"},
+                    "input",
+                            new String[] {
+                                "given", "hazard", "scene", "mayRefuse", "strict", "first"
+                            },
                     "generate", new String[] {"shape", "count", "let", "given", "strict"},
                     "property", new String[] {"holds", "shape", "count", "let", "given", "seed"});
 
@@ -45,6 +48,7 @@ final class CaseReader {
     private final Optional<TopicGrading> topic;
     private final List<String> groups;
     private final InputTemplates shapes;
+    private final SceneInputs scenes;
 
     /**
      * @param topic empty where it is not known: then no input is looked at
@@ -62,6 +66,7 @@ final class CaseReader {
         this.topic = topic;
         this.groups = groups;
         this.shapes = shapes;
+        scenes = new SceneInputs(folder, topic);
     }
 
     List<Case> read(JsonFields exercise) {
@@ -132,7 +137,7 @@ final class CaseReader {
     private Asked asked(JsonFields fields) {
         String field = askedField(fields);
         JsonFields all = fields.object(field, WITHIN.get(field));
-        if (field.equals("input")) return new Asked(all.tree().toString(), false, Optional.empty());
+        if (field.equals("input")) return new Asked(scenes.given(all), false, Optional.empty());
         String data = shapes.given(all, "holds");
         return field.equals("property")
                 ? new Asked(data, !all.has("seed"), Optional.of(property(all)))
