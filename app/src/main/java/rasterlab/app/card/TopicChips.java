@@ -21,7 +21,7 @@ public final class TopicChips {
      */
     public static <H extends Hazard<?>> Chips of(
             Texts texts, String topic, List<H> hazards, List<String> methods, Consumer<H> chosen) {
-        var chips = new Chips(texts, "hazards");
+        var chips = new Chips(texts, "hazards").of(topic);
         TopicTexts said = TopicTexts.of(topic, texts.language());
         for (H each : hazards)
             chips.add(

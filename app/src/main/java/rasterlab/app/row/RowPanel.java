@@ -61,6 +61,7 @@ public final class RowPanel extends LabCard {
 
     private Chips chips(Texts texts, Language language) {
         var chips = new Chips(texts, "hazards");
+        model.hazards().map(each -> each.topic()).distinct().forEach(chips::of);
         model.hazards()
                 .forEach(
                         each -> {

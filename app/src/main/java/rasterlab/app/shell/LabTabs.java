@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.lab.HazardTold;
 import rasterlab.app.canvas.lab.LabPanel;
+import rasterlab.app.canvas.lab.OwnChips;
 import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.card.LabRoom;
+import rasterlab.app.found.FoundCases;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.PracticeCards;
@@ -75,6 +77,12 @@ public final class LabTabs implements AutoCloseable {
     private static <M> LabPanel panel(
             LabRoom<M> room, LabModels models, LabRoom.Surroundings around) {
         LabPanel lab = room.panel(models.of(room), around);
+        models.found()
+                .ifPresent(
+                        kept ->
+                                OwnChips.offer(
+                                        lab,
+                                        new FoundCases(kept, around.opening(), around.language())));
         return room.cards().isEmpty()
                 ? lab
                 : new PracticeCards(lab, models.practice(room), around.language());

@@ -60,11 +60,33 @@ public final class Chips extends JPanel {
 
     /** A chip that also says over the stage what is special, and which methods fail. */
     public void add(HazardCase hazard) {
+        add(hazard, cases.size());
+    }
+
+    /** Names the topic whose hazards these are: cases of the user's come before them. */
+    public Chips of(String topic) {
+        OwnChips.into(this, topic);
+        return this;
+    }
+
+    /**
+     * @param at number of chips before it
+     */
+    JButton add(HazardCase hazard, int at) {
         JButton chip = chip("chip." + hazard.name(), hazard.label(), () -> choose(hazard));
         chip.setToolTipText(hazard.special());
         chip.getAccessibleContext().setAccessibleDescription(hazard.special());
-        add(chip, getComponentCount() - 1);
-        cases.add(hazard);
+        add(chip, at + 1);
+        cases.add(at, hazard);
+        return chip;
+    }
+
+    /** Takes a chip away; what is told over the stage stays. */
+    void drop(HazardCase hazard, JButton chip) {
+        cases.remove(hazard);
+        remove(chip);
+        revalidate();
+        repaint();
     }
 
     private void choose(HazardCase hazard) {

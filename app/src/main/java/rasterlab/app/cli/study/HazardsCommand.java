@@ -80,6 +80,11 @@ public final class HazardsCommand implements Callable<Integer> {
                     "of --search: a scene file that ./lab run --scene, ./lab open and the lab read")
     private Path out;
 
+    @Option(
+            names = "--keep",
+            description = "of --search: keeps it for the lab, where it is a chip of its topic")
+    private boolean keep;
+
     public HazardsCommand(Console console) {
         this.console = console;
     }
@@ -87,9 +92,10 @@ public final class HazardsCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         if (searched != null)
-            return new SearchRun(console, topic, searched, seed, out).within(seconds, json);
+            return new SearchRun(console, topic, searched, seed, out, keep).within(seconds, json);
         if (html != null) return new HazardPages(console, html).write(TopicChoice.of(topic));
         if (out != null) throw Complaint.badInput("--out goes with --search METHOD");
+        if (keep) throw Complaint.badInput("--keep goes with --search METHOD");
         List<HazardMatrix> matrices = new ArrayList<>();
         for (Topic<?, ?, ?> chosen : TopicChoice.of(topic))
             matrices.add(HazardMatrix.judged(chosen, HazardTrial.WALL_LIMIT));

@@ -6,10 +6,12 @@ import java.time.Duration;
 import java.util.Optional;
 import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.cli.console.Console;
+import rasterlab.app.found.FoundHazards;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.app.study.StudyWords;
 import rasterlab.exercises.searching.Find;
 import rasterlab.exercises.searching.HazardSearch;
@@ -28,11 +30,13 @@ final class SearchRun implements SearchTold {
     private final String method;
     private final int seed;
     private final Optional<Path> out;
+    private final Optional<FoundHazards> kept;
 
     /**
      * @param out the file that the input is written to; null for none
+     * @param keep whether the input is kept among the user's hazards
      */
-    SearchRun(Console console, String topic, String method, int seed, Path out) {
+    SearchRun(Console console, String topic, String method, int seed, Path out, boolean keep) {
         if (topic == null) throw Complaint.badInput("--search METHOD needs TOPIC");
         this.console = console;
         texts = console.language().texts();
@@ -40,6 +44,13 @@ final class SearchRun implements SearchTold {
         this.method = method;
         this.seed = seed;
         this.out = Optional.ofNullable(out);
+        kept = keep ? Optional.of(usual()) : Optional.empty();
+    }
+
+    /** Those that the window of this user shows. */
+    private static FoundHazards usual() {
+        Path settings = SettingsFile.usual(System.getenv(), System.getProperties());
+        return FoundHazards.in(settings.toAbsolutePath().getParent());
     }
 
     /**
@@ -51,6 +62,7 @@ final class SearchRun implements SearchTold {
         if (seconds < 1 || seconds > LONGEST)
             throw Complaint.badInput("--seconds must be from 1 to " + LONGEST + ", got " + seconds);
         out.ifPresent(WholeFile::requireWritable);
+        kept.ifPresent(FoundHazards::requireWritable);
         HazardSearch<?, ?, ?> search = search();
         Optional<Find> find = search.search(Duration.ofSeconds(seconds), () -> false);
         if (find.isEmpty()) {
@@ -84,6 +96,7 @@ final class SearchRun implements SearchTold {
                     WholeFile.write(file, (scene + "\n").getBytes(StandardCharsets.UTF_8));
                     console.tell("wrote", file.toString());
                 });
+        kept.ifPresent(all -> console.tell("wrote", all.keep(find.scene()).toString()));
     }
 
     private String said(String key, Find find) {

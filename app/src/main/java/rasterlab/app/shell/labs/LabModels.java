@@ -20,6 +20,7 @@ import rasterlab.app.coordinates.CoordinatesRoom;
 import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.exercise.UnsavedDraft;
 import rasterlab.app.exercise.panel.ExerciseRoom;
+import rasterlab.app.found.FoundHazards;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.panel.LightRoom;
 import rasterlab.app.line.LineLabModel;
@@ -58,6 +59,8 @@ public final class LabModels implements AutoCloseable {
 
     /** The states of the labs when they were made, by the names under which they are kept. */
     private final Map<String, Object> asMade = new ConcurrentHashMap<>();
+
+    private Optional<FoundHazards> found = Optional.empty();
 
     private LabModels(
             Executor events,
@@ -189,9 +192,15 @@ public final class LabModels implements AutoCloseable {
         return of(new ExerciseRoom()).model();
     }
 
-    /** Keeps the exercises' sources in a folder. */
+    /** Keeps the exercises' sources in a folder, where the user's finds are too. */
     public void keepSourcesIn(Path folder) {
+        found = Optional.of(FoundHazards.in(folder));
         lab(new ExerciseRoom()).whenMade(desk -> desk.model().keepIn(folder));
+    }
+
+    /** The hazards that the user keeps; empty where no folder is known. */
+    public Optional<FoundHazards> found() {
+        return found;
     }
 
     /** The sources that are not on the disk; tries once more to write them, and waits for that. */

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.Ran;
 import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.app.found.FoundHazards;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Deviation;
@@ -108,9 +109,23 @@ class HazardsCommandTest {
                 .assertComplains(2, "./lab hazards: --seconds must be from 1 to 3600, got 0");
         Ran.lab("hazards", "line", "--out", "x.scene.json")
                 .assertComplains(2, "./lab hazards: --out goes with --search METHOD");
+        Ran.lab("hazards", "line", "--keep")
+                .assertComplains(2, "./lab hazards: --keep goes with --search METHOD");
         Ran unknown = Ran.lab("hazards", "line", "--search", "ddaa");
         assertEquals(2, unknown.exitCode());
         assertTrue(unknown.err().startsWith("./lab hazards: no line method 'ddaa'"), unknown.err());
+    }
+
+    @Test
+    void keptFindLiesBesideTheSettings(@TempDir Path settings) {
+        System.setProperty("rasterlab.settings", settings.resolve("window").toString());
+        try {
+            Ran.lab("hazards", "line", "--search", "naive-textbook", "--seed", "5", "--keep")
+                    .assertDone();
+        } finally {
+            System.clearProperty("rasterlab.settings");
+        }
+        assertEquals(1, FoundHazards.in(settings).of("line").size());
     }
 
     private static HazardMatrix withDetail(String detail) {
