@@ -32,7 +32,7 @@ public final class FoundCases implements OwnChips.Offer {
         verdicts = Texts.of("study", language);
     }
 
-    /** Those that the lab can show; none of a topic of which it reads no inputs. */
+    /** The finds that the lab can show; none of a topic of which it reads no inputs. */
     @Override
     public List<OwnCase> of(String topic) {
         if (opening.obstacleToInputs(topic).isPresent()) return List.of();

@@ -34,7 +34,7 @@ public final class FoundHazards {
         this.folder = folder;
     }
 
-    /** Those in the usual place beside the settings of the user. */
+    /** The finds in the usual place beside the settings of the user. */
     public static FoundHazards in(Path settings) {
         return new FoundHazards(settings.resolve("hazards"));
     }
@@ -72,7 +72,7 @@ public final class FoundHazards {
                 "%s: has %d hazards of %s already; remove one".formatted(folder, MOST, method));
     }
 
-    /** Those of a topic, by name; what is no such file is left where it is. */
+    /** The finds of a topic, by name; what is no such file is left where it is. */
     public List<Kept> of(String topic) {
         if (!Files.isDirectory(folder)) return List.of();
         try (Stream<Path> files = Files.list(folder)) {

@@ -48,7 +48,7 @@ final class CaseReader {
     private final Optional<TopicGrading> topic;
     private final List<String> groups;
     private final InputTemplates shapes;
-    private final SceneInputs scenes;
+    private final CaseScenes scenes;
 
     /**
      * @param topic empty where it is not known: then no input is looked at
@@ -66,7 +66,7 @@ final class CaseReader {
         this.topic = topic;
         this.groups = groups;
         this.shapes = shapes;
-        scenes = new SceneInputs(folder, topic);
+        scenes = new CaseScenes(folder, topic);
     }
 
     List<Case> read(JsonFields exercise) {

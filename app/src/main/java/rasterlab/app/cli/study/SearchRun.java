@@ -47,7 +47,7 @@ final class SearchRun implements SearchTold {
         kept = keep ? Optional.of(usual()) : Optional.empty();
     }
 
-    /** Those that the window of this user shows. */
+    /** The hazards that the window of this user shows. */
     private static FoundHazards usual() {
         Path settings = SettingsFile.usual(System.getenv(), System.getProperties());
         return FoundHazards.in(settings.toAbsolutePath().getParent());

@@ -16,14 +16,14 @@ import rasterlab.exercises.score.Phrase;
  * Scene files that cases name, such as {@code ./lab hazards --search} writes: their input stands in
  * place of their name.
  */
-final class SceneInputs {
+final class CaseScenes {
     private final ExerciseFolder folder;
     private final Optional<TopicGrading> topic;
 
     /**
      * @param topic whose inputs they must have; empty where it is not known
      */
-    SceneInputs(ExerciseFolder folder, Optional<TopicGrading> topic) {
+    CaseScenes(ExerciseFolder folder, Optional<TopicGrading> topic) {
         this.folder = folder;
         this.topic = topic;
     }

@@ -18,7 +18,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 
 /** A file that a search for hazards wrote is a case of an instructor's exercise. */
-class SceneInputsTest {
+class CaseScenesTest {
     private static final String INPUT = "{\"from\":[0,0],\"to\":[7,3]}";
     private static final String SCENE =
             """
