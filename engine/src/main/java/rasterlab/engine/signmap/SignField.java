@@ -12,9 +12,13 @@ import rasterlab.engine.predicate.Spacing;
  */
 record SignField(Spacing spacing, int size, double left, double low) {
     SignField {
-        if (!(left > 0 && low > 0))
-            throw new IllegalArgumentException(
-                    "left and low must be above 0, got %s and %s".formatted(left, low));
+        requireAboveZero("left", left);
+        requireAboveZero("low", low);
+    }
+
+    private static void requireAboveZero(String name, double value) {
+        if (!(value > 0))
+            throw new IllegalArgumentException(name + " must be above 0, got " + value);
     }
 
     /** The answers for all points, row after row from the lowest. */
