@@ -5,7 +5,7 @@ import rasterlab.engine.sight.Reason;
 /**
  * One choice of a plan.
  *
- * @param subject what it is about: visibility, shading, tessellation, texture, terms, sight
+ * @param subject what it is about: visibility, shading, tessellation, texture, lamps, terms, sight
  * @param chosen the least that is enough
  * @param instead what the full pipeline has there
  * @param reason by which proof or bound

@@ -89,16 +89,15 @@ public final class Planner {
         long start = System.nanoTime();
         RenderRequest full = full(asked);
         List<PlanDecision> decisions = new ArrayList<>();
-        Scene scene = withoutDarkTerms(full.scene(), decisions);
+        LampPlan.Result lamps = LampPlan.of(full.scene(), tolerance.levels(), decisions);
+        Scene scene = withoutDarkTerms(lamps.scene(), decisions);
         ViewedMesh whole = RequestView.of(full, full.width()).viewed();
         Optional<ShapePlan.Result> parts = new ShapePlan(scene, whole, tolerance).plan();
         if (parts.isPresent()) {
             scene = parts.get().scene();
             decisions.addAll(parts.get().decisions());
         }
-        double left =
-                tolerance.levels()
-                        - decisions.stream().mapToDouble(PlanDecision::levels).max().orElse(0);
+        double left = tolerance.levels() - lamps.levels() - ofFaces(parts);
         RenderRequest request = full.with(scene);
         RequestView seen = RequestView.of(request, request.width());
         var areas = new ScreenAreas(seen.viewed());
@@ -142,6 +141,15 @@ public final class Planner {
                 cost,
                 cost,
                 (System.nanoTime() - start) / 1e6);
+    }
+
+    /** The levels that coarser faces may change; parts are beside each other. */
+    private static double ofFaces(Optional<ShapePlan.Result> parts) {
+        return parts.stream()
+                .flatMap(result -> result.decisions().stream())
+                .mapToDouble(PlanDecision::levels)
+                .max()
+                .orElse(0);
     }
 
     /** Highlights are left out where neither a material nor a lamp has any. */

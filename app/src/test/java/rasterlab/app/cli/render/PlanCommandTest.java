@@ -77,7 +77,7 @@ class PlanCommandTest {
                 bad("negative levels", "levels", "cube", "--levels", "-1"),
                 bad("share above all", "error must", "cube", "--error", "1.5"),
                 bad("picture of another kind", "allowed is .png", "cube", "--out", "a.gif"),
-                bad("place that cannot be written", "", "cube", "--out", "/nosuch/a.png"));
+                bad("unwritable place", "no folder /nosuch", "cube", "--out", "/nosuch/a.png"));
     }
 
     private static Arguments bad(String name, String line, String... arguments) {
