@@ -13,6 +13,7 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
 import java.util.Comparator;
 import java.util.List;
@@ -30,6 +31,7 @@ import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.front.FrontChart;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
@@ -40,14 +42,18 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     /** A chart that is smaller than this, in its own type, is painted so large and made smaller. */
     private static final Dimension LEAST = new Dimension(560, 400);
 
+    /** How near to a point a click must be, in the chart's own units. */
+    private static final double NEAR = 14;
+
     /**
      * @param width in the chart's own units, in which its type has always the same size
      * @param height likewise
      * @param dots of the picture for each unit
      */
-    private record Asked(Study study, int width, int height, double dots, StageColours colours) {}
+    private record Asked(
+            Study study, String level, int width, int height, double dots, StageColours colours) {}
 
-    private record Painted(Asked asked, BufferedImage image, List<PointPlaces.Place> places) {}
+    private record Painted(Asked asked, BufferedImage image, List<FrontChart.Spot> spots) {}
 
     private final transient StudyLabModel model;
     private final transient Texts texts;
@@ -79,7 +85,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                     @Override
                     public void mousePressed(MouseEvent e) {
                         requestFocusInWindow();
-                        near(e.getX(), e.getY()).ifPresent(place -> model.choose(place.point()));
+                        near(e.getX(), e.getY()).ifPresent(model::choose);
                     }
                 });
         addComponentListener(
@@ -97,24 +103,37 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
      * @param x view units
      * @param y view units
      */
-    private Optional<PointPlaces.Place> near(int x, int y) {
+    private Optional<Measurement> near(int x, int y) {
         return painted.flatMap(
                 chart ->
-                        PointPlaces.near(
-                                chart.places(),
-                                x * chart.asked().width() / getWidth(),
-                                y * chart.asked().height() / getHeight()));
+                        nearest(
+                                chart.spots(),
+                                (double) x * chart.asked().width() / getWidth(),
+                                (double) y * chart.asked().height() / getHeight()));
+    }
+
+    private static Optional<Measurement> nearest(List<FrontChart.Spot> spots, double x, double y) {
+        return spots.stream()
+                .filter(spot -> Math.hypot(spot.x() - x, spot.y() - y) <= NEAR)
+                .min(Comparator.comparingDouble(spot -> Math.hypot(spot.x() - x, spot.y() - y)))
+                .map(FrontChart.Spot::point);
     }
 
     /** Goes to the next dearer or cheaper point. */
     private void walk(int steps) {
         List<Measurement> points =
-                painted.map(Painted::places).orElse(List.of()).stream()
-                        .map(PointPlaces.Place::point)
+                painted.map(Painted::spots).orElse(List.of()).stream()
+                        .map(FrontChart.Spot::point)
                         .sorted(Comparator.comparingDouble(p -> p.cost().medianNanos()))
                         .toList();
         if (points.isEmpty()) return;
-        int now = model.state().point().map(points::indexOf).orElse(steps > 0 ? -1 : 0);
+        List<String> methods = points.stream().map(Measurement::method).toList();
+        int now =
+                model.state()
+                        .point()
+                        .map(one -> methods.indexOf(one.method()))
+                        .filter(place -> place >= 0)
+                        .orElse(steps > 0 ? -1 : 0);
         model.choose(points.get(Math.floorMod(now + steps, points.size())));
     }
 
@@ -124,7 +143,11 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                 model.state()
                         .study()
                         .filter(study -> getWidth() > 0 && getHeight() > 0)
-                        .map(this::question);
+                        .flatMap(
+                                study ->
+                                        model.state()
+                                                .shownLevel()
+                                                .map(level -> question(study, level)));
         if (!wanted.equals(asked)) {
             asked = wanted;
             if (wanted.isEmpty()) painted = Optional.empty();
@@ -133,10 +156,11 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         repaint();
     }
 
-    private Asked question(Study study) {
+    private Asked question(Study study, String level) {
         double type = type(getWidth(), getHeight(), UIScale.getUserScaleFactor());
         return new Asked(
                 study,
+                level,
                 (int) Math.round(getWidth() / type),
                 (int) Math.round(getHeight() / type),
                 Math.max(1, type),
@@ -155,7 +179,12 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     private Painted painted(Asked question) {
         var colours = question.colours();
-        var places = new PointPlaces(StudyChart.points(question.study()));
+        var chart =
+                new FrontChart(
+                        question.study(),
+                        question.level(),
+                        new StudyWords(texts.language()),
+                        ChartLook.on(colours));
         var image =
                 new BufferedImage(
                         (int) Math.round(question.width() * question.dots()),
@@ -165,15 +194,9 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         g.scale(question.dots(), question.dots());
         g.setColor(colours.ground());
         g.fillRect(0, 0, question.width() + 1, question.height() + 1);
-        StudyChart.paint(
-                question.study(),
-                new StudyWords(texts.language()),
-                ChartLook.on(colours),
-                new Dimension(question.width(), question.height()),
-                places,
-                g);
+        chart.paint(g, question.width(), question.height());
         g.dispose();
-        return new Painted(question, image, places.all());
+        return new Painted(question, image, chart.spots());
     }
 
     private void show(Painted chart) {
@@ -217,9 +240,10 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                 (double) getHeight() / chart.asked().height());
         inChart.setColor(StageColours.now().ink());
         inChart.setStroke(new BasicStroke(2));
-        for (PointPlaces.Place place : chart.places())
-            if (model.state().point().filter(place.point()::equals).isPresent())
-                inChart.drawOval(place.x() - 10, place.y() - 10, 20, 20);
+        Optional<String> marked = model.state().point().map(Measurement::method);
+        for (FrontChart.Spot spot : chart.spots())
+            if (marked.filter(spot.point().method()::equals).isPresent())
+                inChart.draw(new Ellipse2D.Double(spot.x() - 10, spot.y() - 10, 20, 20));
         inChart.dispose();
     }
 

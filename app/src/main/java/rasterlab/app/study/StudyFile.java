@@ -25,7 +25,9 @@ public enum StudyFile {
     PNG {
         @Override
         byte[] content(Study study, StudyPlot plot, boolean counted, Language language) {
-            return PngFile.bytes(StudyChart.image(shown(study, counted), words(counted, language)));
+            return PngFile.bytes(
+                    plot.of(shown(study, counted), words(counted, language), ChartLook.PAPER)
+                            .image(ChartLook.PAPER));
         }
     },
     CSV {

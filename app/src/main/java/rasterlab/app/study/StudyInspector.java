@@ -40,7 +40,7 @@ final class StudyInspector {
     private final NameChooser topic;
     private final NameChooser view;
     private final NameChooser pace;
-    private final JLabel workload;
+    private final NameChooser workload;
     private final JLabel cost;
     private final JLabel quartiles;
     private final JLabel error;
@@ -83,8 +83,13 @@ final class StudyInspector {
                         PACES,
                         code -> texts.text("pace." + code),
                         code -> model.takeTime(code.equals("thorough")));
+        workload =
+                chooser(
+                        "workload",
+                        List.of(),
+                        name -> words.workload(model.state().topic().name(), name),
+                        model::chooseLevel);
         column.heading("heading.chosen");
-        workload = column.value("workload");
         cost = column.value("cost");
         quartiles = column.value("quartiles");
         error = column.value("error");
@@ -140,7 +145,8 @@ final class StudyInspector {
         view.show(state.view().code());
         pace.show(state.thorough() ? "thorough" : "quick");
         boolean chart = state.view() == StudyView.CHART;
-        for (JComponent one : List.of(workload, cost, quartiles, error)) column.showRow(one, chart);
+        for (JComponent one : List.of(cost, quartiles, error)) column.showRow(one, chart);
+        showLevels(state);
         column.showRow(recorded, !chart);
         open.setVisible(!chart);
         input.setVisible(!chart);
@@ -149,6 +155,18 @@ final class StudyInspector {
         if (chart) showPoint(state);
         else showCell(state);
         explain(state);
+    }
+
+    /** The workloads that were measured, in the study's order. */
+    private void showLevels(StudyLabState state) {
+        Optional<String> shown =
+                state.shownLevel().filter(level -> state.view() == StudyView.CHART);
+        column.showRow(workload, shown.isPresent());
+        shown.ifPresent(level -> workload.offer(levels(state.study().orElseThrow()), level));
+    }
+
+    private static List<String> levels(Study study) {
+        return study.measurements().stream().map(Measurement::workload).distinct().toList();
     }
 
     private String notTimed(Study study) {
@@ -162,8 +180,6 @@ final class StudyInspector {
 
     private void showPoint(StudyLabState state) {
         Optional<Measurement> point = state.point();
-        workload.setText(point.map(one -> workload(state, one)).orElse("–"));
-        workload.setToolTipText(point.map(Measurement::workload).orElse(null));
         cost.setText(
                 point.map(one -> texts.text("nanos", number(one.cost().medianNanos())))
                         .orElse("–"));
@@ -179,10 +195,6 @@ final class StudyInspector {
         verdict.setText(point.map(one -> texts.text("verdict." + one.kind().code())).orElse("–"));
         wrong.setText(point.map(one -> wrong(one.error())).orElse("–"));
         say(detail, point.map(this::detail).orElse(texts.text("hint.point")));
-    }
-
-    private String workload(StudyLabState state, Measurement point) {
-        return words.workload(state.topic().name(), point.workload());
     }
 
     private String detail(Measurement point) {

@@ -129,6 +129,7 @@ final class StudyJson {
         json.writeNumberField("size", measured.size());
         write(measured.cost(), noise);
         write(measured.error());
+        write("errors", measured.errors());
         json.writeStringField("verdict", measured.kind().code());
         json.writeStringField("detail", measured.detail());
         json.writeEndObject();

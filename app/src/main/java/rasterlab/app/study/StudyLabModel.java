@@ -1,5 +1,6 @@
 package rasterlab.app.study;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -12,9 +13,12 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.file.Kept;
 import rasterlab.app.canvas.work.Background;
+import rasterlab.app.canvas.work.LatestReading;
 import rasterlab.app.canvas.work.Listeners;
+import rasterlab.app.canvas.work.RareNews;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -26,13 +30,13 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Verdict;
 
 /**
  * The tab of speed and accuracy without its window: which topic, what was measured, what is chosen.
  *
  * <p>Measuring runs on a thread of the model's own; commands and news run on the thread of the
- * executor it is given. What was measured of a topic stays until it is measured again.
+ * executor it is given. What was measured of a topic stays until it is measured again, also from
+ * one run of the program to the next.
  */
 public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoCloseable {
     /**
@@ -48,9 +52,11 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     private final OwnMethods own;
     private final Runnable deaf;
     private final Background background;
+    private final LatestReading reading;
     private final Map<String, Study> studies = new HashMap<>();
     private final Map<String, List<Cell>> verdicts = new HashMap<>();
     private final Listeners<StudyLabState> listeners = new Listeners<>();
+    private Optional<KeptStudies> kept = Optional.empty();
     private StudyLabState state;
 
     /** The tab of somebody without programs of his own. */
@@ -74,10 +80,11 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         this.own = own;
         deaf = own.whenBrought(topic -> events.execute(() -> renew(topic)));
         background = new Background("study", events, onFailure);
+        reading = new LatestReading("kept studies", events, onFailure);
         state = first(topics.get(0), false, StudyView.HAZARDS);
     }
 
-    /** The part that is kept between runs; measurements are not. */
+    /** The part that is kept between runs beside the measurements. */
     record Chosen(String topic, boolean thorough, StudyView view) {}
 
     @Override
@@ -104,7 +111,8 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 view,
                 Optional.ofNullable(studies.get(topic.name())),
                 verdicts.getOrDefault(topic.name(), List.of()),
-                Optional.empty(),
+                "",
+                "",
                 "",
                 topic.methods().get(0).name(),
                 StudyWork.NONE);
@@ -133,23 +141,56 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         if (chosen.name().equals(state.topic().name())) return;
         cancel();
         publish(first(chosen, state.thorough(), state.view()));
+        bringBack();
+    }
+
+    /** Keeps the last result of each topic in a folder, and shows those that are there. */
+    public void keepIn(Path folder) {
+        kept = Optional.of(new KeptStudies(folder.resolve("studies")));
+        bringBack();
+    }
+
+    /** Reads the last result of the topic that is shown, unless it has one. */
+    private void bringBack() {
+        Topic<?, ?, ?> topic = plain(state.topic().name());
+        if (kept.isEmpty() || studies.containsKey(topic.name())) return;
+        KeptStudies from = kept.get();
+        reading.accept(
+                () -> {
+                    try {
+                        Optional<Study> read = from.read(topic);
+                        return () -> read.ifPresent(this::showKept);
+                    } catch (Complaint unread) {
+                        return () -> tell(topic, StudyWork.Kind.NOT_READ, unread);
+                    }
+                });
+    }
+
+    private void showKept(Study study) {
+        boolean measured = studies.putIfAbsent(study.topic(), study) != null;
+        if (!measured && isShown(study.topic())) publish(state.with(study));
+    }
+
+    private void tell(Topic<?, ?, ?> topic, StudyWork.Kind kind, Complaint why) {
+        if (isShown(topic.name()) && !state.work().running())
+            publish(state.with(StudyWork.failed(kind, why.getMessage())));
+    }
+
+    private boolean isShown(String topic) {
+        return topic.equals(state.topic().name());
+    }
+
+    private Topic<?, ?, ?> plain(String topic) {
+        return Named.find("topic", topic, topics, Topic::name);
     }
 
     /** Forgets what another program did on that topic before. */
     private void renew(String topic) {
-        studies.computeIfPresent(topic, (name, before) -> without(before));
+        studies.computeIfPresent(topic, (name, before) -> KeptStudies.withoutOwn(before));
         verdicts.computeIfPresent(topic, (name, before) -> without(before));
-        if (!topic.equals(state.topic().name())) return;
+        if (!isShown(topic)) return;
         cancel();
-        Topic<?, ?, ?> shown = Named.find("topic", topic, topics, Topic::name);
-        publish(first(shown, state.thorough(), state.view()));
-    }
-
-    private static Study without(Study study) {
-        return study.with(
-                study.measurements().stream()
-                        .filter(one -> !one.method().equals(OwnMethods.NAME))
-                        .toList());
+        publish(first(plain(topic), state.thorough(), state.view()));
     }
 
     private static List<Cell> without(List<Cell> cells) {
@@ -170,6 +211,11 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         choose(study.topic());
         studies.put(study.topic(), study);
         publish(state.with(study).with(StudyView.CHART));
+    }
+
+    /** Shows the chart of that workload; the chosen point is that of the same method. */
+    void chooseLevel(String workload) {
+        publish(state.withLevel(workload));
     }
 
     /** Chooses a point of the chart. */
@@ -206,19 +252,31 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         begin(
                 StudyWork.Kind.STUDY,
                 tell -> {
-                    var news = new Rare<Progress>(tell, BETWEEN_NEWS, this::tell);
-                    var points = new Rare<Study>(tell, BETWEEN_POINTS, this::tellSoFar);
+                    var news = new RareNews<Progress>(tell, BETWEEN_NEWS, this::tell);
+                    var points = new RareNews<Study>(tell, BETWEEN_POINTS, this::tellSoFar);
                     Study study =
                             measured(
                                     topic,
                                     settings,
                                     step -> news.accept(() -> step),
                                     points::accept);
+                    Optional<Complaint> unkept = keep(study);
                     return () -> {
                         studies.put(topic.name(), study);
                         publish(state.with(study));
+                        unkept.ifPresent(why -> tell(topic, StudyWork.Kind.NOT_KEPT, why));
                     };
                 });
+    }
+
+    /** Writes a whole result where they are kept; answers why it could not be. */
+    private Optional<Complaint> keep(Study study) {
+        try {
+            if (study.isWhole()) kept.ifPresent(where -> where.keep(study));
+            return Optional.empty();
+        } catch (Complaint unwritten) {
+            return Optional.of(unwritten);
+        }
     }
 
     private Study measured(
@@ -227,7 +285,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
             Consumer<Progress> progress,
             Consumer<Supplier<Study>> points)
             throws InterruptedException {
-        Topic<?, ?, ?> plain = Named.find("topic", topic.name(), topics, Topic::name);
+        Topic<?, ?, ?> plain = plain(topic.name());
         Optional<OwnProgram> program = own.of(topic.name());
         return program.isPresent()
                 ? new OwnStudy<>(plain, program.get(), own)
@@ -242,18 +300,12 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                         Thread.currentThread()::isInterrupted);
     }
 
-    /** Shows the points as they come, once each method has one; they stay if it is cancelled. */
+    /** Shows the points as they come; they stay if it is cancelled. */
     private void tellSoFar(Study soFar) {
-        List<Measurement> points = soFar.measurements();
-        boolean begun = !points.isEmpty() && points.stream().allMatch(StudyLabModel::isPlaced);
-        if (!begun || !soFar.topic().equals(state.topic().name())) return;
+        boolean begun = soFar.measurements().stream().anyMatch(one -> one.cost().timed());
+        if (!begun || !isShown(soFar.topic())) return;
         studies.put(soFar.topic(), soFar);
-        StudyWork work = state.work();
-        publish(state.with(soFar).with(work));
-    }
-
-    private static boolean isPlaced(Measurement one) {
-        return one.cost().timed() || one.kind().compareTo(Verdict.Kind.REFUSED) >= 0;
+        publish(state.with(soFar));
     }
 
     private void tell(Progress progress) {
@@ -277,7 +329,8 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                 StudyWork.Kind.HAZARDS,
                 tell -> {
                     var judged = new ArrayList<Cell>();
-                    var news = new Rare<List<Cell>>(tell, BETWEEN_NEWS, cells -> tell(cells, of));
+                    var news =
+                            new RareNews<List<Cell>>(tell, BETWEEN_NEWS, cells -> tell(cells, of));
                     List<Cell> all =
                             tried(
                                     topic.name(),
@@ -293,7 +346,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     }
 
     private List<Cell> tried(String topic, Consumer<Cell> judged) {
-        Topic<?, ?, ?> plain = Named.find("topic", topic, topics, Topic::name);
+        Topic<?, ?, ?> plain = plain(topic);
         BooleanSupplier cancelled = Thread.currentThread()::isInterrupted;
         var cells =
                 new ArrayList<>(
@@ -336,32 +389,12 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     @Override
     public void close() {
         deaf.run();
+        reading.close();
         background.close();
     }
 
     private void publish(StudyLabState next) {
         state = next;
         listeners.tell(next);
-    }
-
-    /** Passes news on, but not more often than the eye follows. */
-    private static final class Rare<T> {
-        private final Consumer<Runnable> tell;
-        private final Duration between;
-        private final Consumer<T> heard;
-        private long next = System.nanoTime();
-
-        Rare(Consumer<Runnable> tell, Duration between, Consumer<T> heard) {
-            this.tell = tell;
-            this.between = between;
-            this.heard = heard;
-        }
-
-        void accept(Supplier<T> news) {
-            if (System.nanoTime() < next) return;
-            next = System.nanoTime() + between.toNanos();
-            T now = news.get();
-            tell.accept(() -> heard.accept(now));
-        }
     }
 }

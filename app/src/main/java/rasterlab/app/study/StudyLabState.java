@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Topic;
 
@@ -14,7 +15,8 @@ import rasterlab.engine.study.Topic;
  * @param view chart or hazards
  * @param study the topic's, once it was measured
  * @param cells the topic's fresh verdicts; fewer than there are pairs while they are being tried
- * @param point the measurement that is chosen on the chart
+ * @param level name of the workload that was chosen for the chart; "" for the one that tells most
+ * @param marked name of the method whose point is chosen on the chart; "" where none is
  * @param hazard name of the chosen cell's hazard; "" where none is chosen
  * @param method name of the method that is explained
  */
@@ -24,12 +26,35 @@ public record StudyLabState(
         StudyView view,
         Optional<Study> study,
         List<Cell> cells,
-        Optional<Measurement> point,
+        String level,
+        String marked,
         String hazard,
         String method,
         StudyWork work) {
     public StudyLabState {
         cells = List.copyOf(cells);
+    }
+
+    /** Name of the workload that the chart shows; empty where there is no chart. */
+    Optional<String> shownLevel() {
+        return study.filter(one -> !one.measurements().isEmpty())
+                .map(one -> has(one, level) ? level : ParetoFront.telling(one));
+    }
+
+    private static boolean has(Study study, String level) {
+        return study.measurements().stream().anyMatch(one -> one.workload().equals(level));
+    }
+
+    /** The point that is chosen: what is known by now of that method at the level shown. */
+    public Optional<Measurement> point() {
+        return shownLevel()
+                .flatMap(
+                        shown ->
+                                study.orElseThrow().measurements().stream()
+                                        .filter(one -> one.workload().equals(shown))
+                                        .filter(one -> one.method().equals(marked))
+                                        .filter(one -> one.cost().timed())
+                                        .findFirst());
     }
 
     /** The fresh verdict of that pair; empty where it was not tried. */
@@ -40,17 +65,21 @@ public record StudyLabState(
     }
 
     StudyLabState with(StudyWork next) {
-        return new StudyLabState(topic, thorough, view, study, cells, point, hazard, method, next);
+        return new StudyLabState(
+                topic, thorough, view, study, cells, level, marked, hazard, method, next);
     }
 
     StudyLabState with(StudyView next) {
-        return new StudyLabState(topic, thorough, next, study, cells, point, hazard, method, work);
+        return new StudyLabState(
+                topic, thorough, next, study, cells, level, marked, hazard, method, work);
     }
 
     StudyLabState withThorough(boolean next) {
-        return new StudyLabState(topic, next, view, study, cells, point, hazard, method, work);
+        return new StudyLabState(
+                topic, next, view, study, cells, level, marked, hazard, method, work);
     }
 
+    /** The same with other measurements; the chosen point stays that of its method and level. */
     StudyLabState with(Study next) {
         return new StudyLabState(
                 topic,
@@ -58,14 +87,21 @@ public record StudyLabState(
                 view,
                 Optional.of(next),
                 cells,
-                Optional.empty(),
+                level,
+                marked,
                 hazard,
                 method,
                 work);
     }
 
     StudyLabState withCells(List<Cell> next) {
-        return new StudyLabState(topic, thorough, view, study, next, point, hazard, method, work);
+        return new StudyLabState(
+                topic, thorough, view, study, next, level, marked, hazard, method, work);
+    }
+
+    StudyLabState withLevel(String next) {
+        return new StudyLabState(
+                topic, thorough, view, study, cells, next, marked, hazard, method, work);
     }
 
     StudyLabState with(Measurement next) {
@@ -75,7 +111,8 @@ public record StudyLabState(
                 view,
                 study,
                 cells,
-                Optional.of(next),
+                next.workload(),
+                next.method(),
                 hazard,
                 next.method(),
                 work);
@@ -83,6 +120,6 @@ public record StudyLabState(
 
     StudyLabState withCell(String nextHazard, String nextMethod) {
         return new StudyLabState(
-                topic, thorough, view, study, cells, point, nextHazard, nextMethod, work);
+                topic, thorough, view, study, cells, level, marked, nextHazard, nextMethod, work);
     }
 }

@@ -27,8 +27,11 @@ import rasterlab.app.canvas.lab.StageGuide;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.KeyedControls;
 import rasterlab.app.canvas.widget.RunButtons;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.front.FrontChart;
 import rasterlab.engine.study.Study;
 
 /** Speed and accuracy as the window shows them, in one language. */
@@ -164,7 +167,10 @@ public final class StudyPanel extends LabPanel {
     private SvgDrawing svg() {
         if (model.state().view() == StudyView.HAZARDS) return table.svg();
         Study study = model.state().study().orElseThrow();
-        return () -> new String(StudyChart.svg(study, texts.language()), StandardCharsets.UTF_8);
+        String level = model.state().shownLevel().orElseThrow();
+        ChartLook paper = ChartLook.PAPER;
+        var front = new FrontChart(study, level, words, paper);
+        return () -> new String(front.svg(paper), StandardCharsets.UTF_8);
     }
 
     private String command() {
@@ -229,9 +235,15 @@ public final class StudyPanel extends LabPanel {
     }
 
     private String resting(StudyLabState state) {
-        if (state.work().equals(StudyWork.GIVEN_UP)) return texts.text("progress.givenUp");
+        StudyWork work = state.work();
+        if (work.kind() == StudyWork.Kind.GIVEN_UP) return texts.text("progress.givenUp");
+        String why = Complaints.said(texts.language(), work.on());
+        if (work.kind() == StudyWork.Kind.NOT_KEPT) return texts.text("progress.notKept", why);
+        if (work.kind() == StudyWork.Kind.NOT_READ) return texts.text("progress.notRead", why);
         if (state.view() == StudyView.CHART)
-            return texts.text(state.study().isPresent() ? "progress.measured" : "progress.none");
+            return state.study()
+                    .map(one -> words.measuredOn(one).orElse(texts.text("progress.measured")))
+                    .orElse(texts.text("progress.none"));
         return texts.text(state.cells().isEmpty() ? "progress.untried" : "progress.tried");
     }
 }

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -17,10 +19,12 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 
@@ -94,6 +98,58 @@ class StudyLabModelTest {
         assertFalse(shown.study().orElseThrow().isWhole());
         model.cancel();
         assertEquals(shown.study(), model.state().study());
+    }
+
+    @Test
+    @DisplayName("the chosen point is lost when new points come")
+    void chosenPointStaysThatOfItsMethodAndLevel() throws Exception {
+        model.choose(SMALL.name());
+        model.measure();
+        Measurement chosen = awaitEnd().study().orElseThrow().measurements().get(1);
+        model.choose(chosen);
+        assertEquals(Optional.of(chosen), model.state().point());
+        model.measure();
+        Measurement anew = awaitEnd().point().orElseThrow();
+        assertEquals(chosen.method(), anew.method());
+        assertEquals(chosen.workload(), anew.workload());
+        assertTrue(awaitEnd().study().orElseThrow().measurements().contains(anew), "of the new");
+        String other =
+                model.state().study().orElseThrow().measurements().stream()
+                        .map(Measurement::workload)
+                        .filter(one -> !one.equals(chosen.workload()))
+                        .findFirst()
+                        .orElseThrow();
+        model.chooseLevel(other);
+        assertEquals(chosen.method(), model.state().point().orElseThrow().method());
+        assertEquals(Optional.of(other), model.state().shownLevel());
+    }
+
+    @Test
+    @DisplayName("what was measured is gone at the next start")
+    void lastResultOfATopicIsThereAtTheNextStart(@TempDir Path folder) throws Exception {
+        model.keepIn(folder);
+        model.choose(SMALL.name());
+        model.measure();
+        Study measured = awaitEnd().study().orElseThrow();
+        try (var next = new StudyLabModel(List.of(SMALL), events::add, failures::add)) {
+            next.keepIn(folder);
+            while (next.state().study().isEmpty()) events.take().run();
+            assertEquals(measured, next.state().study().orElseThrow());
+            assertEquals(StudyWork.NONE, next.state().work());
+        }
+    }
+
+    @Test
+    @DisplayName("a result that cannot be kept counts as kept")
+    void tellsThatAResultCannotBeKept(@TempDir Path folder) throws Exception {
+        Path file = Files.createFile(folder.resolve("file"));
+        model.choose(SMALL.name());
+        model.keepIn(file);
+        model.measure();
+        StudyLabState ended = awaitEnd();
+        assertEquals(StudyWork.Kind.NOT_KEPT, ended.work().kind());
+        assertTrue(ended.work().on().contains(file.toString()), ended.work().on());
+        assertTrue(ended.study().isPresent());
     }
 
     @Test

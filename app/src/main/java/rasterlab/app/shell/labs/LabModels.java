@@ -192,10 +192,11 @@ public final class LabModels implements AutoCloseable {
         return of(new ExerciseRoom()).model();
     }
 
-    /** Keeps the exercises' sources in a folder, where the user's finds are too. */
+    /** Keeps the exercises' sources and what was measured in a folder, where finds are too. */
     public void keepSourcesIn(Path folder) {
         found = Optional.of(FoundHazards.in(folder));
         lab(new ExerciseRoom()).whenMade(desk -> desk.model().keepIn(folder));
+        lab(new StudyRoom()).whenMade(study -> study.keepIn(folder));
     }
 
     /** The hazards that the user keeps; empty where no folder is known. */

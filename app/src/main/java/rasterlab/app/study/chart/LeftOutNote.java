@@ -32,7 +32,7 @@ record LeftOutNote(List<String> lines) {
     static LeftOutNote of(Study study, StudyWords words) {
         var points = new LinkedHashMap<String, Map<Verdict.Kind, List<Measurement>>>();
         for (Measurement measured : study.measurements())
-            if (!measured.cost().timed())
+            if (!measured.cost().timed() && measured.kind().compareTo(Verdict.Kind.REFUSED) >= 0)
                 points.computeIfAbsent(
                                 measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
                         .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())

@@ -1,6 +1,5 @@
 package rasterlab.app.study;
 
-import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -25,12 +24,6 @@ import rasterlab.engine.study.Study;
 
 /** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
 public final class StudyChart {
-    /**
-     * The width from which on there is room for the methods' names beside the plot, and on the axis
-     * of costs for a word on the sizes beside the points.
-     */
-    private static final int ROOMY = 900;
-
     /** The most of a narrow chart's width that its title takes. */
     private static final double TITLE = 0.75;
 
@@ -38,20 +31,8 @@ public final class StudyChart {
 
     /** The chart as a picture. */
     public static BufferedImage image(Study study, Language language) {
-        return image(study, new StudyWords(language));
-    }
-
-    static BufferedImage image(Study study, StudyWords words) {
+        var words = new StudyWords(language);
         return ChartLook.PAPER.image(graphics -> paint(study, words, graphics));
-    }
-
-    /** The chart as an SVG document. */
-    static byte[] svg(Study study, Language language) {
-        return svg(study, new StudyWords(language));
-    }
-
-    static byte[] svg(Study study, StudyWords words) {
-        return ChartLook.PAPER.svg(graphics -> paint(study, words, graphics));
     }
 
     /** Draws the chart in the usual size. */
@@ -60,36 +41,6 @@ public final class StudyChart {
         int height = ChartLook.HEIGHT - note.height();
         chart(study, words).paint(graphics, ChartLook.WIDTH, height);
         note.paint(graphics, height);
-    }
-
-    /**
-     * The chart on a stage, the methods' names below it where it is narrow.
-     *
-     * @param size of the stage, in the chart's own units
-     * @param places learns where the points are
-     */
-    static void paint(
-            Study study,
-            StudyWords words,
-            ChartLook paper,
-            Dimension size,
-            PointPlaces places,
-            Graphics2D graphics) {
-        XYChart chart = chart(study, words, paper);
-        chart.addAnnotation(places);
-        if (size.width >= ROOMY) {
-            chart.paint(graphics, size.width, size.height);
-            return;
-        }
-        chart.setXAxisTitle(words.briefCostAxis(study));
-        chart.getStyler().setLegendVisible(false);
-        fitTitle(chart, size.width, graphics);
-        var looks = new LinkedHashMap<String, MethodLook>();
-        looks(study, paper).forEach((method, look) -> looks.put(words.called(method), look));
-        var legend = new ChartLegend(looks, paper.ink(), size.width, graphics);
-        int height = size.height - legend.height();
-        chart.paint(graphics, size.width, height);
-        legend.paint(graphics, height);
     }
 
     /** A title in the middle over the plot must not end outside the chart. */

@@ -1,11 +1,17 @@
 package rasterlab.app.study;
 
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.time.format.FormatStyle;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
@@ -143,7 +149,37 @@ public final class StudyWords {
 
     /** How the chart of a front is read, and who could not be timed. */
     public String frontNote(Study study, String workload) {
-        return texts.text("front.note");
+        Study level =
+                study.with(
+                        study.measurements().stream()
+                                .filter(one -> one.workload().equals(workload))
+                                .toList());
+        var notes = new ArrayList<>(LeftOutNote.of(level, this).lines());
+        notes.add(texts.text("front.note"));
+        measuredOn(study).ifPresent(notes::add);
+        return String.join(" ", notes);
+    }
+
+    /** When a study was measured, and the load that its machine had; empty where nobody knows. */
+    public Optional<String> measuredOn(Study study) {
+        return study.circumstances().map(this::measuredOn);
+    }
+
+    private String measuredOn(Circumstances how) {
+        String when =
+                DateTimeFormatter.ofLocalizedDateTime(FormatStyle.MEDIUM, FormatStyle.SHORT)
+                        .withLocale(locale())
+                        .withZone(ZoneId.systemDefault())
+                        .format(how.begun());
+        String date = texts.text(how.whole() ? "measured.on" : "measured.part", when);
+        boolean told = how.loadBefore() >= 0 && how.loadAfter() >= 0;
+        return told
+                ? texts.text("measured.load", date, load(how.loadBefore()), load(how.loadAfter()))
+                : date + ".";
+    }
+
+    private String load(double processes) {
+        return String.format(locale(), "%.1f", processes);
     }
 
     /**

@@ -7,12 +7,16 @@ package rasterlab.app.study;
  * @param done finished pieces of work
  * @param of pieces in all
  * @param method that was finished last; "" before the first
- * @param on the workload, or the hazard
+ * @param on the workload, or the hazard; where something could not be written or read, why
  */
 public record StudyWork(Kind kind, int done, int of, String method, String on) {
     public enum Kind {
         NONE,
         GIVEN_UP,
+        /** The last result was measured, but could not be written. */
+        NOT_KEPT,
+        /** The result of an earlier run could not be read. */
+        NOT_READ,
         STUDY,
         HAZARDS
     }
@@ -22,6 +26,11 @@ public record StudyWork(Kind kind, int done, int of, String method, String on) {
 
     static StudyWork begun(Kind kind, int of) {
         return new StudyWork(kind, 0, of, "", "");
+    }
+
+    /** The end of a measurement whose result could not be written, or of a reading that failed. */
+    static StudyWork failed(Kind kind, String reason) {
+        return new StudyWork(kind, 0, 0, "", reason);
     }
 
     public boolean running() {

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
@@ -161,7 +162,7 @@ class SizeLabelsTest {
                         .mapToObj(i -> measured("m" + i, 77_777, costs[i], 2))
                         .toList();
         var study = new Study("line", "pixel", "pixels", points);
-        String svg = new String(StudyChart.svg(study, Language.ENGLISH), StandardCharsets.UTF_8);
+        String svg = svg(study);
         List<MatchResult> labels =
                 Pattern.compile("<text[^>]*? x=\"(\\d+)\"[^>]*? y=\"(\\d+)\"[^>]*>77777<")
                         .matcher(svg)
@@ -202,5 +203,11 @@ class SizeLabelsTest {
         assertEquals("10⁷", LogTicks.size(10_000_000));
         assertEquals("1000", LogTicks.size(1000));
         assertEquals("65536", LogTicks.size(65536));
+    }
+
+    private static String svg(Study study) {
+        var words = new StudyWords(Language.ENGLISH);
+        byte[] svg = ChartLook.PAPER.svg(graphics -> StudyChart.paint(study, words, graphics));
+        return new String(svg, StandardCharsets.UTF_8);
     }
 }

@@ -181,6 +181,17 @@ class StudyChartTest {
     }
 
     @Test
+    @DisplayName("a method whose turn has not come is said to have failed")
+    void whatIsNotTimedYetIsNotLeftOut() {
+        for (Verdict.Kind kind : Verdict.Kind.values()) {
+            var study = new Study("line", "pixel", "pixels", List.of(untimed(16, kind)));
+            boolean failed = kind.compareTo(Verdict.Kind.REFUSED) >= 0;
+            var note = LeftOutNote.of(study, ENGLISH);
+            assertEquals(failed, !note.lines().isEmpty(), kind.code());
+        }
+    }
+
+    @Test
     void chartUsesTheMethodsColourAndSurvivesMethodsWithoutTime() {
         var endless =
                 new Measurement(
@@ -214,7 +225,7 @@ class StudyChartTest {
         assertEquals(
                 List.of("Не измерено: dda (отказ: 16, 64; сбой: 256)"),
                 LeftOutNote.of(study, words).lines());
-        String svg = new String(StudyChart.svg(study, Language.RUSSIAN), StandardCharsets.UTF_8);
+        String svg = svg(study);
         var texts = Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<").matcher(svg);
         List<String> english = texts.results().map(found -> found.group(1).strip()).toList();
         assertEquals(List.of("Не измерено: dda (отказ: 16, 64; сбой: 256)"), english, "but a name");
@@ -248,5 +259,11 @@ class StudyChartTest {
         var deviation = new Deviation(error, 0, 0, 10, "");
         return new Measurement(
                 method, "w", 16, new Cost(2, 1, 3, Map.of()), deviation, Verdict.Kind.EXACT, "");
+    }
+
+    private static String svg(Study study) {
+        var words = new StudyWords(Language.RUSSIAN);
+        byte[] svg = ChartLook.PAPER.svg(graphics -> StudyChart.paint(study, words, graphics));
+        return new String(svg, StandardCharsets.UTF_8);
     }
 }
