@@ -10,6 +10,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.language.Language;
+import rasterlab.app.study.front.SizesChart;
 import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
@@ -19,6 +22,7 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.PaceComparison;
+import rasterlab.engine.study.measuring.PowerFit;
 
 /** A study as JSON, with the machine that it was measured on, how, and every round. */
 final class StudyJson {
@@ -53,7 +57,25 @@ final class StudyJson {
         json.writeArrayFieldStart("comparisons");
         for (Ranking ranking : Ranking.all(study)) write(ranking);
         json.writeEndArray();
+        json.writeArrayFieldStart("growth");
+        for (SizesChart.Of of : SizesChart.Of.values()) writeGrowth(study, of);
+        json.writeEndArray();
         json.writeEndObject();
+    }
+
+    /** The fitted power of the size for each method: factor · size ^ (exponent ± margin). */
+    private void writeGrowth(Study study, SizesChart.Of of) throws IOException {
+        var words = new StudyWords(Language.ENGLISH);
+        var fits = new SizesChart(study, of, words, ChartLook.PAPER).fits();
+        for (Map.Entry<String, PowerFit> fit : fits.entrySet()) {
+            json.writeStartObject();
+            json.writeStringField("of", of.name().toLowerCase(Locale.ROOT));
+            json.writeStringField("method", fit.getKey());
+            json.writeNumberField("exponent", fit.getValue().exponent());
+            json.writeNumberField("margin", fit.getValue().margin());
+            json.writeNumberField("factor", fit.getValue().factor());
+            json.writeEndObject();
+        }
     }
 
     private void write(Study study, Circumstances how) throws IOException {

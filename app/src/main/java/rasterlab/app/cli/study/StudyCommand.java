@@ -107,7 +107,8 @@ public final class StudyCommand implements Callable<Integer> {
             paramLabel = "CHART",
             description =
                     "what --out draws: front (speed against accuracy, the usual one), sizes,"
-                            + " cost-growth or error-growth")
+                            + " cost-growth, error-growth or error-by-input (with the method that"
+                            + " is best in each range of sizes)")
     private String chart = StudyPlot.FRONT.code();
 
     public StudyCommand(Console console) {

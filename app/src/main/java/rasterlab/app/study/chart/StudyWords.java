@@ -13,6 +13,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Regime;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 
@@ -191,6 +192,29 @@ public final class StudyWords {
 
     public String growthNote(String of) {
         return texts.text("growth.note." + of);
+    }
+
+    public String byInputTitle(Study study) {
+        return texts.text("input.title", called.topic(study.topic()));
+    }
+
+    /** The method that is best in each range of sizes, and how the chart is read. */
+    public String byInputNote(Study study, List<Regime> regimes) {
+        var said = new ArrayList<String>();
+        for (int i = 0; i < regimes.size(); i++) {
+            Regime one = regimes.get(i);
+            boolean last = i + 1 == regimes.size();
+            String key =
+                    last ? regimes.size() == 1 ? "regime.all" : "regime.beyond" : "regime.upTo";
+            said.add(texts.text(key, called(one.method()), LogTicks.size(one.to())));
+        }
+        String best = said.isEmpty() ? "" : texts.text("regimes", String.join(", ", said)) + " ";
+        return best + texts.text("input.note");
+    }
+
+    /** The sign for a method that has no answer, or items that are not the right ones. */
+    public String failedShort() {
+        return texts.text("input.failed");
     }
 
     public String sizeAxis() {

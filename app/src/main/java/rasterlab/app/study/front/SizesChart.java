@@ -65,7 +65,7 @@ public final class SizesChart implements StudyPicture {
     }
 
     /** The kind of workload that has most sizes. */
-    private static String kindOfMost(Study study) {
+    static String kindOfMost(Study study) {
         var sizes = new LinkedHashMap<String, Set<Integer>>();
         for (Measurement one : study.measurements())
             sizes.computeIfAbsent(kind(one), key -> new TreeSet<>()).add(one.size());
@@ -76,7 +76,7 @@ public final class SizesChart implements StudyPicture {
     }
 
     /** A workload's name without the word that is its size. */
-    private static String kind(Measurement point) {
+    static String kind(Measurement point) {
         return point.workload().replaceFirst("-[^-]*", "");
     }
 

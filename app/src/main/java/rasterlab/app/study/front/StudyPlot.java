@@ -33,6 +33,12 @@ public enum StudyPlot {
         public StudyPicture of(Study study, StudyWords words, ChartLook paper) {
             return new SizesChart(study, SizesChart.Of.ERROR, words, paper);
         }
+    },
+    ERROR_BY_INPUT {
+        @Override
+        public StudyPicture of(Study study, StudyWords words, ChartLook paper) {
+            return new ErrorByInputChart(study, words, paper);
+        }
     };
 
     /** The chart of that study. */

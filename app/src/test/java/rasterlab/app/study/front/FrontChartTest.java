@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
@@ -78,6 +79,15 @@ class FrontChartTest {
         assertTrue(svg.contains("bresenham  n^(1.00 ± 0.00)"), svg);
         String errors = svg(StudyPlot.ERROR_GROWTH, Language.ENGLISH);
         assertFalse(errors.contains(">bresenham"), "no place for what is exact");
+    }
+
+    @Test
+    @DisplayName("the chart of errors does not say which method is best where")
+    void regimesAreNamedOnTheChartAndBelow() {
+        String svg = svg(StudyPlot.ERROR_BY_INPUT, Language.ENGLISH);
+        assertTrue(svg.contains("Best: bresenham at all sizes."), svg);
+        assertEquals(2, svg.split(">bresenham<", -1).length - 1, "on the strip and at its line");
+        assertTrue(svg.contains(">midpoint<"), "exact, and not best");
     }
 
     @Test

@@ -1,0 +1,181 @@
+package rasterlab.app.study.front;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import rasterlab.app.chart.ChartLook;
+import rasterlab.app.chart.MethodLook;
+import rasterlab.app.rooms.LabRooms;
+import rasterlab.app.study.StudyWords;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.ParetoFront;
+import rasterlab.engine.study.Regime;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * The error of each method along the size of its input: exact results in one band below, those that
+ * have no error to tell, or no answer, in a row above. Strips at the top are the regimes, each with
+ * the method that is best there.
+ */
+public final class ErrorByInputChart implements StudyPicture {
+    private static final int LEFT = 92;
+    private static final int TOP = 62;
+    private static final int STRIP = 40;
+    private static final int AXIS = 46;
+    private static final int BAND = 36;
+    private static final int MARK = 9;
+    private static final Color EXACT = new Color(0, 158, 115, 32);
+    private static final Color FAILED = new Color(213, 94, 0, 32);
+
+    private final Study study;
+    private final StudyWords words;
+    private final ChartLook paper;
+    private final List<Measurement> points;
+    private final List<Regime> regimes;
+    private final Map<String, MethodLook> looks;
+
+    /** The errors over the workloads that differ in nothing but their size. */
+    public ErrorByInputChart(Study study, StudyWords words, ChartLook paper) {
+        this.study = study;
+        this.words = words;
+        this.paper = paper;
+        String kind = SizesChart.kindOfMost(study);
+        points =
+                study.measurements().stream()
+                        .filter(one -> SizesChart.kind(one).equals(kind))
+                        .filter(one -> one.cost().timed() || isFailed(one))
+                        .sorted(Comparator.comparingInt(Measurement::size))
+                        .toList();
+        regimes =
+                Regime.along(study, points.stream().map(Measurement::workload).distinct().toList());
+        List<String> methods =
+                study.measurements().stream().map(Measurement::method).distinct().toList();
+        looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
+        looks.replaceAll((method, look) -> look.on(paper));
+    }
+
+    private static boolean isFailed(Measurement one) {
+        return one.kind().compareTo(Verdict.Kind.REFUSED) >= 0;
+    }
+
+    /** Whether a point has a place in the row of failures. */
+    private static boolean isEndless(Measurement one) {
+        return isFailed(one) || Double.isInfinite(ParetoFront.error(one));
+    }
+
+    @Override
+    public void paint(Graphics2D graphics, double width, double height) {
+        List<String> notes =
+                PlotFrame.noteLines(words.byInputNote(study, regimes), width - 24, graphics);
+        List<String> methods = points.stream().map(Measurement::method).distinct().toList();
+        int column =
+                LeaderColumn.width(
+                        methods.stream().map(words::called).toList(),
+                        graphics.getFontMetrics(LeaderColumn.FONT));
+        double right = Math.max(width * 0.4, width - column - 40);
+        double bottom = height - AXIS - PlotFrame.noteHeight(notes) - 6;
+        var plot = new Rectangle2D.Double(LEFT, TOP, right - LEFT, bottom - TOP);
+        var frame = new PlotFrame(graphics, paper, plot, words.locale());
+        frame.title(words.byInputTitle(study), width);
+        if (!points.isEmpty()) paintPoints(graphics, frame, plot);
+        frame.border();
+        frame.note(notes, 12, height - PlotFrame.noteHeight(notes) - 4);
+    }
+
+    private void paintPoints(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {
+        List<Double> sizes = points.stream().map(one -> (double) one.size()).toList();
+        List<Double> errors =
+                points.stream()
+                        .filter(one -> !isEndless(one))
+                        .map(ParetoFront::error)
+                        .filter(error -> error > 0)
+                        .toList();
+        double failed =
+                plot.getMinY()
+                        + (points.stream().anyMatch(ErrorByInputChart::isEndless) ? BAND : 0);
+        double exact = errors.isEmpty() ? failed : plot.getMaxY() - BAND;
+        LogScale across = LogScale.over(sizes, plot.getMinX(), plot.getMaxX());
+        LogScale up = LogScale.over(errors, exact - 6, failed + 10);
+        band(graphics, FAILED, plot, plot.getMinY(), failed);
+        band(graphics, EXACT, plot, exact, plot.getMaxY());
+        frame.axisRight(across, words.sizeAxis());
+        if (errors.isEmpty()) frame.wordsUp(words.errorAxis(study));
+        else frame.axisUp(up, words.errorAxis(study));
+        frame.besideLeft(words.exactShort(), (exact + plot.getMaxY()) / 2);
+        if (failed > plot.getMinY())
+            frame.besideLeft(words.failedShort(), (failed + plot.getMinY()) / 2);
+        strips(graphics, across, plot);
+        var labels = new ArrayList<LeaderColumn.Label>();
+        for (String method : points.stream().map(Measurement::method).distinct().toList())
+            labels.add(
+                    line(
+                            graphics,
+                            method,
+                            one ->
+                                    new double[] {
+                                        across.at(one.size()),
+                                        isEndless(one)
+                                                ? (failed + plot.getMinY()) / 2
+                                                : ParetoFront.error(one) == 0
+                                                        ? (exact + plot.getMaxY()) / 2
+                                                        : up.at(ParetoFront.error(one))
+                                    }));
+        new LeaderColumn(labels, plot.getMaxX() + 24, plot.getMinY(), plot.getMaxY())
+                .paint(graphics, MARK / 2.0 + 2);
+    }
+
+    private static void band(
+            Graphics2D graphics, Color colour, Rectangle2D plot, double top, double bottom) {
+        graphics.setColor(colour);
+        graphics.fill(new Rectangle2D.Double(plot.getMinX(), top, plot.getWidth(), bottom - top));
+    }
+
+    /** A method's points and the line through them; answers the label at its end. */
+    private LeaderColumn.Label line(
+            Graphics2D graphics, String method, Function<Measurement, double[]> place) {
+        MethodLook look = looks.get(method);
+        graphics.setColor(look.colour());
+        graphics.setStroke(look.stroke());
+        List<double[]> places =
+                points.stream().filter(one -> one.method().equals(method)).map(place).toList();
+        for (int i = 1; i < places.size(); i++)
+            graphics.draw(
+                    new Line2D.Double(
+                            places.get(i - 1)[0],
+                            places.get(i - 1)[1],
+                            places.get(i)[0],
+                            places.get(i)[1]));
+        for (double[] at : places) look.marker().paint(graphics, at[0], at[1], MARK);
+        double[] last = places.get(places.size() - 1);
+        return new LeaderColumn.Label(
+                words.called(method), last[0], last[1], paper.ink(), look.colour());
+    }
+
+    /** The regimes above the plot, each from half the way to its neighbour. */
+    private void strips(Graphics2D graphics, LogScale across, Rectangle2D plot) {
+        graphics.setFont(LeaderColumn.FONT);
+        double left = plot.getMinX();
+        for (int i = 0; i < regimes.size(); i++) {
+            Regime regime = regimes.get(i);
+            double right =
+                    i + 1 < regimes.size()
+                            ? across.at(Math.sqrt((double) regime.to() * regimes.get(i + 1).from()))
+                            : plot.getMaxX();
+            graphics.setColor(looks.get(regime.method()).colour());
+            graphics.fill(new Rectangle2D.Double(left, STRIP + 14, right - left - 1, 5));
+            graphics.setColor(paper.ink());
+            String name = words.called(regime.method());
+            if (graphics.getFontMetrics().stringWidth(name) < right - left)
+                graphics.drawString(name, (float) left + 2, STRIP + 10);
+            left = right;
+        }
+    }
+}
