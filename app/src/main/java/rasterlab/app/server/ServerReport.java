@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.StreamSupport;
+import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.exercises.published.PublishedCase;
 import rasterlab.exercises.published.PublishedDiagnostic;
 import rasterlab.exercises.published.PublishedPicture;
@@ -43,7 +44,7 @@ public final class ServerReport {
             return Optional.of(
                     new PublishedSpeed(
                             new SpeedFigures(
-                                    speed.path("nanos").asDouble(),
+                                    ratio(speed),
                                     speed.path("reference").asDouble(),
                                     error(speed),
                                     all(speed.path("methods"), ServerReport::method)),
@@ -57,7 +58,14 @@ public final class ServerReport {
     }
 
     private static SpeedFigures.Method method(JsonNode one) {
-        return new SpeedFigures.Method(text(one, "name"), one.path("ratio").asDouble(), error(one));
+        return new SpeedFigures.Method(text(one, "name"), ratio(one), error(one));
+    }
+
+    /** A ratio with its interval, of which an older server tells nothing. */
+    private static MedianInterval ratio(JsonNode of) {
+        double median = of.path("ratio").asDouble();
+        return new MedianInterval(
+                of.path("low").asDouble(median), median, of.path("high").asDouble(median));
     }
 
     private static double error(JsonNode of) {

@@ -15,6 +15,7 @@ import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.exercises.published.PublishedSpeed;
 import rasterlab.exercises.score.SpeedFigures;
 
@@ -43,12 +44,12 @@ public final class SpeedChart {
         return new Study(topic, speed.item(), speed.errorUnit(), points);
     }
 
-    private static Measurement point(String method, double ratio, double error) {
+    private static Measurement point(String method, MedianInterval ratio, double error) {
         return new Measurement(
                 method,
                 "",
                 1,
-                new Cost(ratio, ratio, ratio, Map.of()),
+                new Cost(ratio.median(), ratio.low(), ratio.high(), Map.of()),
                 new Deviation(error, 0, 0, 0, ""),
                 Verdict.Kind.EXACT,
                 "");

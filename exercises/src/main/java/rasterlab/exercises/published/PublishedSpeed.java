@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.exercises.score.SpeedFigures;
 import rasterlab.exercises.score.SpeedPoints;
 
@@ -36,7 +37,7 @@ public record PublishedSpeed(
     @Override
     public void write(JsonGenerator out) throws IOException {
         out.writeStartObject();
-        out.writeNumberField("ratio", rounded(figures.ratio()));
+        write(out, figures.ratio());
         out.writeNumberField("nanos", rounded(figures.nanos()));
         out.writeNumberField("reference", rounded(figures.reference()));
         write(out, figures.error());
@@ -48,12 +49,18 @@ public record PublishedSpeed(
         for (SpeedFigures.Method one : figures.methods()) {
             out.writeStartObject();
             out.writeStringField("name", one.name());
-            out.writeNumberField("ratio", rounded(one.ratio()));
+            write(out, one.ratio());
             write(out, one.error());
             out.writeEndObject();
         }
         out.writeEndArray();
         out.writeEndObject();
+    }
+
+    private static void write(JsonGenerator out, MedianInterval ratio) throws IOException {
+        out.writeNumberField("ratio", rounded(ratio.median()));
+        out.writeNumberField("low", rounded(ratio.low()));
+        out.writeNumberField("high", rounded(ratio.high()));
     }
 
     /** JSON has no number without end. */

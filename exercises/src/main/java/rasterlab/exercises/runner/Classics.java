@@ -2,6 +2,7 @@ package rasterlab.exercises.runner;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -11,6 +12,10 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.measuring.MedianInterval;
+import rasterlab.engine.study.measuring.RoundPlan;
+import rasterlab.engine.study.measuring.Rounds;
+import rasterlab.engine.study.measuring.Samples;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
@@ -24,10 +29,12 @@ import rasterlab.exercises.score.SpeedFigures;
  * <p>Several threads may ask; they take turns, so that none disturbs another's times.
  */
 final class Classics {
-    /** A method's least of so many passes counts, since all else only adds time. */
-    private static final int ROUNDS = 5;
+    /** Rounds in which each has a pass; where a round takes long, fewer are made. */
+    private static final int ROUNDS = RoundPlan.LEAST;
 
     private static final int LEAST_ROUNDS = 2;
+
+    private static final long SEED = 1;
 
     /** Passes before those that count, when an exercise is asked for first: Java compiles then. */
     private static final int FIRST_ROUNDS = 20;
@@ -60,12 +67,11 @@ final class Classics {
         Map<String, Object> methods = new LinkedHashMap<>(topic.classics());
         methods.keySet().retainAll(known.keySet());
         methods.values().removeIf(method -> !answers(method, timing));
-        Map<String, Double> nanos =
-                nanos(methods, reference, timing, warm.add(key) ? FIRST_ROUNDS : 0);
-        double ours = nanos.get("");
+        Map<String, MedianInterval> ratios =
+                ratios(methods, reference, timing, warm.add(key) ? FIRST_ROUNDS : 0);
         List<SpeedFigures.Method> beside = new ArrayList<>();
         for (String name : methods.keySet())
-            beside.add(new SpeedFigures.Method(name, nanos.get(name) / ours, known.get(name)));
+            beside.add(new SpeedFigures.Method(name, ratios.get(name), known.get(name)));
         return beside;
     }
 
@@ -107,25 +113,31 @@ final class Classics {
     }
 
     /**
-     * Nanoseconds per item by name; those of the reference by "".
+     * How many times the reference's time each method takes, by name: the median of the ratios in
+     * the same rounds.
      *
      * @param uncounted passes of each before the ones that count
      */
-    private static Map<String, Double> nanos(
+    private static Map<String, MedianInterval> ratios(
             Map<String, Object> methods, Object reference, Timing timing, int uncounted) {
-        Map<String, Object> all = new LinkedHashMap<>();
-        all.put("", reference);
-        all.putAll(methods);
-        for (int round = 0; round < uncounted; round++)
-            all.values().forEach(method -> pass(method, timing));
-        Map<String, Double> least = new HashMap<>();
+        List<Object> all = new ArrayList<>(methods.values());
+        all.add(reference);
+        for (int round = 0; round < uncounted; round++) all.forEach(method -> pass(method, timing));
         long start = System.nanoTime();
-        for (int round = 0; round < ROUNDS; round++) {
-            all.forEach((name, method) -> least.merge(name, pass(method, timing), Math::min));
-            boolean late = System.nanoTime() - start > BUDGET_NANOS;
-            if (late && round + 1 >= LEAST_ROUNDS) break;
+        var plan = new RoundPlan(ROUNDS, ROUNDS, Duration.ZERO, SEED);
+        var rounds = new Rounds(all.size(), plan, System::nanoTime);
+        int made = 0;
+        while (rounds.more()) {
+            for (int one : rounds.order()) rounds.add(one, pass(all.get(one), timing));
+            made++;
+            if (made >= LEAST_ROUNDS && System.nanoTime() - start > BUDGET_NANOS) break;
         }
-        return least;
+        Samples ours = rounds.samples(all.size() - 1);
+        Map<String, MedianInterval> ratios = new HashMap<>();
+        int number = 0;
+        for (String name : methods.keySet())
+            ratios.put(name, rounds.samples(number++).over(ours).interval());
+        return ratios;
     }
 
     /** Processor time counts: a busy machine gives a thread its turn later, not slower. */

@@ -48,7 +48,7 @@ final class FiguresRun {
         Object reference = models.instance(exercise, topic, model);
         return Optional.of(
                 new SpeedFigures(
-                        speed.nanosPerPixel(),
+                        speed.ratio().get(),
                         speed.reference(),
                         error.getAsDouble(),
                         models.classics().beside(exercise, topic, timing, reference, calls)));

@@ -164,10 +164,10 @@ final class GradingRun {
         if (speed.unsettled()) {
             int known = before.orElse(0);
             return SpeedPoints.unsettled(
-                    most, speed.isKnown() ? SpeedPoints.band(speed.ratio(), before) : known);
+                    most, speed.isKnown() ? SpeedPoints.band(speed.leastRatio(), before) : known);
         }
         if (!speed.obstacle().isEmpty()) return SpeedPoints.none(most, speed.obstacle());
-        int band = SpeedPoints.band(speed.ratio(), before);
+        int band = SpeedPoints.band(speed.leastRatio(), before);
         memory.keep(key, band);
         return SpeedPoints.measured(
                 topic::inOwnWords,

@@ -15,6 +15,8 @@ final class Slowness {
     /** Wall time for all rounds, so that a slow method is not waited for. */
     private static final long BUDGET_NANOS = 1_500_000_000L;
 
+    private static final long WARM_UP_NANOS = BUDGET_NANOS / 6;
+
     private final TopicGrading topic;
     private final Student program;
     private final Student reference;
@@ -25,10 +27,11 @@ final class Slowness {
         this.reference = reference;
     }
 
-    /** The ratio of both paces; empty where a call threw, or the clocks cannot be believed. */
+    /**
+     * The median of the paces' ratio; empty where a call threw, or the clocks cannot be believed.
+     */
     OptionalDouble measure(List<?> inputs) throws ChildLost, InterruptedException {
-        var theirs = new Pace();
-        var ours = new Pace();
+        var pace = new Pace();
         TimedBatch batch;
         try {
             TopicGrading.Timing timing = topic.timing(inputs);
@@ -36,19 +39,21 @@ final class Slowness {
         } catch (LimitReached | IllegalArgumentException untimed) {
             return OptionalDouble.empty();
         }
+        var warmUp = new Pace.WarmUp(WARM_UP_NANOS);
         long start = System.nanoTime();
         for (int round = 0; round < MOST_ROUNDS; round++) {
             StudentRun.Timed reply = program.run().time(batch);
             boolean answered = reply.thrown().isEmpty() && !reply.tooLong();
             // as a study measures methods, for each item that is made, right or wrong
             if (!answered || reply.told().count() == 0) return OptionalDouble.empty();
-            theirs.add(reply, reply.told().count());
             StudentRun.Timed right = reference.run().time(batch);
-            ours.add(right, Math.max(1, right.told().count()));
-            if (System.nanoTime() - start > BUDGET_NANOS) break;
+            long elapsed = System.nanoTime() - start;
+            if (warmUp.isOver(reply, right, reply.told().count(), elapsed))
+                pace.add(reply, reply.told().count(), right, Math.max(1, right.told().count()));
+            if (elapsed > BUDGET_NANOS) break;
         }
-        return theirs.own() > 0 && ours.own() > 0
-                ? OptionalDouble.of(theirs.own() / ours.own())
+        return pace.pairs() > 0 && pace.isTimed()
+                ? OptionalDouble.of(pace.ratio().median())
                 : OptionalDouble.empty();
     }
 }

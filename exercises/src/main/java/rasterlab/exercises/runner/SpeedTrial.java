@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import rasterlab.engine.study.measuring.MedianInterval;
+import rasterlab.engine.study.measuring.RoundPlan;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
@@ -19,10 +21,14 @@ import rasterlab.exercises.score.SpeedPoints;
  * methods for the same calls.
  */
 final class SpeedTrial {
-    private static final int LEAST_ROUNDS = 12;
+    /** Rounds that count in any case: of fewer the interval promises less. */
+    private static final int LEAST_ROUNDS = RoundPlan.LEAST;
 
     /** Wall time for all rounds of one try, so that a slow method is not waited for. */
     private static final long BUDGET_NANOS = 3_000_000_000L;
+
+    /** Wall time after which rounds count although they still become faster. */
+    private static final long WARM_UP_NANOS = BUDGET_NANOS / 6;
 
     /**
      * The number of calls that show Java how a method is used; a slow one is not waited for longer.
@@ -41,8 +47,7 @@ final class SpeedTrial {
     private final List<Call> before;
     private final Set<String> charged;
     private final Patience patience;
-    private final Pace theirs = new Pace();
-    private final Pace ours = new Pace();
+    private final Pace pace = new Pace();
     private boolean printed;
     private Optional<TopicGrading.Timing> last = Optional.empty();
 
@@ -79,22 +84,29 @@ final class SpeedTrial {
     /**
      * The outcome.
      *
-     * @param nanosPerPixel of the student's method; 0 where nothing is known
-     * @param reference the same of the reference
+     * @param ratio of the student's time to the reference's; empty where nothing is known
+     * @param reference nanoseconds per pixel of the reference
      * @param printed whether the method printed, which takes time
      * @param obstacle why it was not measured; nothing where it was
      */
-    record Outcome(double nanosPerPixel, double reference, boolean printed, Message obstacle) {
+    record Outcome(
+            Optional<MedianInterval> ratio, double reference, boolean printed, Message obstacle) {
         static Outcome none(Message obstacle) {
-            return new Outcome(0, 0, false, obstacle);
+            return new Outcome(Optional.empty(), 0, false, obstacle);
         }
 
         boolean isKnown() {
-            return nanosPerPixel > 0;
+            return ratio.isPresent();
         }
 
-        double ratio() {
-            return nanosPerPixel / reference;
+        /** Nanoseconds per pixel of the student's method; 0 where nothing is known. */
+        double nanosPerPixel() {
+            return ratio.map(one -> one.median() * reference).orElse(0.0);
+        }
+
+        /** The least that the ratio can be: only what is slower for certain costs points. */
+        double leastRatio() {
+            return ratio.orElseThrow().low();
         }
 
         /** Whether it would have been measured, had the machine been calm enough. */
@@ -107,20 +119,21 @@ final class SpeedTrial {
     static final Message UNSETTLED = Message.of("speed.unsettled");
 
     /**
-     * Measures until the reference repeats itself and the child's clock can be believed. A busy
-     * machine may allow neither: then what the child tells is the least that it can have been.
+     * Measures until the interval of the ratio tells the points and the child's clock can be
+     * believed. A busy machine may allow neither.
      */
     Outcome measure() throws ChildLost, InterruptedException {
         for (int left = MOST_TRIES; left > 0; left--) {
             Optional<Message> obstacle = tried();
             if (obstacle.isPresent()) return Outcome.none(obstacle.get());
-            if (isSettled() && !SpeedPoints.isNearAnEnd(told(Message.NONE).ratio())) break;
+            if (pace.isSettled() && !SpeedPoints.isNearAnEnd(pace.ratio().median())) break;
         }
-        if (!ours.isMeasured()) return Outcome.none(UNSETTLED);
-        if (isSettled()) return told(Message.NONE);
-        return patience.isBusy() || theirs.isCredibleBeside(ours)
+        if (pace.pairs() == 0) return Outcome.none(UNSETTLED);
+        if (pace.isSettled() || pace.isRoughlyTold()) return told(Message.NONE);
+        return patience.isBusy() || pace.isCredible()
                 ? told(UNSETTLED)
-                : new Outcome(theirs.wall(), ours.wall(), printed, Message.NONE);
+                : new Outcome(
+                        Optional.of(pace.wallRatio()), pace.wallReference(), printed, Message.NONE);
     }
 
     /** The message of one batch: why nothing could be measured, or no more than that it could. */
@@ -135,12 +148,8 @@ final class SpeedTrial {
         return last;
     }
 
-    private boolean isSettled() {
-        return ours.isRepeated() && theirs.isCredibleBeside(ours);
-    }
-
     private Outcome told(Message obstacle) {
-        return new Outcome(theirs.own(), ours.own(), printed, obstacle);
+        return new Outcome(Optional.of(pace.ratio()), pace.reference(), printed, obstacle);
     }
 
     /** Why nothing can be measured; empty where something was. */
@@ -149,8 +158,10 @@ final class SpeedTrial {
             one.beginAnew();
             for (Call call : before) one.call(call);
         }
+        var warmUp = new Pace.WarmUp(WARM_UP_NANOS);
         long start = System.nanoTime();
-        for (int round = 1; round <= LEAST_ROUNDS || !theirs.isSettledBeside(ours); round++) {
+        int counted = 0;
+        while (counted < LEAST_ROUNDS || !pace.isSettled()) {
             TopicGrading.Timing timing = timings.next();
             last = Optional.of(timing);
             TimedBatch batch = new TimedBatch(contract, timing, caps);
@@ -159,9 +170,14 @@ final class SpeedTrial {
             if (obstacle.isPresent()) return obstacle;
             if (batch.mayHideALongCall(reply.nanos())) holdEach(batch, timing.inputs());
             printed |= reply.printed() > 0;
-            theirs.add(reply, timing.count());
-            if (!timeReference(batch, timing.count())) return Optional.empty();
-            if (System.nanoTime() - start > BUDGET_NANOS) break;
+            Optional<StudentRun.Timed> ours = timedReference(batch);
+            if (ours.isEmpty()) return Optional.empty();
+            long elapsed = System.nanoTime() - start;
+            if (warmUp.isOver(reply, ours.get(), timing.count(), elapsed)) {
+                pace.add(reply, timing.count(), ours.get(), timing.count());
+                counted++;
+            }
+            if (elapsed > BUDGET_NANOS) break;
         }
         return Optional.empty();
     }
@@ -172,16 +188,16 @@ final class SpeedTrial {
     }
 
     /**
-     * Times the reference; false where it was lost, which no student can help: then nothing is
+     * Times the reference; empty where it was lost, which no student can help: then nothing is
      * settled.
      */
-    private boolean timeReference(TimedBatch batch, long count) throws InterruptedException {
+    private Optional<StudentRun.Timed> timedReference(TimedBatch batch)
+            throws InterruptedException {
         try {
-            ours.add(reference.run().time(batch), count);
-            return true;
+            return Optional.of(reference.run().time(batch));
         } catch (ChildLost lost) {
             reference.close();
-            return false;
+            return Optional.empty();
         }
     }
 

@@ -1,6 +1,7 @@
 package rasterlab.exercises.score;
 
 import java.util.List;
+import rasterlab.engine.study.measuring.MedianInterval;
 
 /**
  * A student's speed and error beside those of the topic's methods, measured in one run.
@@ -8,29 +9,43 @@ import java.util.List;
  * <p>An error is the largest one on the open cases for accuracy, in the topic's unit, as in its
  * study; it is infinite where items are missing or extra, or where there is no answer.
  *
- * @param nanos the student's time per item, above 0
- * @param reference that of the reference
+ * @param ratio of the student's time per item to that of the reference, with the interval in which
+ *     it lies
+ * @param reference nanoseconds per item of the reference, above 0
  * @param error the student's
  * @param methods those of the topic that are kept as right ones and answer these inputs
  */
-public record SpeedFigures(double nanos, double reference, double error, List<Method> methods) {
+public record SpeedFigures(
+        MedianInterval ratio, double reference, double error, List<Method> methods) {
     /**
      * A method of the topic.
      *
      * @param ratio of its time per item to that of the reference, above 0
      */
-    public record Method(String name, double ratio, double error) {
+    public record Method(String name, MedianInterval ratio, double error) {
         public Method {
-            requireTime(name, ratio);
+            requireTime(name, ratio.low());
+            requireTime(name, ratio.high());
             requireError(name, error);
+        }
+
+        /** A method of whose ratio no interval is known. */
+        public Method(String name, double ratio, double error) {
+            this(name, MedianInterval.exact(ratio), error);
         }
     }
 
     public SpeedFigures {
-        requireTime("student", nanos);
+        requireTime("student", ratio.low());
+        requireTime("student", ratio.high());
         requireTime("reference", reference);
         requireError("student", error);
         methods = List.copyOf(methods);
+    }
+
+    /** Figures of which no interval is known. */
+    public SpeedFigures(double nanos, double reference, double error, List<Method> methods) {
+        this(MedianInterval.exact(nanos / reference), reference, error, methods);
     }
 
     private static void requireTime(String whose, double time) {
@@ -45,8 +60,8 @@ public record SpeedFigures(double nanos, double reference, double error, List<Me
                     "error of " + whose + " must be at least 0, got " + error);
     }
 
-    /** How many times the reference's time the student's method takes. */
-    public double ratio() {
-        return nanos / reference;
+    /** The student's nanoseconds per item. */
+    public double nanos() {
+        return ratio.median() * reference;
     }
 }

@@ -54,6 +54,11 @@ public final class SpeedPoints {
         return BANDS.get(band).upTo() * (wasThere ? STAYS : TOLERANCE);
     }
 
+    /** Whether all ratios from the one to the other are in the same band. */
+    public static boolean isOneBand(double low, double high) {
+        return band(low, OptionalInt.empty()) == band(high, OptionalInt.empty());
+    }
+
     /** Whether a further measurement might lead to another band. */
     public static boolean isNearAnEnd(double ratio) {
         return BANDS.stream()

@@ -41,7 +41,7 @@ internal class SpeedRows(
             .bind("revision", revision)
             .bind("position", position)
             .bind("method", method.name())
-            .bind("ratio", method.ratio())
+            .bind("ratio", method.ratio().median())
             .bind("error", method.error().stored())
             .execute()
     }

@@ -27,6 +27,11 @@ public record MedianInterval(double low, double median, double high) {
                             + (low + ", " + median + ", " + high));
     }
 
+    /** A median that is known without an interval. */
+    public static MedianInterval exact(double median) {
+        return new MedianInterval(median, median, median);
+    }
+
     /**
      * The interval of these values' median.
      *

@@ -41,16 +41,19 @@ public final class Samples {
         return MedianInterval.ofMedian(values());
     }
 
-    /** The quickest round: what else the machine does only ever adds time. */
-    public double least() {
-        return DoubleStream.of(values()).min().orElse(Double.POSITIVE_INFINITY);
-    }
-
-    /** The quickest round but one. */
-    public double nextToLeast() {
-        double[] sorted = values();
-        Arrays.sort(sorted);
-        return count < 2 ? Double.POSITIVE_INFINITY : sorted[1];
+    /**
+     * The ratios of these times to others in the same rounds: what slows the machine for a round
+     * slows both.
+     *
+     * @throws IllegalArgumentException if there are more or fewer of the others
+     */
+    public Samples over(Samples others) {
+        if (others.count != count)
+            throw new IllegalArgumentException(
+                    "ratios need as many times of both, got " + count + " and " + others.count);
+        var ratios = new Samples();
+        for (int i = 0; i < count; i++) ratios.add(nanos[i] / others.nanos[i]);
+        return ratios;
     }
 
     /** Round by round. */
