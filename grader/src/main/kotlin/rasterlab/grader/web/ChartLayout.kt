@@ -1,8 +1,10 @@
 package rasterlab.grader.web
 
-import kotlin.math.abs
+import rasterlab.engine.study.measuring.MedianInterval
+import rasterlab.engine.study.measuring.PaceComparison
 import kotlin.math.ceil
 import kotlin.math.floor
+import kotlin.math.hypot
 import kotlin.math.ln
 import kotlin.math.log10
 import kotlin.math.pow
@@ -10,54 +12,29 @@ import kotlin.math.pow
 /**
  * A method on a chart of speed and accuracy.
  *
+ * @param ratio of its time to the reference's, with the interval in which it lies
  * @param error may be infinite
  */
 class ChartPoint(
     val name: String,
-    val ratio: Double,
+    val ratio: MedianInterval,
     val error: Double,
     val own: Boolean,
-)
+) {
+    /** Whether this one is told to be faster and is as accurate: only where the intervals part. */
+    fun beats(other: ChartPoint) =
+        error <= other.error &&
+            ratio.high() < other.ratio.low() &&
+            ratio.median() * PaceComparison.LEAST_GAP < other.ratio.median()
+}
 
-/** A point's mark and the place of its name, whose baseline is at [textY]. */
+/** A point's mark, and the row of its name, to which a line leads from the mark. */
 class PlacedPoint(
     val point: ChartPoint,
     val x: Double,
     val y: Double,
-    val textX: Double,
-    val textY: Double,
-    val before: Boolean,
-) {
-    /** The range from the left to the right of the name, as wide as it can be. */
-    val text: ClosedFloatingPointRange<Double> =
-        if (before) textX - width(point.name)..textX else textX..textX + width(point.name)
-
-    /** Whether the name stands above or below its mark, so that a line has to lead to it. */
-    val led = abs(textY - BASELINE - y) > 1
-
-    /** Whether the names of both would touch. */
-    fun meets(other: PlacedPoint) =
-        text.start <= other.text.endInclusive &&
-            other.text.start <= text.endInclusive &&
-            abs(textY - other.textY) < LINE
-
-    /** Whether the name would touch a mark at that place. */
-    fun hides(
-        markX: Double,
-        markY: Double,
-    ) = markX in text.start - MARK..text.endInclusive + MARK && abs(textY - BASELINE - markY) < LINE / 2 + MARK - 1
-
-    companion object {
-        /** The distance from the middle of letters to the line that they stand on. */
-        const val BASELINE = 4.0
-
-        /** The distance from the line of one name to that of the next. */
-        const val LINE = 14.0
-
-        /** Half the width of a mark. */
-        private const val MARK = 5.0
-    }
-}
+    val rowY: Double,
+)
 
 /** A number of an axis and where it stands. */
 class Tick(
@@ -67,126 +44,159 @@ class Tick(
 
 /**
  * The places on a chart of speed and accuracy: ratios to the right and errors upwards, both in powers of ten. Points
- * without an error stand in lanes of their own at the bottom, since they would hide each other on one line; those whose
- * error has no end, in lanes at the top. Lengths are those of the picture's own units.
+ * without an error stand in one row of a band at the bottom; those whose error has no end, in one at the top. Names
+ * stand in a column beside the plot. Lengths are those of the picture's own units.
  */
 class ChartLayout(
-    points: List<ChartPoint>,
+    private val points: List<ChartPoint>,
 ) {
-    private val lost = points.filter { it.error.isInfinite() }
-    private val erring = points.filter { it.error.isFinite() && it.error > 0 }.sortedByDescending { it.error }
-    private val exact = points.filter { it.error == 0.0 }.sortedBy { it.ratio }
-    private val left = points.minOf { it.ratio }.coerceAtMost(LEAST) / MARGIN
-    private val right = points.maxOf { it.ratio }.coerceAtLeast(MOST) * MARGIN
-    private val low = floor(log10(erring.lastOrNull()?.error ?: 1.0) - CLEAR)
-    private val high = ceil(log10(erring.firstOrNull()?.error ?: 1.0) + CLEAR).coerceAtLeast(low + 1)
+    private val errors = points.map { it.error }.filter { it.isFinite() && it > 0 }
+    private val left = points.minOf { it.ratio.low() }.coerceAtMost(LEAST) / MARGIN
+    private val most = points.maxOf { it.ratio.high() }.coerceAtLeast(MOST) * MARGIN
+    private val low = floor(log10(errors.minOrNull() ?: 1.0) - CLEAR)
+    private val high = ceil(log10(errors.maxOrNull() ?: 1.0) + CLEAR).coerceAtLeast(low + 1)
 
-    /** The top of the scale, below the lanes of points without an end, where there are some. */
-    val scaleTop = TOP + lost.size * LANE
-    val scaleBottom = scaleTop + if (erring.isEmpty()) 0.0 else SCALE
+    /** The top of the scale, below the band of points without an end, where there are some. */
+    val scaleTop = TOP + if (points.any { it.error.isInfinite() }) BAND else 0.0
+    val scaleBottom = scaleTop + if (errors.isEmpty()) 0.0 else SCALE
 
-    /** The lower end of the plot. */
-    val bottom = scaleBottom + exact.size * LANE
+    /** The lower end of the plot, which has a row for each name. */
+    val bottom =
+        maxOf(scaleBottom + if (points.any { it.error == 0.0 }) BAND else 0.0, TOP + points.size * PlacedRows.ROW)
     val height = bottom + BELOW
+    val width = NAMES + points.maxOf { width(it.name) }
 
-    /** The middle of the lanes at the top, and of those at the bottom; null where there is none. */
-    val lostAt = (TOP + lost.size * LANE / 2).takeIf { lost.isNotEmpty() }
-    val exactAt = ((scaleBottom + bottom) / 2).takeIf { exact.isNotEmpty() }
+    /** The middle of the band at the top, and of the one at the bottom; null where there is none. */
+    val lostAt = ((TOP + scaleTop) / 2).takeIf { scaleTop > TOP }
+    val exactAt = ((scaleBottom + bottom) / 2).takeIf { points.any { it.error == 0.0 } }
 
     val placed: List<PlacedPoint> =
-        lanes(lost, TOP) + lanes(exact, scaleBottom) + spread(erring)
+        PlacedRows(
+            points.map { Triple(it, x(it.ratio.median()), y(it.error)) },
+            bottom,
+        ).all()
 
-    fun x(ratio: Double) = LEFT + (WIDTH - LEFT - RIGHT) * ln(ratio / left) / ln(right / left)
+    /** The names of the methods that beat each one, the quickest first. */
+    fun beatenBy(point: ChartPoint): List<ChartPoint> = points.filter { it.beats(point) }.sortedBy { it.ratio.median() }
 
-    private fun y(error: Double) = scaleBottom - SCALE * (log10(error) - low) / (high - low)
+    /** The corners of the front: what nothing beats and has a smaller error than every quicker one of these. */
+    val corners: List<PlacedPoint>
+        get() {
+            val corners = mutableListOf<PlacedPoint>()
+            for (one in placed.filter { beatenBy(it.point).isEmpty() }.sortedBy { it.x }) {
+                if (corners.isEmpty() || one.point.error < corners.last().point.error) corners += one
+            }
+            return corners
+        }
+
+    fun x(ratio: Double) = LEFT + (RIGHT - LEFT) * ln(ratio / left) / ln(most / left)
+
+    private fun y(error: Double) =
+        when {
+            error == 0.0 -> (scaleBottom + bottom) / 2
+            error.isInfinite() -> (TOP + scaleTop) / 2
+            else -> scaleBottom - (scaleBottom - scaleTop) * (log10(error) - low) / (high - low)
+        }
 
     /** The numbers of the axis of ratios: 1, 2 and 5 of each power of ten, or its powers where these are many. */
-    val ratios: List<Tick>
+    val ratioTicks: List<Tick>
         get() {
-            val factors = if (log10(right / left) > 2) listOf(1) else listOf(1, 2, 5)
-            return (floor(log10(left)).toInt()..ceil(log10(right)).toInt())
+            val factors = if (log10(most / left) > 2) listOf(1) else listOf(1, 2, 5)
+            return (floor(log10(left)).toInt()..ceil(log10(most)).toInt())
                 .flatMap { power -> factors.map { it * 10.0.pow(power) } }
-                .filter { it in left..right }
+                .filter { it in left..most }
                 .map { Tick(it, x(it)) }
         }
 
     /** The powers of ten of the axis of errors, at most a handful. */
-    val errors: List<Tick>
+    val errorTicks: List<Tick>
         get() {
-            if (erring.isEmpty()) return emptyList()
+            if (errors.isEmpty()) return emptyList()
             val step = ceil((high - low) / MOST_ERRORS).toInt()
             return (low.toInt()..high.toInt() step step).map { Tick(10.0.pow(it), y(10.0.pow(it))) }
         }
 
-    private fun lanes(
-        points: List<ChartPoint>,
-        top: Double,
-    ) = points.mapIndexed { lane, point ->
-        val before = x(point.ratio) + AWAY + width(point.name) > WIDTH
-        named(point, top + (lane + HALF) * LANE, rise = 0.0, before)
-    }
-
-    private fun named(
-        point: ChartPoint,
-        y: Double,
-        rise: Double,
-        before: Boolean,
-    ): PlacedPoint {
-        val x = x(point.ratio)
-        val textX = if (before) x - AWAY else x + AWAY
-        return PlacedPoint(point, x, y, textX, y + PlacedPoint.BASELINE + rise, before)
-    }
-
-    /** Names beside their marks, or above or below them where they would touch another name or mark. */
-    private fun spread(points: List<ChartPoint>): List<PlacedPoint> {
-        val placed = mutableListOf<PlacedPoint>()
-        for (point in points) {
-            val y = y(point.error)
-            val spots =
-                RISES
-                    .flatMap { rise -> listOf(false, true).map { named(point, y, rise, it) } }
-                    .filter { it.text.start >= LEFT && it.text.endInclusive <= WIDTH }
-            placed +=
-                spots.firstOrNull { spot -> isFree(spot, placed, points) }
-                    ?: spots.firstOrNull { spot -> placed.none(spot::meets) }
-                    ?: named(point, y, rise = 0.0, x(point.ratio) > WIDTH / 2)
-        }
-        return placed
-    }
-
-    private fun isFree(
-        spot: PlacedPoint,
-        placed: List<PlacedPoint>,
-        points: List<ChartPoint>,
-    ): Boolean {
-        val edge = HALF * PlacedPoint.LINE
-        return spot.textY - PlacedPoint.BASELINE in scaleTop + edge..scaleBottom - edge &&
-            placed.none(spot::meets) &&
-            points.none { it !== spot.point && spot.hides(x(it.ratio), y(it.error)) }
-    }
-
     companion object {
-        const val WIDTH = 360.0
         const val LEFT = 64.0
-        const val RIGHT = 12.0
+
+        /** The right end of the plot. */
+        const val RIGHT = 280.0
         const val TOP = 24.0
-        private const val LANE = 20.0
+
+        /** Where the column of names begins. */
+        const val NAMES = RIGHT + 24.0
+        private const val BAND = 36.0
         private const val SCALE = 120.0
         private const val BELOW = 38.0
-        private const val HALF = 0.5
-
-        /** The distance from a mark to its name. */
-        private const val AWAY = 10.0
 
         /** Decades between the outermost errors and the ends of their axis, at least. */
         private const val CLEAR = 0.25
-        private val RISES = listOf(0.0, -14.0, 14.0, -28.0, 28.0, -42.0, 42.0, -56.0, 56.0)
 
         /** Ratios that always have a place, so that the reference and the full points are seen. */
         private const val LEAST = 0.8
         private const val MOST = 2.0
         private const val MARGIN = 1.15
         private const val MOST_ERRORS = 4
+    }
+}
+
+/**
+ * Rows of names beside a plot, of whose lines no two cross: two that crossed would be longer than if they changed their
+ * ends, so ends are changed while that makes both together shorter. Source: M. A. Bekos and others, Boundary Labeling,
+ * Computational Geometry 36(3), 2007, section 3.
+ */
+private class PlacedRows(
+    marks: List<Triple<ChartPoint, Double, Double>>,
+    private val bottom: Double,
+) {
+    private val marks = marks.sortedBy { it.third }
+
+    fun all(): List<PlacedPoint> {
+        val rows = spread().toMutableList()
+        var better = true
+        while (better) {
+            better = false
+            for (i in rows.indices) for (j in 0 until i) better = changed(rows, i, j) || better
+        }
+        return marks.mapIndexed { number, (point, x, y) -> PlacedPoint(point, x, y, rows[number]) }
+    }
+
+    private fun changed(
+        rows: MutableList<Double>,
+        i: Int,
+        j: Int,
+    ): Boolean {
+        val now = length(i, rows[i]) + length(j, rows[j])
+        if (length(i, rows[j]) + length(j, rows[i]) >= now - SHORT) return false
+        rows[i] = rows[j].also { rows[j] = rows[i] }
+        return true
+    }
+
+    private fun length(
+        mark: Int,
+        row: Double,
+    ) = hypot(ChartLayout.NAMES - marks[mark].second, row - marks[mark].third)
+
+    /** Heights as near to the marks' own as rows allow that do not overlap. */
+    private fun spread(): List<Double> {
+        val rows = marks.map { it.third }.toMutableList()
+        var least = ChartLayout.TOP + ROW / 2
+        for (i in rows.indices) {
+            rows[i] = maxOf(rows[i], least)
+            least = rows[i] + ROW
+        }
+        var most = bottom - ROW / 2
+        for (i in rows.indices.reversed()) {
+            rows[i] = minOf(rows[i], most)
+            most = rows[i] - ROW
+        }
+        return rows
+    }
+
+    companion object {
+        /** The height of a row. */
+        const val ROW = 15.0
+        private const val SHORT = 1e-9
     }
 }
 

@@ -54,14 +54,16 @@ private fun FlowContent.figures(
             th(scope = ThScope.col) { +texts.say("chart.method") }
             th(scope = ThScope.col, classes = "number") { +texts.say("chart.ratio") }
             th(scope = ThScope.col, classes = "number") { +drawn.errorAxis }
+            th(scope = ThScope.col) { +texts.say("chart.beaten") }
         }
     }
     tbody {
         drawn.points.forEach { point ->
             tr {
                 td { +point.name }
-                td("number") { +drawn.number(point.ratio) }
+                td("number") { +drawn.ratio(point) }
                 td("number") { +drawn.error(point) }
+                td { +drawn.beatenBy(point) }
             }
         }
     }
@@ -78,6 +80,16 @@ private class SpeedDrawing(
     val points = listOf(own) + figures.methods().map { ChartPoint(it.name(), it.ratio(), it.error(), own = false) }
     val errorAxis = texts.say("chart.error", texts.unit(speed.errorUnit))
     private val layout = ChartLayout(points)
+
+    /** The ratio with its interval, where that is known. */
+    fun ratio(point: ChartPoint): String {
+        val median = number(point.ratio.median())
+        val known = point.ratio.low() < point.ratio.high()
+        return if (known) "$median (${number(point.ratio.low())}–${number(point.ratio.high())})" else median
+    }
+
+    /** The methods that are told to be faster and are as accurate. */
+    fun beatenBy(point: ChartPoint) = layout.beatenBy(point).joinToString(", ") { it.name }
 
     /** The number with three digits that count. */
     fun number(value: Double): String {
@@ -96,31 +108,36 @@ private class SpeedDrawing(
 
     fun svg(): String =
         buildString {
-            val size = "0 0 ${ChartLayout.WIDTH.roundToInt()} ${layout.height.roundToInt()}"
+            val size = "0 0 ${layout.width.roundToInt()} ${layout.height.roundToInt()}"
             append("""<svg viewBox="$size" role="img" aria-label="${escaped(inWords())}">""")
             plot()
             axes()
+            staircase()
             layout.placed.forEach { mark(it) }
             append("</svg>")
         }
 
     private fun inWords() =
-        texts.say("chart.words", number(own.ratio), error(own)) + " " +
+        texts.say("chart.words", number(own.ratio.median()), error(own)) + " " +
             layout.placed
                 .filterNot { it.point.own }
-                .sortedBy { it.point.ratio }
-                .joinToString("; ") { "${it.point.name}: ${number(it.point.ratio)}, ${error(it.point)}" }
+                .sortedBy { it.point.ratio.median() }
+                .joinToString("; ") { "${it.point.name}: ${number(it.point.ratio.median())}, ${error(it.point)}" }
 
     private fun StringBuilder.plot() {
         val top = ChartLayout.TOP
         val high = layout.bottom - top
-        rect("sheet", ChartLayout.LEFT, top, ChartLayout.WIDTH - ChartLayout.LEFT - ChartLayout.RIGHT, high)
+        rect("sheet", ChartLayout.LEFT, top, ChartLayout.RIGHT - ChartLayout.LEFT, high)
+        layout.exactAt?.let {
+            val from = layout.scaleBottom
+            rect("exact", ChartLayout.LEFT, from, ChartLayout.RIGHT - ChartLayout.LEFT, layout.bottom - from)
+        }
         val full = layout.x(speed.fullUpTo)
         rect("full", ChartLayout.LEFT, top, full - ChartLayout.LEFT, high)
         val reference = layout.x(1.0)
         line("reference", reference, top, reference, layout.bottom)
         for (edge in listOf(layout.scaleTop, layout.scaleBottom).filter { it > top && it < layout.bottom }) {
-            line("edge", ChartLayout.LEFT, edge, ChartLayout.WIDTH - ChartLayout.RIGHT, edge)
+            line("edge", ChartLayout.LEFT, edge, ChartLayout.RIGHT, edge)
         }
     }
 
@@ -129,25 +146,44 @@ private class SpeedDrawing(
         val besides = ChartLayout.LEFT - BESIDE
         layout.lostAt?.let { text("end", besides, it + BASELINE, texts.say("chart.lost")) }
         layout.exactAt?.let { text("end", besides, it + BASELINE, texts.say("chart.exact")) }
-        for (tick in layout.errors) text("end", besides, tick.at + BASELINE, number(tick.value))
-        for (tick in layout.ratios) {
+        for (tick in layout.errorTicks) text("end", besides, tick.at + BASELINE, number(tick.value))
+        for (tick in layout.ratioTicks) {
             line("edge", tick.at, layout.bottom, tick.at, layout.bottom + BASELINE)
             text("middle", tick.at, layout.bottom + UNDER, number(tick.value))
         }
-        val middle = (ChartLayout.LEFT + ChartLayout.WIDTH - ChartLayout.RIGHT) / 2
+        val middle = (ChartLayout.LEFT + ChartLayout.RIGHT) / 2
         text("middle", middle, layout.height - BASELINE, texts.say("chart.cost", texts.item(speed.item)))
+    }
+
+    /** The steps from the quickest corner down to the most accurate one and to the right. */
+    private fun StringBuilder.staircase() {
+        var x = layout.corners.first().x
+        var y = ChartLayout.TOP
+        val path = StringBuilder("M${x.short()},${y.short()}")
+        for (corner in layout.corners) {
+            x = corner.x
+            y = corner.y
+            path.append("H${x.short()}V${y.short()}")
+        }
+        path.append("H${ChartLayout.RIGHT.short()}")
+        append("<path class=\"front\" d=\"$path\"/>")
     }
 
     private fun StringBuilder.mark(placed: PlacedPoint) {
         val kind = if (placed.point.own) "own" else "other"
-        append("<g class=\"$kind\">")
-        if (placed.led) line("leader", placed.x, placed.y, placed.textX, placed.textY - BASELINE)
+        val pale = if (layout.beatenBy(placed.point).isEmpty()) "" else " beaten"
+        append("<g class=\"$kind$pale\">")
+        line("leader", placed.x, placed.y, ChartLayout.NAMES - BESIDE / 2, placed.rowY)
+        val low = layout.x(placed.point.ratio.low())
+        val high = layout.x(placed.point.ratio.high())
+        line("bar", low, placed.y, high, placed.y)
+        for (end in listOf(low, high)) line("bar", end, placed.y - BAR, end, placed.y + BAR)
         if (placed.point.own) {
             append("<path d=\"${star(placed.x, placed.y)}\"/>")
         } else {
             append("<circle cx=\"${placed.x.short()}\" cy=\"${placed.y.short()}\" r=\"4.5\"/>")
         }
-        text(if (placed.before) "end" else "start", placed.textX, placed.textY, placed.point.name)
+        text("start", ChartLayout.NAMES, placed.rowY + BASELINE, placed.point.name)
         append("</g>")
     }
 
@@ -179,6 +215,7 @@ private class SpeedDrawing(
     private companion object {
         const val BASELINE = 4.0
         const val BESIDE = 6.0
+        const val BAR = 3.0
         const val UNDER = 15.0
         const val AXIS_TITLE = 14.0
         const val LEAST_POWER = -3
