@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.exercises.score.SpeedPoints;
 
-/** What simulated rounds of a program and of the reference say of the program's speed. */
+/** Simulated rounds of a program and of the reference tell the program's speed. */
 class PaceTest {
     private static final int PIXELS = 100;
 
