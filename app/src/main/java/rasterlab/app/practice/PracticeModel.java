@@ -27,6 +27,7 @@ public final class PracticeModel implements AutoCloseable {
     private final LongSupplier seeds;
     private PracticeState state = PracticeState.LEFT;
     private Optional<GradedSheet> graded = Optional.empty();
+    private Optional<NotTaken> refusal = Optional.empty();
 
     /**
      * @param seeds gives the seed of new data, in [0, {@link #SEEDS})
@@ -149,7 +150,18 @@ public final class PracticeModel implements AutoCloseable {
         if (state.topic().isPresent()) publish(PracticeState.LEFT);
     }
 
+    /** Keeps why the last thing that was typed is not taken, until the state changes. */
+    void refuse(NotTaken why) {
+        refusal = Optional.of(why);
+    }
+
+    /** Why the last thing that was typed was not taken; empty where it was. */
+    Optional<NotTaken> refusal() {
+        return refusal;
+    }
+
     private void publish(PracticeState next) {
+        refusal = Optional.empty();
         state = next;
         listeners.tell(next);
     }

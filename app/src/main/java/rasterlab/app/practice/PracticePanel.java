@@ -76,7 +76,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         walk.setLineWrap(true);
         walk.setWrapStyleWord(true);
         walk.getAccessibleContext().setAccessibleName(texts.text("walk"));
-        seed = new SeedField(texts, model::dataOf, this::refuseSeed);
+        seed = new SeedField(texts, model::dataOf, () -> refuse(Optional.empty()));
         column = column();
         add(title, "wmin 0");
         add(leave, "growx, wrap");
@@ -188,17 +188,33 @@ final class PracticePanel extends JPanel implements Settling, Helped {
             model.answer(form.answer(), 0);
             return;
         }
-        String topic = state.topic().orElseThrow();
-        verdict.tell(texts.text("missing", words(topic).label(missing.get())));
+        refuse(missing);
         form.focus();
+    }
+
+    /**
+     * Says what is wrong with what was typed, also in another language.
+     *
+     * @param missing the field that has no value; empty for a seed that is none
+     */
+    private void refuse(Optional<String> missing) {
+        model.refuse(new NotTaken(missing, form.answer()));
+        tellRefusal();
+    }
+
+    private void tellRefusal() {
+        model.refusal().map(this::said).ifPresent(verdict::tell);
+    }
+
+    private String said(NotTaken refusal) {
+        String topic = model.state().topic().orElseThrow();
+        return refusal.missing()
+                .map(field -> texts.text("missing", words(topic).label(field)))
+                .orElseGet(() -> texts.text("seed.wrong", String.valueOf(Sheet.MOST_SEED)));
     }
 
     private StepText words(String topic) {
         return new StepText(topic, texts.locale());
-    }
-
-    private void refuseSeed() {
-        verdict.tell(texts.text("seed.wrong", String.valueOf(Sheet.MOST_SEED)));
     }
 
     private void next() {
@@ -246,6 +262,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         boolean other = shown.filter(now::equals).isEmpty();
         if (other) form.show(topic, now, board);
         if (other) state.answer().ifPresent(form::set);
+        if (other) model.refusal().map(NotTaken::typed).ifPresent(form::set);
         place(board.isPresent());
         board.ifPresent(drawn -> stage.show(drawn, isOtherWalk(now), state.isAsking()));
         hint.show(hint(board, state.graded().isPresent()));
@@ -256,6 +273,7 @@ final class PracticePanel extends JPanel implements Settling, Helped {
         next.setText(texts.label(state.isThrough() ? "again" : "next"));
         verdict.setVisible(state.last().isPresent());
         state.last().ifPresent(last -> verdict.show(last, topic));
+        tellRefusal();
         walk.setText(WalkText.of(state, texts));
         walk.setCaretPosition(0);
         shown = Optional.of(now);

@@ -6,6 +6,7 @@ import java.awt.Window;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.time.Duration;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -20,6 +21,8 @@ import rasterlab.app.canvas.player.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnProgram;
+import rasterlab.app.shell.labs.HandInOffers;
+import rasterlab.app.shell.labs.HandInOffers.Offer;
 import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.app.shell.settings.LabLook;
 import rasterlab.app.shell.tab.LabTab;
@@ -46,6 +49,7 @@ public final class LabContent extends JPanel {
     private final transient WindowKeys keys = new WindowKeys(this);
     private final transient PlayerKeys player = new PlayerKeys(() -> StepPlayer.seenIn(this));
     private final transient LabOpening opening;
+    private final transient HandInOffers offers;
     private final transient Timer awaiting = new Timer(LOOK, e -> tellAwaited());
 
     /** The tab whose picture is marked as old. */
@@ -68,11 +72,15 @@ public final class LabContent extends JPanel {
         super(new BorderLayout());
         Texts texts = Texts.of("shell", labs.language());
         opening = labs.opening();
+        offers = labs.handIn();
         pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
         opening.showTabsBy(this::show);
         opening.tellHazardsTo(hazard -> opened = Optional.of(hazard));
-        opening.tellHandingInTo((tab, exercise) -> tellHandingIn(tab, exercise, texts));
+        Map<String, Offer> before = offers.shown();
+        opening.tellHandingInTo(
+                (tab, exercise) -> tellHandingIn(tab, new Offer(exercise, false), texts));
         opening.tellOwnTo((tab, mine) -> tellOwn(tab, mine, texts), pane::tellNoOwn);
+        before.forEach((tab, offer) -> tellHandingIn(tab, offer, texts));
         show(shown);
         pane.fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
@@ -146,19 +154,31 @@ public final class LabContent extends JPanel {
     }
 
     /** Says over a lab for which exercise its input can be handed in. */
-    private void tellHandingIn(String tab, Exercise exercise, Texts texts) {
-        pane.tell(
-                tab,
+    private void tellHandingIn(String tab, Offer offer, Texts texts) {
+        Exercise exercise = offer.exercise();
+        offers.show(tab, offer);
+        var strip =
                 new HandInStrip(
-                        exercise,
+                        offer,
                         texts,
-                        () -> opening.handIn(exercise),
+                        () -> handIn(tab, exercise),
                         () -> opening.showExercise(exercise),
-                        () -> pane.tellNothing(tab)));
+                        () -> {
+                            offers.hide(tab);
+                            pane.tellNothing(tab);
+                        });
+        pane.tell(tab, strip);
+    }
+
+    private boolean handIn(String tab, Exercise exercise) {
+        boolean handed = opening.handIn(exercise);
+        offers.show(tab, new Offer(exercise, !handed));
+        return handed;
     }
 
     /** Says over a lab from which exercise the program is that it shows. */
     private void tellOwn(String tab, OwnProgram mine, Texts texts) {
+        offers.hide(tab);
         var strip =
                 new OwnStrip(
                         mine.exercise(),

@@ -13,6 +13,7 @@ import rasterlab.app.found.FoundCases;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.practice.PracticeCards;
+import rasterlab.app.shell.labs.HandInOffers;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.app.shell.labs.TabRooms;
@@ -106,6 +107,11 @@ public final class LabTabs implements AutoCloseable {
     /** The opening that shows inputs in their tabs. */
     LabOpening opening() {
         return opening;
+    }
+
+    /** Remembers what is said over the labs of handing their input in. */
+    HandInOffers handIn() {
+        return models.handIn();
     }
 
     /** Receives what a lab could not do, on any thread. */

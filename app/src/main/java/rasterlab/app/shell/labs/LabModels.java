@@ -53,6 +53,7 @@ public final class LabModels implements AutoCloseable {
     private final Map<String, LabModel<?>> labs = new LinkedHashMap<>();
 
     private final OwnMethods own = new OwnMethods();
+    private final HandInOffers handIn = new HandInOffers();
     private final Executor events;
     private final Consumer<Map<String, Kept<?>>> restore;
     private final Consumer<Throwable> onFailure;
@@ -139,6 +140,11 @@ public final class LabModels implements AutoCloseable {
     /** The user's programs, which the labs have among their methods. */
     public OwnMethods own() {
         return own;
+    }
+
+    /** Remembers what is said over the labs of handing their input in. */
+    public HandInOffers handIn() {
+        return handIn;
     }
 
     /** The mode "which is next?" of that lab; the same one every time. */
