@@ -102,9 +102,13 @@ class GradingQueue(
                 .one()
         }
 
-    /** Lets running attempts finish for a while, then interrupts them, which puts them back. */
+    /**
+     * Lets the sweep that is made end, which needs the database, and running attempts finish for a while; then
+     * interrupts these, which puts them back.
+     */
     override fun close() {
         sweeper.shutdown()
+        sweeper.awaitTermination(STOP_WAIT.toMillis(), TimeUnit.MILLISECONDS)
         scheduler.stop()
     }
 
@@ -117,6 +121,8 @@ class GradingQueue(
             if (failing) log.info("the sweep goes on")
             failing = false
         } catch (failure: Exception) {
+            // What the last one could not do is left to the server's next start.
+            if (sweeper.isShutdown) return
             if (!failing) log.error("the sweep failed and is made again each {}", SWEEP, failure)
             failing = true
         }
