@@ -62,7 +62,7 @@ class CaseReasonsTest {
             polygon-fill | random-rules      | polygon: 9 × [0..30, 0..20]; rule: nonzero
             polygon-fill | random-beyond-the-picture | it catches these mistakes: columns to the left of the picture are filled, too; the even-odd rule
             polygon-fill | no-area           | ordinary inputs do not show (2 of the form polygon: [[1, 1], [9, 9], [5, 5]]
-            clip-segment | far-window        | its input is made for one difficulty: Coordinates are large against the window
+            clip-segment | far-window        | its input is made for one difficulty: “Coordinates are large against the window
             """)
     void caseNamesTheMistakeThatFewOthersCatch(String id, String name, String said) {
         String why = new CaseReasons(CATALOGUE.named(id)).of(name).in("en");

@@ -175,7 +175,10 @@ private fun MAIN.plan(
         }
     }
     stand.due?.let { due ->
-        p("plan") { +texts.say(if (stand.over) "exercise.over" else "exercise.due", UTC_MINUTE.format(due)) }
+        p("plan") {
+            +texts.say(if (stand.over) "exercise.over" else "exercise.due", UTC_MINUTE.format(due))
+            if (!stand.over && stand.exercise.hidesCases()) +" ${texts.say("exercise.due.hidden")}"
+        }
     }
 }
 

@@ -48,7 +48,7 @@ fun Route.exercisePages(
     clock: InstantSource,
 ) {
     val page = ExercisePage(deadlines, exercises, sheets, hints, submissions, Formulas(), clock)
-    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, deadlines, submissions) }
+    get("/exercises") { call.respondExercises(call.someone(accounts), exercises, deadlines, submissions, clock) }
     get("/exercises/{id}") {
         page.show(call, call.someone(accounts), exercises.named(call.parameters.getOrFail("id")))
     }
@@ -81,13 +81,15 @@ private suspend fun ApplicationCall.respondExercises(
     exercises: Exercises,
     deadlines: Deadlines,
     submissions: Submissions,
+    clock: InstantSource,
 ) {
     val texts = texts()
+    val now = clock.instant()
     val due = deadlines.of(who)
     val bests = submissions.bestsOf(who)
     respondPage(texts, who, texts.say("exercises.title")) {
         if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
-        Chapter.of(exercises.all).forEach { chapter(texts, it, due, bests) }
+        Chapter.of(exercises.all).forEach { chapter(texts, it, due, bests, now) }
     }
 }
 
@@ -97,6 +99,7 @@ private fun FlowContent.chapter(
     chapter: Chapter,
     deadlines: Map<String, Instant>,
     bests: Map<String, Int?>?,
+    now: Instant,
 ) = section("chapter") {
     h2 {
         id = chapter.topic()
@@ -108,10 +111,9 @@ private fun FlowContent.chapter(
             a("/exercises/${exercise.id()}", classes = "card exercise") {
                 span("title") { +exercise.title(texts.language) }
                 span { +about(texts, exercise) }
-                deadlines[exercise.id()]?.let {
-                    span(
-                        "state",
-                    ) { +texts.say("exercises.deadline", UTC_MINUTE.format(it)) }
+                deadlines[exercise.id()]?.let { due ->
+                    val said = if (now > due) "exercises.over" else "exercises.deadline"
+                    span("state") { +texts.say(said, UTC_MINUTE.format(due)) }
                 }
                 if (bests != null) span("state") { +state(texts, exercise, bests) }
             }

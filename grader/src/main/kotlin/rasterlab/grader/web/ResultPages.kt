@@ -13,6 +13,8 @@ import kotlinx.html.id
 import kotlinx.html.p
 import kotlinx.html.stream.createHTML
 import kotlinx.html.summary
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.score.Disclosure
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
@@ -51,14 +53,23 @@ fun Route.resultPages(
     }
 }
 
+/** Whether some of its cases are hidden, those that the deadline opens or others. */
+internal fun Exercise.hidesCases(): Boolean = cases().any { it.visibility() != Disclosure.OPEN }
+
 /** The effect of the deadline on this submission, where there is one. */
 private fun FlowContent.deadline(
     texts: PageTexts,
     view: SubmissionView,
+    hidesCases: Boolean,
 ) {
     val due = view.deadline?.let { Instant.parse(it).forPeople() } ?: return
     if (view.late) p("late") { +texts.say("result.late", due) }
-    p("plan") { +texts.say(if (view.opened) "result.opened" else "result.due", due) }
+    val said =
+        when {
+            view.opened -> if (hidesCases) "result.opened" else "result.over"
+            else -> if (hidesCases) "result.due.hidden" else "result.due"
+        }
+    p("plan") { +texts.say(said, due) }
 }
 
 /** The inner part of a page. */
@@ -75,10 +86,11 @@ private suspend fun ApplicationCall.respondResult(
     val texts = texts()
     val view = results.view(who, submission.id, texts.language)
     val files = results.files(submission)
-    val sheet = SheetResult.of(exercises.at(submission.exercise, view.revision), submission.source)
+    val exercise = exercises.at(submission.exercise, view.revision)
+    val sheet = SheetResult.of(exercise, submission.source)
     respondPage(texts, who, "$title\u00a0— ${texts.say("result.title", submission.attempt)}") {
         p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
-        deadline(texts, view)
+        deadline(texts, view, exercise?.hidesCases() ?: true)
         div {
             id = "live"
             attributes["aria-live"] = "polite"

@@ -235,7 +235,8 @@ private fun FlowContent.pictures(
     pictures.firstNotNullOfOrNull { it.part.getOrNull() }?.takeIf { !it.isWhole }?.let { part ->
         p("legend") { +texts.say("result.part", part.said().`in`(texts.language)) }
     }
-    div("pictures") {
+    val pixels = pictures.any { isOfPixels(it) }
+    div(if (pixels) "pictures pixels" else "pictures") {
         pictures.forEach { picture ->
             val name = texts.picture(picture.kind)
             figure {
@@ -251,16 +252,7 @@ private fun FlowContent.pictures(
     if (turns.size == 2) {
         details {
             summary { +texts.say("result.blink") }
-            div(
-                if (pictures.any {
-                        isOfPixels(it)
-                    }
-                ) {
-                    "blink pixels"
-                } else {
-                    "blink"
-                },
-            ) {
+            div(if (pixels) "blink pixels" else "blink") {
                 turns.forEach {
                     img(
                         src = it.url,

@@ -212,6 +212,26 @@ class OpenedCasesTest {
             assertTrue("""<span class="late">с опозданием""" in page(instructor, "/instructor/latest?lang=ru"))
         }
 
+    @Test
+    @DisplayName("an exercise without hidden cases promises to show them, or a deadline that is over is to come")
+    fun deadlineWithoutHiddenCases() =
+        Classroom(folder, clock = { now }).open {
+            val due = now + Duration.ofHours(1)
+            val (_, student, id) = handedIn(due)
+            for (path in listOf("/submissions/$id", "/exercises/draw-dot")) {
+                val page = page(student, "$path?lang=en")
+                assertTrue("Deadline: 2026-03-28 11:00 UTC." in page, page)
+                assertFalse("hidden cases" in page, page)
+            }
+            val before = page(student, "/exercises?lang=en")
+            assertTrue("hand in by 2026-03-28 11:00 UTC" in before, before)
+            now = due + Duration.ofMillis(1)
+            val result = page(student, "/submissions/$id?lang=en")
+            assertTrue("The deadline was 2026-03-28 11:00 UTC.<" in result, result)
+            val after = page(student, "/exercises?lang=en")
+            assertTrue("the deadline was 2026-03-28 11:00 UTC" in after, after)
+        }
+
     private companion object {
         val HIDDEN = listOf(Disclosure.AFTER_DEADLINE, Disclosure.VERDICT_ONLY, Disclosure.NEVER)
 
