@@ -34,7 +34,10 @@ public record Images(double[] coordinates, int dimension) {
                     Math.max(0, size() - actual.size()),
                     Math.max(0, actual.size() - size()),
                     size(),
-                    actual.size() + " images where " + size() + " are right");
+                    actual.size()
+                            + (actual.size() == 1 ? " image where " : " images where ")
+                            + size()
+                            + (size() == 1 ? " is right" : " are right"));
         double worst = 0;
         long missing = 0;
         long extra = 0;

@@ -79,7 +79,11 @@ final class PolygonComparison {
 
     private static String first(List<double[]> exact, List<double[]> actual, double share) {
         if (exact.size() != actual.size())
-            return actual.size() + " pieces where " + exact.size() + " are right" + sample(actual);
+            return actual.size()
+                    + (actual.size() == 1 ? " piece where " : " pieces where ")
+                    + exact.size()
+                    + (exact.size() == 1 ? " is right" : " are right")
+                    + sample(actual);
         if (share == 0) return "";
         return "a share of " + share + " of the window is covered by one of the two only";
     }
