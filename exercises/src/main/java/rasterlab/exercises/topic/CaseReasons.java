@@ -78,8 +78,25 @@ public final class CaseReasons {
         return exercise.cases().stream()
                 .filter(one -> one.name().equals(name))
                 .findFirst()
-                .map(one -> CaseInputs.of(exercise.topic(), one).and(mistakes(name)))
+                .map(
+                        one ->
+                                CaseInputs.of(exercise.topic(), one)
+                                        .and(asked(one))
+                                        .and(mistakes(name)))
                 .orElse(Message.NONE);
+    }
+
+    /** What the case asks for where others have the same inputs; nothing where none has. */
+    private Message asked(Case one) {
+        boolean alone =
+                exercise.cases().stream().filter(each -> each.input().equals(one.input())).count()
+                        == 1;
+        return alone
+                ? Message.NONE
+                : exercise.group(one)
+                        .map(Exercise.Group::title)
+                        .map(title -> Message.of("why.asked", title.get("en"), title.get("ru")))
+                        .orElse(Message.NONE);
     }
 
     private Message mistakes(String name) {
