@@ -3,6 +3,8 @@ package rasterlab.exercises.graded;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import rasterlab.engine.format.FieldKind;
 import rasterlab.exercises.drawing.Agreement;
 import rasterlab.exercises.drawing.PlaneFigure;
@@ -19,6 +21,12 @@ import rasterlab.exercises.score.CasePicture;
 final class FormPictures {
     /** The share of the largest difference below which one is not marked, as rounding is. */
     private static final double SEEN = 0.01;
+
+    /**
+     * The share of the largest right number above which a difference is none of rounding, however
+     * large others are: a hue in degrees is no measure of shares.
+     */
+    private static final double ROUNDED = 1e-5;
 
     private final FormFields fields;
     private final JsonNode exact;
@@ -55,7 +63,7 @@ final class FormPictures {
         double[][] right = rows(exact, labels);
         List<String> more = new ArrayList<>();
         double[][] mine = rows(actual, more);
-        double seen = SEEN * largestDifference();
+        double seen = Math.min(SEEN * largestDifference(), ROUNDED * largest(right));
         return TablePictures.of(
                 new TableLabels(more.size() > labels.size() ? more : labels, List.of()),
                 right,
@@ -74,6 +82,16 @@ final class FormPictures {
                 if (Double.isFinite(apart)) largest = Math.max(largest, apart);
             }
         return largest;
+    }
+
+    /** The largest number of the table that is one; 0 where there is none. */
+    private static double largest(double[][] rows) {
+        return Stream.of(rows)
+                .flatMapToDouble(DoubleStream::of)
+                .map(Math::abs)
+                .filter(Double::isFinite)
+                .max()
+                .orElse(0);
     }
 
     /**
