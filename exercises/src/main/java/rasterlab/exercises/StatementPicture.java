@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import rasterlab.exercises.score.Phrase;
+import rasterlab.exercises.score.PictureBytes;
 
 /** A picture of a statement: a file as it is, or one that is drawn by what a file tells. */
 public final class StatementPicture {
@@ -50,9 +51,9 @@ public final class StatementPicture {
     private final Form form;
     private final String file;
     private final byte[] kept;
-    private final Supplier<byte[]> content;
+    private final Supplier<PictureBytes> content;
 
-    private StatementPicture(Form form, String file, byte[] kept, Supplier<byte[]> content) {
+    private StatementPicture(Form form, String file, byte[] kept, Supplier<PictureBytes> content) {
         this.form = form;
         this.file = file;
         this.kept = kept;
@@ -64,9 +65,9 @@ public final class StatementPicture {
      *
      * @param file name of the file that tells what is drawn
      * @param kept its content
-     * @param png draws it
+     * @param png draws it, in each language
      */
-    public static StatementPicture drawn(String file, byte[] kept, Supplier<byte[]> png) {
+    public static StatementPicture drawn(String file, byte[] kept, Supplier<PictureBytes> png) {
         return new StatementPicture(Form.PNG, file, kept.clone(), new Once(png));
     }
 
@@ -92,16 +93,20 @@ public final class StatementPicture {
         if (!form.begins(content))
             throw new CatalogueException(Phrase.of("picture.form", file, form));
         byte[] own = content.clone();
-        return new StatementPicture(form, file, own, () -> own);
+        return new StatementPicture(form, file, own, () -> PictureBytes.alike(own));
     }
 
     public Form form() {
         return form;
     }
 
-    /** A copy of what is shown. */
-    public byte[] content() {
-        return content.get().clone();
+    /**
+     * A copy of what is shown.
+     *
+     * @param language in which the picture's numbers are written, such as "ru"
+     */
+    public byte[] content(String language) {
+        return content.get().in(language);
     }
 
     /** Name of the file in the exercise's folder that it comes from. */
@@ -114,16 +119,16 @@ public final class StatementPicture {
         return kept.clone();
     }
 
-    private static final class Once implements Supplier<byte[]> {
-        private final Supplier<byte[]> make;
-        private byte[] made;
+    private static final class Once implements Supplier<PictureBytes> {
+        private final Supplier<PictureBytes> make;
+        private PictureBytes made;
 
-        Once(Supplier<byte[]> make) {
+        Once(Supplier<PictureBytes> make) {
             this.make = make;
         }
 
         @Override
-        public synchronized byte[] get() {
+        public synchronized PictureBytes get() {
             if (made == null) made = make.get();
             return made;
         }

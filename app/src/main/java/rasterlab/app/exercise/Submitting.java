@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import rasterlab.app.exercise.outcome.Outcome;
 import rasterlab.app.exercise.outcome.Said;
@@ -22,6 +23,7 @@ import rasterlab.exercises.published.PublishedPicture;
 import rasterlab.exercises.published.PublishedPoints;
 import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.PictureBytes;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.ScorePoints;
 
@@ -188,12 +190,24 @@ final class Submitting {
         for (PublishedPicture one : english.pictures()) {
             if (!CasePicture.isKind(one.kind()))
                 throw new IOException("the server's kind of a picture is '" + one.kind() + "'");
-            String other = at(others, pictures.size()).map(PublishedPicture::text).orElse("");
+            Optional<PublishedPicture> other = at(others, pictures.size());
             pictures.add(
                     new TriedPicture(
-                            one.kind(), png(one.url()), new Said(one.text(), other), one.part()));
+                            one.kind(),
+                            file(one.url(), other.map(PublishedPicture::url).orElse(one.url())),
+                            new Said(one.text(), other.map(PublishedPicture::text).orElse("")),
+                            one.part()));
         }
         return pictures;
+    }
+
+    /** The picture, in Russian another one where the server names another address. */
+    private PictureBytes file(String english, String russian)
+            throws IOException, InterruptedException {
+        byte[] usual = png(english);
+        if (russian.equals(english)) return PictureBytes.alike(usual);
+        byte[] own = png(russian);
+        return PictureBytes.of(usual, Map.of("ru", () -> own));
     }
 
     private byte[] png(String path) throws IOException, InterruptedException {

@@ -142,6 +142,7 @@ public final class HazardPage<C, I, O> {
                                         text(signed(verdict.kind()) + (known ? "" : " !"))));
         String detail = VerdictDetail.saidToTypist(texts.language(), verdict.detail());
         if (!verdict.detail().isEmpty()) html.append("<p>%s</p>\n".formatted(text(detail)));
+        String code = texts.locale().getLanguage();
         picture(hazard, tried)
                 .ifPresent(
                         drawn ->
@@ -150,7 +151,7 @@ public final class HazardPage<C, I, O> {
                                                 .formatted(
                                                         text(texts.text("difference")),
                                                         Base64.getEncoder()
-                                                                .encodeToString(drawn.png()))));
+                                                                .encodeToString(drawn.png(code)))));
         return html.append(command(repeating(hazard, method.name())))
                 .append("</section>\n")
                 .toString();

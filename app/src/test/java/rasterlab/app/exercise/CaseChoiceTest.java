@@ -39,6 +39,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.PictureBytes;
 
 /** Which case of a result is chosen and in sight. */
 class CaseChoiceTest {
@@ -367,7 +368,13 @@ class CaseChoiceTest {
         var rows = new Said("-".repeat(pixels), "-".repeat(pixels));
         List<TriedPicture> pictures =
                 CaseCanvas.USUAL.stream()
-                        .map(kind -> new TriedPicture(kind, png, rows, Optional.empty()))
+                        .map(
+                                kind ->
+                                        new TriedPicture(
+                                                kind,
+                                                PictureBytes.alike(png),
+                                                rows,
+                                                Optional.empty()))
                         .toList();
         return new TriedCase(one.name(), one.verdict(), 0, one.of(), said, pictures, "");
     }

@@ -35,6 +35,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.PictureBytes;
 
 /** Cases whose pictures are others than three grids of pixels. */
 class PictureListTest {
@@ -188,11 +189,13 @@ class PictureListTest {
     }
 
     private static TriedPicture grid(String kind, String row) {
-        return new TriedPicture(kind, png(17, 9), new Said(row, row), Optional.empty());
+        return new TriedPicture(
+                kind, PictureBytes.alike(png(17, 9)), new Said(row, row), Optional.empty());
     }
 
     private static TriedPicture drawing(String kind, int width, int height) {
-        return new TriedPicture(kind, png(width, height), WORDS, Optional.empty());
+        return new TriedPicture(
+                kind, PictureBytes.alike(png(width, height)), WORDS, Optional.empty());
     }
 
     private static byte[] png(int width, int height) {

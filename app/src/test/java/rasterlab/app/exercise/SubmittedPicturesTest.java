@@ -40,6 +40,13 @@ class SubmittedPicturesTest {
             String url = "/api/v1/submissions/s1/cases/ties/";
             for (String kind : List.of("difference", "input"))
                 server.on("GET " + url + kind + ".png", 200, kind);
+            server.on(
+                    "GET " + url + "input.png",
+                    exchange -> {
+                        boolean asked = exchange.getRequestURI().getQuery() != null;
+                        FakeServer.send(
+                                exchange, 200, "image/png", asked ? "input in Russian" : "input");
+                    });
             server.on(SubmittingTest.RESULT, exchange -> drawn(exchange, "input", url));
             trial.model.submit();
             List<TriedPicture> pictures =
@@ -47,9 +54,15 @@ class SubmittedPicturesTest {
             assertEquals(
                     List.of("difference #-", "input a dot|точка"),
                     pictures.stream().map(SubmittedPicturesTest::described).toList());
-            for (TriedPicture one : pictures)
-                assertEquals(one.kind(), new String(one.png(), StandardCharsets.UTF_8));
+            for (TriedPicture one : pictures) assertEquals(one.kind(), content(one, "en"));
+            assertEquals(
+                    List.of("difference", "input in Russian"),
+                    pictures.stream().map(one -> content(one, "ru")).toList());
         }
+    }
+
+    private static String content(TriedPicture one, String language) {
+        return new String(one.file().in(language), StandardCharsets.UTF_8);
     }
 
     private static String described(TriedPicture one) {
@@ -63,8 +76,13 @@ class SubmittedPicturesTest {
         String list =
                 """
                 [{"kind": "difference", "url": "%sdifference.png", "text": "#-", "part": null},
-                 {"kind": "%s", "url": "%sinput.png", "text": "%s", "part": null}]"""
-                        .formatted(url, kind, url, english ? "a dot" : "точка");
+                 {"kind": "%s", "url": "%sinput.png%s", "text": "%s", "part": null}]"""
+                        .formatted(
+                                url,
+                                kind,
+                                url,
+                                english ? "" : "?lang=ru",
+                                english ? "a dot" : "точка");
         String told = SubmittingTest.DONE.replace("\"pictures\":[]", "\"pictures\":" + list);
         FakeServer.send(exchange, 200, "application/json", told);
     }

@@ -21,6 +21,7 @@ import rasterlab.exercises.graded.RightPicture;
 import rasterlab.exercises.json.Faults;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Phrase;
+import rasterlab.exercises.score.PictureBytes;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
@@ -102,7 +103,7 @@ final class StatementPictures {
         return StatementPicture.drawn(source, content, () -> drawn(topic, calls.get(0)));
     }
 
-    private static byte[] drawn(String topic, Call one) {
-        return new RightPicture(Topics.named(topic).format(), one.input(), one.exact()).png();
+    private static PictureBytes drawn(String topic, Call one) {
+        return new RightPicture(Topics.named(topic).format(), one.input(), one.exact()).drawn();
     }
 }

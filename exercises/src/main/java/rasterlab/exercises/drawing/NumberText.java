@@ -2,6 +2,8 @@ package rasterlab.exercises.drawing;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.text.DecimalFormatSymbols;
+import java.util.Locale;
 
 /**
  * Writes numbers for pictures and texts: with few digits, but as many as tell a wrong one from the
@@ -52,9 +54,24 @@ public final class NumberText {
         return Double.compare(one, other) == 0 ? USUAL_DIGITS : ALL_DIGITS;
     }
 
-    /** The number as a picture writes it: with a minus sign. */
+    /** The number or label as a picture writes it: with a minus sign. */
     static String inPicture(String number) {
         return number.replace('-', '−');
+    }
+
+    /**
+     * The number as a picture in that language writes it: with its decimal sign and a minus sign.
+     *
+     * @param language such as "ru"
+     */
+    static String inPicture(String number, String language) {
+        char point = DecimalFormatSymbols.getInstance(new Locale(language)).getDecimalSeparator();
+        return inPicture(number).replace('.', point);
+    }
+
+    /** Whether the text of a number differs between languages. */
+    static boolean hasFraction(String number) {
+        return number.indexOf('.') >= 0;
     }
 
     /** The exponent as raised digits. */

@@ -5,9 +5,13 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import rasterlab.exercises.drawing.ThreePictures.Drawn;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.PictureBytes;
 
 /** Draws the answer of a case whose output lies in the plane, to scale. */
 public final class PlanePictures {
@@ -18,6 +22,8 @@ public final class PlanePictures {
     static final int MOST = 1000;
 
     private static final double GIVEN_LINE = 1.6;
+    private static final String ENGLISH = "en";
+    private static final String COMMA = "ru";
 
     private final List<PlaneFigure> given;
     private final List<PlaneFigure> expected;
@@ -31,13 +37,14 @@ public final class PlanePictures {
             List<PlaneFigure> expected,
             List<PlaneFigure> actual,
             double tolerance,
-            YAxis axis) {
+            YAxis axis,
+            String language) {
         this.given = first(given);
         this.expected = first(expected);
         this.actual = first(actual);
         this.tolerance = tolerance;
         PlaneBox box = PlaneBox.around(this.given, this.expected, this.actual);
-        axes = new PlotAxes(box, axis == YAxis.UP);
+        axes = new PlotAxes(box, axis == YAxis.UP, language);
         view = axes.view();
     }
 
@@ -66,16 +73,32 @@ public final class PlanePictures {
             YAxis axis) {
         if (!(tolerance >= 0))
             throw new IllegalArgumentException("tolerance must be at least 0, got " + tolerance);
-        return new PlanePictures(given, expected, actual, tolerance, axis).drawn();
+        Function<String, PlanePictures> in =
+                language -> new PlanePictures(given, expected, actual, tolerance, axis, language);
+        return in.apply(ENGLISH).drawn(() -> in.apply(COMMA));
     }
 
-    private List<CasePicture> drawn() {
+    /**
+     * @param other the same with a decimal comma
+     */
+    private List<CasePicture> drawn(Supplier<PlanePictures> other) {
         var comparison = new PlaneComparison(expected, actual, tolerance);
         var texts = new PlaneTexts(view, given);
         return ThreePictures.of(
-                new Drawn(one(expected, Ink.EXPECTED), texts.expected(expected)),
-                new Drawn(one(actual, Ink.ACTUAL), texts.actual(actual)),
-                new Drawn(difference(comparison), texts.difference(comparison)));
+                new Drawn(
+                        png(other, it -> it.one(it.expected, Ink.EXPECTED)),
+                        texts.expected(expected)),
+                new Drawn(png(other, it -> it.one(it.actual, Ink.ACTUAL)), texts.actual(actual)),
+                new Drawn(
+                        png(other, it -> it.difference(comparison)), texts.difference(comparison)));
+    }
+
+    private PictureBytes png(
+            Supplier<PlanePictures> other, Function<PlanePictures, byte[]> drawing) {
+        byte[] usual = drawing.apply(this);
+        return axes.hasFractions()
+                ? PictureBytes.of(usual, Map.of(COMMA, () -> drawing.apply(other.get())))
+                : PictureBytes.alike(usual);
     }
 
     private byte[] one(List<PlaneFigure> figures, Color color) {

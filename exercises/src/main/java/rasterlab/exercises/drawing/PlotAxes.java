@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.font.FontRenderContext;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.stream.Stream;
 import rasterlab.exercises.drawing.AxisTicks.Tick;
 
 /** Draws the plot's border, a pale grid, and the labels of both axes around it. */
@@ -27,6 +28,7 @@ final class PlotAxes {
     private static final int Y_DISTANCE = 55;
     private static final int FEWEST = 3;
 
+    private final String language;
     private final AxisTicks x;
     private final AxisTicks y;
     private final PlaneToPixels view;
@@ -35,19 +37,28 @@ final class PlotAxes {
 
     /**
      * @param up whether y grows upwards
+     * @param language in which numbers are written, such as "ru"
      */
-    PlotAxes(PlaneBox box, boolean up) {
+    PlotAxes(PlaneBox box, boolean up, String language) {
+        this.language = language;
         y = AxisTicks.of(box.y(), Math.max(FEWEST, PlaneToPixels.height(box) / Y_DISTANCE));
         int left = NARROWEST_LEFT;
         for (Tick tick : y.ticks())
-            left = Math.max(left, (int) Math.ceil(width(tick.label())) + 2 * SPACE);
+            left = Math.max(left, (int) Math.ceil(width(text(tick.label()))) + 2 * SPACE);
         int top = SPACE + LINE + (y.note().isEmpty() ? 0 : LINE / 2);
         view = new PlaneToPixels(box, up, left, top);
         Rectangle2D plot = view.plot();
         x = AxisTicks.of(box.x(), Math.max(FEWEST, (int) plot.getWidth() / X_DISTANCE));
-        double last = width(x.ticks().isEmpty() ? "" : x.ticks().get(x.ticks().size() - 1).label());
-        double noted = left + width(y.note()) + 3 * SPACE;
-        width = (int) Math.ceil(Math.max(plot.getMaxX() + Math.max(last / 2, LINE) + SPACE, noted));
+        String last = x.ticks().isEmpty() ? "" : x.ticks().get(x.ticks().size() - 1).label();
+        double noted = left + width(text(y.note())) + 3 * SPACE;
+        width =
+                (int)
+                        Math.ceil(
+                                Math.max(
+                                        plot.getMaxX()
+                                                + Math.max(width(text(last)) / 2, LINE)
+                                                + SPACE,
+                                        noted));
         height = (int) plot.getMaxY() + SPACE + LINE + SPACE + (x.note().isEmpty() ? 0 : LINE);
     }
 
@@ -101,16 +112,20 @@ final class PlotAxes {
         g.setColor(Ink.LABEL);
         g.setFont(FONT);
         for (Tick tick : x.ticks())
-            write(g, tick.label(), view.x(tick.value()) - width(tick.label()) / 2, below);
+            write(
+                    g,
+                    text(tick.label()),
+                    view.x(tick.value()) - width(text(tick.label())) / 2,
+                    below);
         for (Tick tick : y.ticks())
             write(
                     g,
-                    tick.label(),
-                    plot.getMinX() - SPACE - width(tick.label()),
+                    text(tick.label()),
+                    plot.getMinX() - SPACE - width(text(tick.label())),
                     view.y(tick.value()) + 4);
-        write(g, x.note(), plot.getMaxX() - width(x.note()), below + LINE);
+        write(g, text(x.note()), plot.getMaxX() - width(text(x.note())), below + LINE);
         double above = plot.getMinY() - SPACE;
-        write(g, y.note(), plot.getMinX() + (view.isUp() ? SPACE : 0), above);
+        write(g, text(y.note()), plot.getMinX() + (view.isUp() ? SPACE : 0), above);
         g.setFont(NAME);
         write(g, "x", plot.getMaxX() + SPACE, plot.getMaxY() - 2);
         write(
@@ -118,6 +133,21 @@ final class PlotAxes {
                 "y",
                 view.isUp() ? plot.getMinX() - 2 * SPACE : SPACE,
                 view.isUp() ? above : below);
+    }
+
+    /** Whether a number beside them is written otherwise in another language. */
+    boolean hasFractions() {
+        return Stream.of(x, y)
+                .flatMap(
+                        axis ->
+                                Stream.concat(
+                                        Stream.of(axis.note()),
+                                        axis.ticks().stream().map(Tick::label)))
+                .anyMatch(NumberText::hasFraction);
+    }
+
+    private String text(String number) {
+        return NumberText.inPicture(number, language);
     }
 
     private static void write(Graphics2D g, String text, double left, double baseline) {

@@ -1,12 +1,16 @@
 package rasterlab.exercises.drawing;
 
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
 import rasterlab.exercises.drawing.TableComparison.Cell;
 import rasterlab.exercises.drawing.TableComparison.State;
 import rasterlab.exercises.drawing.ThreePictures.Drawn;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.PictureBytes;
 
 /** Draws the answer of a case whose output is a table of numbers. */
 public final class TablePictures {
@@ -17,6 +21,9 @@ public final class TablePictures {
 
     /** The largest width in pixels; fewer columns are shown where they would be wider. */
     private static final int WIDEST = 900;
+
+    private static final String ENGLISH = "en";
+    private static final String COMMA = "ru";
 
     private final TableComparison table;
     private final TableLabels labels;
@@ -33,7 +40,7 @@ public final class TablePictures {
         TableSheet drawn = null;
         for (int most = MOST_COLUMNS; drawn == null || drawn.width() > WIDEST && most > 0; most--) {
             fitting = ShownRange.around(center.column(), most, table.columns());
-            drawn = new TableSheet(table, labels, rows.lines(), fitting.lines());
+            drawn = new TableSheet(table, labels, rows.lines(), fitting.lines(), ENGLISH);
         }
         columns = fitting;
         sheet = drawn;
@@ -59,12 +66,19 @@ public final class TablePictures {
     private List<CasePicture> drawn() {
         return ThreePictures.of(
                 new Drawn(
-                        PngBytes.small(sheet.numbers(table::expected, Ink.EXPECTED)),
+                        png(one -> one.numbers(table::expected, Ink.EXPECTED)),
                         numbersSaid(table::expected)),
                 new Drawn(
-                        PngBytes.small(sheet.numbers(table::actual, Ink.ACTUAL)),
+                        png(one -> one.numbers(table::actual, Ink.ACTUAL)),
                         numbersSaid(table::actual)),
-                new Drawn(PngBytes.small(sheet.difference()), differenceSaid()));
+                new Drawn(png(TableSheet::difference), differenceSaid()));
+    }
+
+    private PictureBytes png(Function<TableSheet, BufferedImage> drawing) {
+        byte[] usual = PngBytes.small(drawing.apply(sheet));
+        if (!sheet.hasFractions()) return PictureBytes.alike(usual);
+        return PictureBytes.of(
+                usual, Map.of(COMMA, () -> PngBytes.small(drawing.apply(sheet.in(COMMA)))));
     }
 
     /** The size, and the numbers that the picture shows, row by row. */

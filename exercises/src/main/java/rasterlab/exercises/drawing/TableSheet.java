@@ -39,17 +39,28 @@ final class TableSheet {
     private final TableLabels labels;
     private final List<Integer> rows;
     private final List<Integer> columns;
+    private final String language;
     private final int labelWidth;
 
     /** The left edge of each shown column, and the right edge of the last. */
     private final int[] edges;
 
+    /**
+     * @param rows the places of those that are shown
+     * @param columns the places of those that are shown
+     * @param language in which numbers are written, such as "ru"
+     */
     TableSheet(
-            TableComparison table, TableLabels labels, List<Integer> rows, List<Integer> columns) {
+            TableComparison table,
+            TableLabels labels,
+            List<Integer> rows,
+            List<Integer> columns,
+            String language) {
         this.table = table;
         this.labels = labels;
         this.rows = rows;
         this.columns = columns;
+        this.language = language;
         int widest = 0;
         for (int row : rows) widest = Math.max(widest, width(label(row, true)));
         labelWidth = widest;
@@ -61,6 +72,24 @@ final class TableSheet {
     /** The width in pixels. */
     int width() {
         return Math.max(edges[columns.size()], MARGIN + ROW_HEIGHT) + MARGIN;
+    }
+
+    /** Whether a number on it is written otherwise in another language. */
+    boolean hasFractions() {
+        for (int row : rows)
+            for (int column : columns)
+                if (row != ShownRange.GAP
+                        && column != ShownRange.GAP
+                        && NumberText.hasFraction(
+                                table.expected(row, column)
+                                        + table.actual(row, column)
+                                        + table.difference(row, column))) return true;
+        return false;
+    }
+
+    /** The same part with numbers as that language writes them. */
+    TableSheet in(String other) {
+        return new TableSheet(table, labels, rows, columns, other);
     }
 
     /** The height in pixels. */
@@ -188,7 +217,7 @@ final class TableSheet {
     private String text(int row, int column, Cells cells) {
         return isGap(row, column)
                 ? GAP
-                : NumberText.inPicture(cells.text(rows.get(row), columns.get(column)));
+                : NumberText.inPicture(cells.text(rows.get(row), columns.get(column)), language);
     }
 
     private boolean isGap(int row, int column) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.PictureBytes;
 
 /** Collects what is expected, what is actual, and their difference. */
 final class ThreePictures {
@@ -22,7 +23,7 @@ final class ThreePictures {
      *
      * @param text tells what it shows to people who do not see it
      */
-    record Drawn(byte[] png, Message text) {
+    record Drawn(PictureBytes png, Message text) {
         private CasePicture called(String kind) {
             return new CasePicture(kind, png, text, Optional.empty());
         }

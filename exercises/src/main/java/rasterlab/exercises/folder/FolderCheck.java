@@ -85,7 +85,7 @@ public final class FolderCheck {
     private void checkPictures(List<StatementPicture> pictures) {
         for (StatementPicture one : pictures)
             try {
-                one.content();
+                one.content("en");
             } catch (IllegalArgumentException refused) {
                 add(
                         one.file(),

@@ -18,6 +18,7 @@ import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Format;
 import rasterlab.exercises.drawing.AnswerGrid;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.PictureBytes;
 
 /**
  * Draws the right answer to an input by what the topic's format says of both, for a statement:
@@ -39,14 +40,15 @@ public final class RightPicture {
         this.exact = exact;
     }
 
-    public byte[] png() {
+    /** The picture, in each language. */
+    public PictureBytes drawn() {
         boolean pixels =
                 Stream.of(FieldKind.PIXELS, FieldKind.PICTURE)
                         .anyMatch(kind -> !fields.answered(exact, kind).isEmpty());
-        if (pixels) return pixels();
+        if (pixels) return PictureBytes.alike(pixels());
         return CasePicture.of(new FormPictures(fields, exact, exact).drawn(), CasePicture.EXPECTED)
                 .orElseThrow()
-                .png();
+                .file();
     }
 
     private byte[] pixels() {

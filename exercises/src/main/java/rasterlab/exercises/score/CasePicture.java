@@ -9,13 +9,14 @@ import java.util.regex.Pattern;
  *
  * @param kind such as {@link #DIFFERENCE}, in lower-case words with hyphens; a reader shows one
  *     that it does not know under this name
- * @param png the picture
+ * @param file the picture as PNG
  * @param text tells what is there to people who do not see it; of a grid of pixels its rows of
  *     characters, below a line on the part where they are not all
  * @param part which pixels of a grid these are; empty where it is no grid, and where an older
  *     version made it
  */
-public record CasePicture(String kind, byte[] png, Message text, Optional<PicturePart> part) {
+public record CasePicture(
+        String kind, PictureBytes file, Message text, Optional<PicturePart> part) {
     public static final String EXPECTED = "expected";
     public static final String ACTUAL = "actual";
 
@@ -28,6 +29,25 @@ public record CasePicture(String kind, byte[] png, Message text, Optional<Pictur
         if (!isKind(kind))
             throw new IllegalArgumentException(
                     "a picture's kind is lower-case words with hyphens, got '" + kind + "'");
+    }
+
+    /** A picture that is the same in each language. */
+    public CasePicture(String kind, byte[] png, Message text, Optional<PicturePart> part) {
+        this(kind, PictureBytes.alike(png), text, part);
+    }
+
+    /** The PNG with numbers as English writes them. */
+    public byte[] png() {
+        return png("en");
+    }
+
+    /**
+     * The PNG with numbers as that language writes them.
+     *
+     * @param language such as "ru"
+     */
+    public byte[] png(String language) {
+        return file.in(language);
     }
 
     /** Whether a picture can be called so, as a part of an address or of a file's name too. */

@@ -154,8 +154,8 @@ class CatalogueTest {
         assertEquals(before.revision(), after.revision());
         assertFalse(
                 Arrays.equals(
-                        before.pictures().get("segment.svg").content(),
-                        after.pictures().get("segment.svg").content()));
+                        before.pictures().get("segment.svg").content("en"),
+                        after.pictures().get("segment.svg").content("en")));
     }
 
     @Test
@@ -166,14 +166,16 @@ class CatalogueTest {
         Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
         StatementPicture drawn = before.pictures().get("window.png");
         assertEquals(StatementPicture.Form.PNG, drawn.form());
-        assertTrue(drawn.content().length > 100, "a picture of a segment");
+        assertTrue(drawn.content("en").length > 100, "a picture of a segment");
         Exercise kept =
                 Catalogue.kept("my-line", Catalogue.builtIn().withFolder(folder).files("my-line"));
-        assertArrayEquals(drawn.content(), kept.pictures().get("window.png").content());
+        assertArrayEquals(drawn.content("en"), kept.pictures().get("window.png").content("en"));
         Files.writeString(input, "{\"given\": {\"from\": [0, 0], \"to\": [9, 1]}}");
         Exercise after = Catalogue.builtIn().withFolder(folder).named("my-line");
         assertEquals(before.revision(), after.revision());
-        assertFalse(Arrays.equals(drawn.content(), after.pictures().get("window.png").content()));
+        assertFalse(
+                Arrays.equals(
+                        drawn.content("en"), after.pictures().get("window.png").content("en")));
     }
 
     @ParameterizedTest

@@ -27,6 +27,12 @@ class NumberTextTest {
         assertEquals(written, NumberText.of(value));
     }
 
+    @ParameterizedTest(name = "in {0} {1}")
+    @CsvSource({"en, −1.5·10³⁰⁰", "ru, '−1,5·10³⁰⁰'"})
+    void aPictureHasTheDecimalSignOfItsLanguage(String language, String written) {
+        assertEquals(written, NumberText.inPicture("-1.5·10³⁰⁰", language));
+    }
+
     @Test
     void neighbouringNumbersLookDifferent() {
         long seed = new Random().nextLong();

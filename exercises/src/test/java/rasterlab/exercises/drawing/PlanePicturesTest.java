@@ -14,8 +14,10 @@ import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.exercises.score.CasePicture;
 
@@ -200,6 +202,20 @@ class PlanePicturesTest {
     }
 
     @Test
+    @DisplayName("axes of a Russian picture have decimal points, or whole numbers are drawn twice")
+    void axesAreLabelledAsTheLanguageDoes() {
+        for (double size : new double[] {1, 100}) {
+            List<PlaneFigure> right = List.of(segment(0, 0, size, size));
+            List<PlaneFigure> wrong = List.of(segment(0, size, size, size));
+            for (CasePicture one : PlanePictures.of(List.of(), right, wrong, 0, YAxis.UP))
+                assertEquals(
+                        size == 100,
+                        Arrays.equals(one.png("en"), one.png("ru")),
+                        one.kind() + size);
+        }
+    }
+
+    @Test
     void aCrowdedPictureStaysSmallAndKeepsItsColors() {
         var random = new Random(3);
         var expected = new ArrayList<PlaneFigure>();
@@ -263,7 +279,7 @@ class PlanePicturesTest {
     }
 
     private static PlaneToPixels view(List<PlaneFigure> expected, List<PlaneFigure> actual) {
-        return new PlotAxes(PlaneBox.around(WINDOW, expected, actual), true).view();
+        return new PlotAxes(PlaneBox.around(WINDOW, expected, actual), true, "en").view();
     }
 
     /** The pixels around a part of the plane. */

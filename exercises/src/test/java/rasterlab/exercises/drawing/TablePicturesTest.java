@@ -6,10 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.raster.PixelMark;
+import rasterlab.exercises.score.CasePicture;
 
 class TablePicturesTest {
     private static final double[][] RIGHT = {{0.25, 0.5, 1}, {0.1, 0.2, 0.3}};
@@ -57,6 +60,18 @@ class TablePicturesTest {
         assertTrue(seen.expectedText("en").contains("0.20000000000000001"));
         assertTrue(seen.actualText("en").contains("0.20000000000000004"));
         assertTrue(seen.expectedText("en").contains("row 0: (0.25, 0.5, 1)"), "others stay short");
+    }
+
+    @Test
+    @DisplayName("a Russian picture has decimal points, or whole numbers are drawn twice")
+    void numbersAreWrittenAsTheLanguageDoes() {
+        double[][] wrong = {{0.25, 0.5, 1}, {0.1, -0.3, 0.3}};
+        for (CasePicture one : TablePictures.of(COLORS, RIGHT, wrong, Agreement.within(1e-9)))
+            assertFalse(Arrays.equals(one.png("en"), one.png("ru")), one.kind());
+        double[][] whole = {{1, 2}};
+        for (CasePicture one :
+                TablePictures.of(COLORS, whole, new double[][] {{1, 3}}, Agreement.within(1e-9)))
+            assertFalse(one.file().hasOwn("ru"), one.kind());
     }
 
     @Test
@@ -164,6 +179,6 @@ class TablePicturesTest {
         var table = new TableComparison(RIGHT, actual, CLOSE);
         List<Integer> rows = new ShownRange(0, table.rows(), table.rows()).lines();
         List<Integer> columns = new ShownRange(0, 3, 3).lines();
-        return new TableSheet(table, COLORS, rows, columns).cell(row, column);
+        return new TableSheet(table, COLORS, rows, columns, "en").cell(row, column);
     }
 }

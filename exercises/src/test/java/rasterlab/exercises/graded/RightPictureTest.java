@@ -31,7 +31,8 @@ class RightPictureTest {
             throws IOException {
         var format = Topics.named(topic).format();
         return ImageIO.read(
-                new ByteArrayInputStream(new RightPicture(format, json(input), json(exact)).png()));
+                new ByteArrayInputStream(
+                        new RightPicture(format, json(input), json(exact)).drawn().in("en")));
     }
 
     /** Whether a dot is orange; edges are blended with what is below. */

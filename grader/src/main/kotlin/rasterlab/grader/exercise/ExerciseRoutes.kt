@@ -98,7 +98,7 @@ suspend fun ApplicationCall.respondPicture(
 ) {
     val picture = exercise.pictures()[name] ?: throw Rejection.UnknownPicture(exercise.id(), name)
     response.header("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'; sandbox")
-    respondBytes(picture.content(), ContentType.parse(picture.form().mediaType()))
+    respondBytes(picture.content(pictureLanguage()), ContentType.parse(picture.form().mediaType()))
 }
 
 /** The file name that the compiler wants for a starter in Java; of inputs the exercise's. */

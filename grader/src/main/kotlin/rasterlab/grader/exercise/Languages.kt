@@ -13,6 +13,12 @@ fun ApplicationCall.language(): String {
     return asked.takeIf { it in LANGUAGES } ?: throw Rejection.UnknownLanguage(asked, LANGUAGES)
 }
 
+/**
+ * The language of a picture, which its address tells alone: English without one. So the browser may keep it, and a page
+ * shows its pictures in its own language.
+ */
+fun ApplicationCall.pictureLanguage(): String = if ("lang" in request.queryParameters) language() else LANGUAGES.first()
+
 /** The one that `Accept-Language` likes best, or null if it names none of ours. */
 fun ApplicationCall.acceptedLanguage(): String? =
     request.acceptLanguageItems().map { it.value.substringBefore('-').lowercase() }.firstOrNull { it in LANGUAGES }

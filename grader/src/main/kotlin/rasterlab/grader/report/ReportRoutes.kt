@@ -20,6 +20,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
+import rasterlab.grader.exercise.pictureLanguage
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
 import rasterlab.grader.submission.Live
@@ -78,12 +79,16 @@ class Results(
             clock.instant(),
         )
 
-    /** @param picture its kind with [PNG] behind it, such as "difference.png" */
+    /**
+     * @param picture its kind with [PNG] behind it, such as "difference.png"
+     * @param language in which its numbers are written
+     */
     fun picture(
         who: Identity,
         id: String,
         case: String,
         picture: String,
+        language: String,
     ): ByteArray {
         val pictures =
             seen(
@@ -91,7 +96,7 @@ class Results(
                 id,
             ).firstOrNull { it.name() == case && it.pictures().isNotEmpty() }?.pictures().orEmpty()
         val found = CasePicture.of(pictures, picture.removeSuffix(PNG)).getOrNull()
-        return found?.png()?.takeIf { picture.endsWith(PNG) } ?: throw Rejection.UnknownPicture(case, picture)
+        return found?.png(language)?.takeIf { picture.endsWith(PNG) } ?: throw Rejection.UnknownPicture(case, picture)
     }
 
     /** A case that [who] may see, as a file that the lab opens. */
@@ -161,6 +166,7 @@ fun Route.results(
                 call.submissionId(),
                 call.parameters.getOrFail("case"),
                 call.parameters.getOrFail("picture"),
+                call.pictureLanguage(),
             )
         call.response.header(HttpHeaders.CacheControl, "private, max-age=3600")
         call.respondBytes(picture, ContentType.Image.PNG)

@@ -175,7 +175,11 @@ fun CaseReport.view(
     words: CaseWords,
 ): PublishedCase {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
-    val case = PublishedCase.of(this, words.language, words.title(this)) { "$folder/${it.kind()}.png" }
+    val case =
+        PublishedCase.of(this, words.language, words.title(this)) {
+            val asked = if (it.file().hasOwn(words.language)) "?lang=${words.language}" else ""
+            "$folder/${it.kind()}.png$asked"
+        }
     val ruled = words.rule(this)?.let { case.under(it, words.language) } ?: case
     return words.reason(this)?.let(ruled::because) ?: ruled
 }

@@ -96,8 +96,9 @@ class Leases(
         lease: Lease,
         revision: String,
         report: Report,
-    ): Boolean =
-        database.write { handle ->
+    ): Boolean {
+        report.cases().flatMap { it.pictures() }.forEach { it.russian() } // drawn before others wait for the database
+        return database.write { handle ->
             val ended =
                 handle
                     .createUpdate(
@@ -112,6 +113,7 @@ class Leases(
             }
             ended == 1
         }
+    }
 
     /** Puts back into the queue what nobody grades any more. */
     fun releaseExpired() {

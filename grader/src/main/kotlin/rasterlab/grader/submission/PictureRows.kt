@@ -3,8 +3,10 @@ package rasterlab.grader.submission
 import org.jdbi.v3.core.Handle
 import rasterlab.exercises.score.CasePicture
 import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PictureBytes
 import rasterlab.exercises.score.PicturePart
 import java.util.Optional
+import java.util.function.Supplier
 import kotlin.jvm.optionals.getOrNull
 
 /** The pictures of one report's cases, each with its text as data. */
@@ -21,15 +23,16 @@ internal class PictureRows(
         for ((position, picture) in pictures.withIndex()) {
             handle
                 .createUpdate(
-                    """INSERT INTO case_pictures (submission_id, revision, case_position, position, kind, png, text,
-                           text_data, part)
-                       VALUES (:id, :revision, :case, :position, :kind, :png, :text, :data, :part)""",
+                    """INSERT INTO case_pictures (submission_id, revision, case_position, position, kind, png, png_ru,
+                           text, text_data, part)
+                       VALUES (:id, :revision, :case, :position, :kind, :png, :russian, :text, :data, :part)""",
                 ).bind("id", submission)
                 .bind("revision", revision)
                 .bind("case", case)
                 .bind("position", position)
                 .bind("kind", picture.kind())
                 .bind("png", picture.png())
+                .bind("russian", picture.russian())
                 .bind("text", picture.text().`in`("en"))
                 .bind("data", picture.text().data())
                 .bind("part", picture.part().getOrNull()?.data())
@@ -49,10 +52,20 @@ internal class PictureRows(
                 row.getInt("case_position") to
                     CasePicture(
                         row.getString("kind"),
-                        row.getBytes("png"),
+                        file(row.getBytes("png"), row.getBytes("png_ru")),
                         Message.ofData(row.getString("text_data"), row.getString("text")),
                         Optional.ofNullable(row.getString("part")).flatMap(PicturePart::ofData),
                     )
             }.list()
             .groupBy({ it.first }, { it.second })
 }
+
+/** The picture in Russian where it is another one than in English; null elsewhere. */
+internal fun CasePicture.russian(): ByteArray? = if (file().hasOwn(RUSSIAN)) png(RUSSIAN) else null
+
+private fun file(
+    usual: ByteArray,
+    russian: ByteArray?,
+): PictureBytes = PictureBytes.of(usual, russian?.let { mapOf(RUSSIAN to Supplier { it }) }.orEmpty())
+
+private const val RUSSIAN = "ru"

@@ -17,6 +17,7 @@ import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Deadlines
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.hint.Hints
 import rasterlab.grader.hint.TakenHint
@@ -95,7 +96,7 @@ internal class ExercisePage(
                     val statement = stand.exercise.statement(texts.language).withoutTitle()
                     val html =
                         markdownAsHtml(statement, formulas, texts.language) {
-                            "/exercises/${stand.exercise.id()}/pictures/$it"
+                            stand.exercise.picture(it, texts.language)
                         }
                     unsafe { +html }
                     if (stand.mine != null) wayDown(texts)
@@ -184,3 +185,12 @@ private fun MAIN.plan(
 
 /** The page shows the title itself. */
 private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "") else this
+
+/** The address of a picture of the statement, of which a language may have one of its own. */
+private fun Exercise.picture(
+    name: String,
+    language: String,
+): String {
+    val asked = if (language == LANGUAGES.first()) "" else "?lang=$language"
+    return "/exercises/${id()}/pictures/$name$asked"
+}

@@ -16,6 +16,7 @@ import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PictureBytes
 import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.ScorePoints
@@ -30,6 +31,7 @@ import java.nio.file.Path
 import java.time.Instant
 import java.time.InstantSource
 import java.util.Optional
+import java.util.function.Supplier
 
 /** A report comes back as it was written; no two values are equal, so a column taken for another is seen. */
 @Tag("slow")
@@ -104,7 +106,8 @@ class ReportsTest {
     private fun pictures(number: Int) =
         listOf("difference", "input", "actual").take(number % 4).mapIndexed { place, kind ->
             if (kind == "input") {
-                CasePicture(kind, png(number, place), Message.of("pixel.missing", "($number, 1)"), Optional.empty())
+                val file = PictureBytes.of(png(number, place), mapOf("ru" to Supplier { png(number, place + 7) }))
+                CasePicture(kind, file, Message.of("pixel.missing", "($number, 1)"), Optional.empty())
             } else {
                 CasePicture(kind, png(number, place), Message.rows("#+-.$number$place"), Optional.of(part(number)))
             }
@@ -120,7 +123,16 @@ class ReportsTest {
 
     /** Arrays are equal by their content here. */
     private fun columns(case: CaseReport): List<Any?> {
-        val pictures = case.pictures().map { listOf(it.kind(), it.png().toList(), it.text(), it.part()) }
+        val pictures =
+            case.pictures().map {
+                listOf(
+                    it.kind(),
+                    it.png().toList(),
+                    it.png("ru").toList(),
+                    it.text(),
+                    it.part(),
+                )
+            }
         return listOf(
             case.name(),
             case.visibility(),

@@ -20,17 +20,19 @@ final class CasePictureFiles {
     /**
      * Makes the folder if there is a picture to write.
      *
+     * @param language in which their numbers are written, such as "ru"
      * @return the number of files written
      * @throws Complaint if the folder cannot be written to
      */
-    static int write(Report report, Path folder) {
+    static int write(Report report, Path folder, String language) {
         int files = 0;
         for (CaseReport judged : report.cases()) {
             List<CasePicture> pictures = judged.pictures();
             if (pictures.isEmpty()) continue;
             if (files == 0) WholeFile.requireFolder(folder);
             String start = judged.name();
-            for (CasePicture one : pictures) WholeFile.write(place(folder, judged, one), one.png());
+            for (CasePicture one : pictures)
+                WholeFile.write(place(folder, judged, one), one.png(language));
             files += pictures.size();
             if (!judged.scene().isEmpty()) {
                 byte[] scene = judged.scene().getBytes(StandardCharsets.UTF_8);

@@ -97,12 +97,12 @@ public final class CheckCommand implements Callable<Integer> {
                 new ReportText(
                         console.out(), console.language().texts(), file.getFileName().toString());
         text.print(chosen, report);
-        if (CasePictureFiles.write(report, pictures) > 0)
+        if (CasePictureFiles.write(report, pictures, language()) > 0)
             text.say("pictures", pictures.toAbsolutePath().normalize().toString());
     }
 
     private void writeJson(Exercise chosen, Report report, Path pictures) throws IOException {
-        CasePictureFiles.write(report, pictures);
+        CasePictureFiles.write(report, pictures, language());
         JsonGenerator out = PrettyJson.to(console.out());
         PublishedReport.of(
                         chosen,

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.imageio.ImageIO;
+import rasterlab.app.language.Language;
 import rasterlab.exercises.score.PicturePart;
 
 /**
@@ -43,11 +44,13 @@ public record CaseDrawing(
 
     /**
      * @param from at least one
+     * @param language in which their numbers are written
      * @throws IOException if they are no pictures, or grids of several sizes
      */
-    public static CaseDrawing of(List<TriedPicture> from) throws IOException {
+    public static CaseDrawing of(List<TriedPicture> from, Language language) throws IOException {
         var decoded = new LinkedHashMap<String, BufferedImage>();
-        for (TriedPicture one : from) decoded.put(one.kind(), decoded(one.png()));
+        for (TriedPicture one : from)
+            decoded.put(one.kind(), decoded(one.file().in(language.locale().getLanguage())));
         List<TriedPicture> grids = from.stream().filter(one -> !one.rows().isEmpty()).toList();
         if (grids.isEmpty()) return ofShapes(decoded);
         BufferedImage first = decoded.get(grids.get(0).kind());

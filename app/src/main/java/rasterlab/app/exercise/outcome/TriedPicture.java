@@ -3,6 +3,7 @@ package rasterlab.app.exercise.outcome;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.exercises.score.CasePicture;
+import rasterlab.exercises.score.PictureBytes;
 import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.PixelRows;
 
@@ -10,17 +11,18 @@ import rasterlab.exercises.score.PixelRows;
  * A picture of a case of a result.
  *
  * @param kind as in the HTTP API
+ * @param file the picture as PNG, in each language
  * @param text tells what is there to people who do not see it
  * @param part which pixels of a grid these are; empty where it is no grid, or that is not known
  */
-public record TriedPicture(String kind, byte[] png, Said text, Optional<PicturePart> part) {
+public record TriedPicture(String kind, PictureBytes file, Said text, Optional<PicturePart> part) {
     public TriedPicture {
         if (!CasePicture.isKind(kind))
             throw new IllegalArgumentException("no kind of a picture: '" + kind + "'");
     }
 
     static TriedPicture of(CasePicture one) {
-        return new TriedPicture(one.kind(), one.png(), Said.of(one.text()::in), one.part());
+        return new TriedPicture(one.kind(), one.file(), Said.of(one.text()::in), one.part());
     }
 
     public boolean isDifference() {

@@ -114,7 +114,7 @@ public final class CaseCanvas extends SelfDrawn {
 
     private CaseDrawing decoded(List<TriedPicture> from) {
         try {
-            return CaseDrawing.of(from);
+            return CaseDrawing.of(from, texts.language());
         } catch (IOException e) {
             onFailure.accept(e);
             return CaseDrawing.NONE;

@@ -35,15 +35,15 @@ final class PicturePlate {
     private PicturePlate() {}
 
     /** The image; empty where the file is broken or too large. */
-    static Optional<Image> of(StatementPicture picture) {
-        return picture.form() == StatementPicture.Form.SVG ? svg(picture) : png(picture);
+    static Optional<Image> of(StatementPicture picture, String language) {
+        byte[] file = picture.content(language);
+        return picture.form() == StatementPicture.Form.SVG ? svg(file) : png(file);
     }
 
-    private static Optional<Image> svg(StatementPicture picture) {
+    private static Optional<Image> svg(byte[] file) {
         LoaderContext closed =
                 LoaderContext.builder().externalResourcePolicy(ResourcePolicy.DENY_ALL).build();
-        SVGDocument document =
-                new SVGLoader().load(new ByteArrayInputStream(picture.content()), null, closed);
+        SVGDocument document = new SVGLoader().load(new ByteArrayInputStream(file), null, closed);
         if (document == null) return Optional.empty();
         return plate(
                 document.size().width,
@@ -54,9 +54,9 @@ final class PicturePlate {
                 });
     }
 
-    private static Optional<Image> png(StatementPicture picture) {
+    private static Optional<Image> png(byte[] file) {
         try {
-            BufferedImage image = ImageIO.read(new ByteArrayInputStream(picture.content()));
+            BufferedImage image = ImageIO.read(new ByteArrayInputStream(file));
             if (image == null) return Optional.empty();
             return plate(
                     image.getWidth(),

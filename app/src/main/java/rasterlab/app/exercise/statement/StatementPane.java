@@ -92,7 +92,8 @@ public final class StatementPane extends JEditorPane implements Settling {
 
     private static Statement statement(
             Exercise exercise, String markdown, String language, Formulas formulas) {
-        return new Statement(markdown, language, new Pictures(exercise.pictures(), formulas));
+        return new Statement(
+                markdown, language, new Pictures(exercise.pictures(), language, formulas));
     }
 
     /** The formulas that are not set yet. */
@@ -127,7 +128,7 @@ public final class StatementPane extends JEditorPane implements Settling {
         }
     }
 
-    private record Pictures(Map<String, StatementPicture> named, Formulas formulas)
+    private record Pictures(Map<String, StatementPicture> named, String language, Formulas formulas)
             implements Statement.Painter {
         @Override
         public Optional<Typeset> formula(TexFormula formula) {
@@ -141,7 +142,8 @@ public final class StatementPane extends JEditorPane implements Settling {
 
         @Override
         public Optional<Image> picture(String name) {
-            return Optional.ofNullable(named.get(name)).flatMap(PicturePlate::of);
+            return Optional.ofNullable(named.get(name))
+                    .flatMap(one -> PicturePlate.of(one, language));
         }
     }
 

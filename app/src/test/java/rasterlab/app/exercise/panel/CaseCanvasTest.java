@@ -29,6 +29,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.exercises.score.PictureBytes;
 import rasterlab.exercises.score.PicturePart;
 
 class CaseCanvasTest {
@@ -160,7 +161,7 @@ class CaseCanvasTest {
                         i ->
                                 new TriedPicture(
                                         CaseCanvas.USUAL.get(i),
-                                        pngs[i],
+                                        PictureBytes.alike(pngs[i]),
                                         new Said(text, text),
                                         part))
                 .toList();

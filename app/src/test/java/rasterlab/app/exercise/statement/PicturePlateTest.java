@@ -20,7 +20,7 @@ class PicturePlateTest {
     private static final int RED = Color.RED.getRGB();
 
     private static BufferedImage plate(StatementPicture picture) {
-        return (BufferedImage) PicturePlate.of(picture).orElseThrow();
+        return (BufferedImage) PicturePlate.of(picture, "en").orElseThrow();
     }
 
     private static StatementPicture svg(String text) {
@@ -61,13 +61,14 @@ class PicturePlateTest {
     @Test
     void brokenFilesAreNoPictures() throws IOException {
         byte[] cut = Arrays.copyOf(png(30, 10), 20);
-        assertEquals(Optional.empty(), PicturePlate.of(StatementPicture.of("a.png", cut)));
-        assertEquals(Optional.empty(), PicturePlate.of(svg("<svg")));
+        assertEquals(Optional.empty(), PicturePlate.of(StatementPicture.of("a.png", cut), "en"));
+        assertEquals(Optional.empty(), PicturePlate.of(svg("<svg"), "en"));
         assertEquals(
                 Optional.empty(),
                 PicturePlate.of(
                         svg(
-                                "<svg xmlns='http://www.w3.org/2000/svg' width='90000' height='90000'/>")));
+                                "<svg xmlns='http://www.w3.org/2000/svg' width='90000' height='90000'/>"),
+                        "en"));
     }
 
     @Test

@@ -1,0 +1,3 @@
+-- A picture in Russian, with a decimal comma, where it is another one than in English.
+
+ALTER TABLE case_pictures ADD COLUMN png_ru BLOB;
