@@ -86,7 +86,7 @@ public final class CaseReasons {
                 .orElse(Message.NONE);
     }
 
-    /** What the case asks for where others have the same inputs; nothing where none has. */
+    /** Tells what the case asks for where others have the same inputs; nothing where none has. */
     private Message asked(Case one) {
         boolean alone =
                 exercise.cases().stream().filter(each -> each.input().equals(one.input())).count()
