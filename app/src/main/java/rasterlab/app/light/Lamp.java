@@ -4,11 +4,12 @@ import java.util.Locale;
 import rasterlab.contract.Attenuation;
 import rasterlab.contract.LightSource;
 import rasterlab.contract.SpotCone;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.Light;
 
 /**
- * A light that can be moved.
+ * A light that can be moved. The sliders give a strength from {@value #FAINTEST} to {@value
+ * #STRONGEST}, an attenuation of 0 or more, a cone of 1 to 90 degrees and an exponent up to 128;
+ * what an opened input says may lie beyond.
  *
  * @param kind what it is
  * @param on whether it shines
@@ -16,12 +17,12 @@ import rasterlab.engine.light.Light;
  * @param y world coordinate
  * @param z world coordinate
  * @param rgb its colour 0xRRGGBB
- * @param strength of its diffuse and specular light, {@value #FAINTEST} to {@value #STRONGEST}
- * @param constant of the attenuation, 0 or more
+ * @param strength of its diffuse and specular light
+ * @param constant of the attenuation
  * @param linear of the attenuation, per {@value #UNIT} world units
  * @param quadratic of the attenuation, per square of that
- * @param cutoff half the opening of a spot's cone in degrees, 1 to 90
- * @param exponent of the spot's cone, 0 to 128
+ * @param cutoff half the opening of a spot's cone in degrees
+ * @param exponent of the spot's cone
  */
 public record Lamp(
         Kind kind,
@@ -37,16 +38,6 @@ public record Lamp(
         double cutoff,
         double exponent) {
     public static final double FAINTEST = 0.05;
-
-    public Lamp {
-        Bounds.require("rgb", rgb, 0, 0xFFFFFF);
-        Bounds.require("strength", strength, FAINTEST, STRONGEST);
-        Bounds.requireAtLeast("constant", constant, 0);
-        Bounds.requireAtLeast("linear", linear, 0);
-        Bounds.requireAtLeast("quadratic", quadratic, 0);
-        Bounds.require("cutoff", cutoff, 1, 90);
-        Bounds.require("exponent", exponent, 0, 128);
-    }
 
     public static final double STRONGEST = 20;
 

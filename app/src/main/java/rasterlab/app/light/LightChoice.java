@@ -21,7 +21,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param material of the body
  * @param lamps at least one
  * @param selected the lamp whose settings are shown
- * @param ambient light from everywhere, 0 to 1
+ * @param ambient light from everywhere
  * @param terms of the formula that are seen
  * @param reflection the specular term
  * @param localViewer whether each point has its own direction to the eye
@@ -64,7 +64,6 @@ public record LightChoice(
 
     public LightChoice {
         Bounds.require("zoom", zoom, SMALLEST, LARGEST);
-        Bounds.require("ambient", ambient, 0, 1);
         lamps = List.copyOf(lamps);
         terms = Set.copyOf(terms);
         // What an earlier version kept does not have it.

@@ -1,19 +1,19 @@
 package rasterlab.app.light;
 
 import rasterlab.contract.SurfaceMaterial;
-import rasterlab.engine.geometry.Bounds;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.light.Substance;
 
 /**
- * A material made from one of the known ones.
+ * A material made from one of the known ones. The sliders end at {@link #MOST} and {@link
+ * #SHINIEST}; the material of an opened input may lie beyond.
  *
  * @param substance what it is made from
- * @param ambient factor of its ambient shares, 0 to 2; a share stays at most 1
- * @param diffuse factor of its diffuse shares, 0 to 2
- * @param specular factor of its specular shares, 0 to 2
- * @param emission light of its own, as a share of its diffuse colour, 0 to 1
- * @param shininess 0 to 200
+ * @param ambient factor of its ambient shares; a share stays at most 1
+ * @param diffuse factor of its diffuse shares
+ * @param specular factor of its specular shares
+ * @param emission light of its own, as a share of its diffuse colour
+ * @param shininess exponent of its highlight
  */
 public record MaterialChoice(
         Substance substance,
@@ -23,14 +23,6 @@ public record MaterialChoice(
         double emission,
         double shininess) {
     public static final double MOST = 2;
-
-    public MaterialChoice {
-        Bounds.require("ambient", ambient, 0, 2);
-        Bounds.require("diffuse", diffuse, 0, 2);
-        Bounds.require("specular", specular, 0, 2);
-        Bounds.require("emission", emission, 0, 1);
-        Bounds.require("shininess", shininess, 0, 200);
-    }
 
     public static final double SHINIEST = 200;
 
