@@ -31,6 +31,7 @@ class MessageTest {
     private static final Set<String> TITLED =
             Set.of(
                     "printed.case",
+                    "why.asked",
                     "group.hidden",
                     "in-both-languages",
                     "predict.why",
