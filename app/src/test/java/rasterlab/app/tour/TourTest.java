@@ -143,7 +143,7 @@ class TourTest {
         List<String> labs = List.of("chart", "checked");
         var looks = List.of(new Look(LabTheme.LIGHT, Language.RUSSIAN));
         assertTrue(tour.make(List.of(new LabPictures(labs::contains, charted, looks))));
-        assertTrue(pixels("chart", MethodColours.PURPLE) > 200, "no chart");
+        assertTrue(pixels("chart", MethodColours.PURPLE) > 200, "no chart: " + pixels("chart", MethodColours.PURPLE));
         assertTrue(pixels("checked", MethodColours.VERMILLION) > 100, "no wrong pixel is marked");
     }
 

@@ -211,7 +211,7 @@ class StudyCommandTest {
                 .assertComplains(
                         2,
                         "./lab study: no chart 'pie'; there are front, sizes, cost-growth,"
-                                + " error-growth");
+                                + " error-growth, error-by-input");
         Ran.lab("study", "line", "--cost", "money")
                 .assertComplains(2, "./lab study: --cost must be time or operations, got 'money'");
     }
