@@ -54,7 +54,7 @@ public final class FileDrop extends TransferHandler {
 
     /**
      * The component around a text that takes files which are dropped there, or pasted without text.
-     * With text, it is their names that are pasted.
+     * Where text comes too, the names of the files are pasted as text.
      */
     public static Optional<FileDrop> around(TransferSupport support) {
         boolean text = support.isDataFlavorSupported(DataFlavor.stringFlavor);
