@@ -27,7 +27,9 @@ dependencies {
     implementation(libs.kotlinx.html)
     implementation(libs.kotlinx.serialization.json)
     implementation(libs.sqlite.jdbc)
+    testImplementation(libs.flyway.database.postgresql)
     testImplementation(libs.ktor.server.test.host)
+    testImplementation(libs.postgresql)
 }
 
 application {

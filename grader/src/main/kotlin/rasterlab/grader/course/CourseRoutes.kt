@@ -27,7 +27,9 @@ private data class JoinResponse(
 @Serializable
 private data class StudentAnswer(
     val student: String,
+    val number: Int,
     val name: String,
+    val shownName: String,
     val joinedAt: String,
 )
 
@@ -46,7 +48,7 @@ fun Route.courses(
         call.instructor()
         val course = call.parameters.getOrFail("course")
         val students = courses.students(course) ?: throw Rejection.UnknownCourse(course)
-        call.respondJson(students.map { StudentAnswer(it.id, it.name, it.joinedAt.text()) })
+        call.respondJson(students.map { StudentAnswer(it.id, it.number, it.name, it.shownName, it.joinedAt.text()) })
     }
     post("/students/{student}/token") {
         call.instructor()

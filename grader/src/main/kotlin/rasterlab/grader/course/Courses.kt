@@ -25,10 +25,17 @@ data class NewStudent(
     val token: String,
 )
 
-/** A student of a course. */
+/**
+ * A student of a course.
+ *
+ * @param number from 1 in the order of joining; it stays theirs
+ * @param shownName the name, or where another has it the name with the number
+ */
 data class Enrolled(
     val id: String,
+    val number: Int,
     val name: String,
+    val shownName: String,
     val joinedAt: Instant,
 )
 
@@ -82,10 +89,17 @@ class Courses(
             course(handle, "id", course) ?: return@read null
             handle
                 .createQuery(
-                    "SELECT id, name, joined_at FROM students WHERE course_id = :course ORDER BY name, joined_at",
+                    """SELECT id, number, name, shown_name, joined_at FROM students
+                       WHERE course_id = :course ORDER BY name, number""",
                 ).bind("course", course)
                 .map { row, _ ->
-                    Enrolled(row.getString("id"), row.getString("name"), Instant.parse(row.getString("joined_at")))
+                    Enrolled(
+                        row.getString("id"),
+                        row.getInt("number"),
+                        row.getString("name"),
+                        row.getString("shown_name"),
+                        Instant.parse(row.getString("joined_at")),
+                    )
                 }.list()
         }
 
@@ -113,16 +127,42 @@ class Courses(
         token: String,
     ): String {
         val student = Secrets.newId()
+        val number =
+            handle
+                .createQuery("SELECT coalesce(max(number), 0) + 1 FROM students WHERE course_id = :course")
+                .bind("course", course.id)
+                .mapTo(Int::class.javaObjectType)
+                .one()
         handle
             .createUpdate(
-                "INSERT INTO students (id, course_id, name, token_hash, joined_at) VALUES (:id, :course, :name, :hash, :now)",
+                """INSERT INTO students (id, course_id, number, name, shown_name, token_hash, joined_at)
+                   VALUES (:id, :course, :number, :name, :shown, :hash, :now)""",
             ).bind("id", student)
             .bind("course", course.id)
+            .bind("number", number)
             .bind("name", name.text)
+            .bind("shown", shownName(handle, course.id, name, number))
             .bind("hash", Secrets.hash(token))
             .bind("now", clock.instant().text())
             .execute()
         return student
+    }
+
+    /** No two are shown under one name, and a name that ends like one with a number is not mistaken for one. */
+    private fun shownName(
+        handle: Handle,
+        course: String,
+        name: Name,
+        number: Int,
+    ): String {
+        val taken =
+            handle
+                .createQuery("SELECT count(*) FROM students WHERE course_id = :course AND shown_name = :name")
+                .bind("course", course)
+                .bind("name", name.text)
+                .mapTo(Int::class.javaObjectType)
+                .one() > 0
+        return if (taken || name.text.endsWith(")")) "${name.text} ($number)" else name.text
     }
 
     private fun course(

@@ -28,8 +28,7 @@ class Deadlines(
         database.read { handle ->
             handle
                 .createQuery(
-                    """SELECT exercise, due_at FROM deadlines
-                       WHERE course_id = (SELECT course_id FROM students WHERE id = :student)""",
+                    """SELECT rules.exercise, $DUE AS due_at FROM $RULES WHERE students.id = :student AND $DUE IS NOT NULL""",
                 ).bind("student", student.id)
                 .map { row, _ -> row.getString("exercise") to Instant.parse(row.getString("due_at")) }
                 .list()
@@ -60,21 +59,23 @@ class Deadlines(
                 .one()
         if (courses == 0) throw Rejection.UnknownCourse(course)
         handle
-            .createUpdate("DELETE FROM deadlines WHERE course_id = :course AND exercise = :exercise")
-            .bind("course", course)
+            .createUpdate(
+                """INSERT INTO course_exercises (course_id, exercise, due_at) VALUES (:course, :exercise, :due)
+                   ON CONFLICT (course_id, exercise) DO UPDATE SET due_at = excluded.due_at""",
+            ).bind("course", course)
             .bind("exercise", exercise)
+            .bind("due", due?.text())
             .execute()
-        if (due != null) {
-            handle
-                .createUpdate("INSERT INTO deadlines (course_id, exercise, due_at) VALUES (:course, :exercise, :due)")
-                .bind("course", course)
-                .bind("exercise", exercise)
-                .bind("due", due.text())
-                .execute()
-        }
     }
 
     companion object {
+        /** The deadline that holds for a student: that of the course, unless this student was given another. */
+        private const val DUE = "coalesce(extensions.due_at, rules.due_at)"
+
+        private const val RULES =
+            """students JOIN course_exercises AS rules ON rules.course_id = students.course_id
+               LEFT JOIN extensions ON extensions.student_id = students.id AND extensions.exercise = rules.exercise"""
+
         /** The same within a transaction. */
         fun of(
             handle: Handle,
@@ -83,9 +84,8 @@ class Deadlines(
         ): Instant? =
             handle
                 .createQuery(
-                    """SELECT due_at FROM deadlines
-                       WHERE exercise = :exercise
-                           AND course_id = (SELECT course_id FROM students WHERE id = :student)""",
+                    """SELECT $DUE FROM $RULES
+                       WHERE students.id = :student AND rules.exercise = :exercise AND $DUE IS NOT NULL""",
                 ).bind("student", student)
                 .bind("exercise", exercise)
                 .mapTo(String::class.java)

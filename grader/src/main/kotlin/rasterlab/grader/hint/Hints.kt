@@ -124,13 +124,13 @@ class Hints(
         database.read { handle ->
             handle
                 .createQuery(
-                    """SELECT student_id, students.name, exercise, step, cost, taken_at
+                    """SELECT student_id, students.shown_name, exercise, step, cost, taken_at
                        FROM hints JOIN students ON students.id = student_id $condition""",
                 ).bindMap(bindings)
                 .map { row, _ ->
                     HintUse(
                         row.getString("student_id"),
-                        row.getString("name"),
+                        row.getString("shown_name"),
                         row.getString("exercise"),
                         TakenHint(row.getInt("step"), row.getInt("cost"), Instant.parse(row.getString("taken_at"))),
                     )

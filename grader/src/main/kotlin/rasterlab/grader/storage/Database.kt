@@ -3,7 +3,6 @@ package rasterlab.grader.storage
 
 import com.zaxxer.hikari.HikariConfig
 import com.zaxxer.hikari.HikariDataSource
-import org.flywaydb.core.Flyway
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.Jdbi
 import org.jdbi.v3.core.statement.StatementExceptions
@@ -67,17 +66,8 @@ class Database private constructor(
             busyMillis: Int = BUSY_MILLIS,
         ): Database {
             val source = source(file, busyMillis)
-            migrate(source)
+            Tables(source).migrate()
             return Database(file, pool(source, busyMillis, writing = true), pool(source, busyMillis, writing = false))
-        }
-
-        private fun migrate(source: DataSource) {
-            Flyway
-                .configure()
-                .dataSource(source)
-                .locations("classpath:rasterlab/grader/storage")
-                .load()
-                .migrate()
         }
 
         private fun pool(

@@ -12,8 +12,7 @@ import kotlin.jvm.optionals.getOrNull
 /** The pictures of one report's cases, each with its text as data. */
 internal class PictureRows(
     private val handle: Handle,
-    private val submission: String,
-    private val revision: String,
+    private val result: String,
 ) {
     /** @param case its place in the report */
     fun insert(
@@ -23,11 +22,10 @@ internal class PictureRows(
         for ((position, picture) in pictures.withIndex()) {
             handle
                 .createUpdate(
-                    """INSERT INTO case_pictures (submission_id, revision, case_position, position, kind, png, png_ru,
-                           text, text_data, part)
-                       VALUES (:id, :revision, :case, :position, :kind, :png, :russian, :text, :data, :part)""",
-                ).bind("id", submission)
-                .bind("revision", revision)
+                    """INSERT INTO case_pictures (result_id, case_position, position, kind, png, png_ru, text,
+                           text_data, part)
+                       VALUES (:result, :case, :position, :kind, :png, :russian, :text, :data, :part)""",
+                ).bind("result", result)
                 .bind("case", case)
                 .bind("position", position)
                 .bind("kind", picture.kind())
@@ -44,10 +42,9 @@ internal class PictureRows(
     fun all(): Map<Int, List<CasePicture>> =
         handle
             .createQuery(
-                """SELECT * FROM case_pictures WHERE submission_id = :id AND revision = :revision
+                """SELECT * FROM case_pictures WHERE result_id = :result
                    ORDER BY case_position, position""",
-            ).bind("id", submission)
-            .bind("revision", revision)
+            ).bind("result", result)
             .map { row, _ ->
                 row.getInt("case_position") to
                     CasePicture(

@@ -9,6 +9,7 @@ import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Report
 import rasterlab.exercises.score.ScorePoints
 import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
 import java.sql.ResultSet
 import java.time.Instant
@@ -26,18 +27,21 @@ data class Recorded(
     val gradedAt: Instant,
 )
 
-/** Keeps reports, one for each submission and revision of its exercise. */
+/**
+ * Keeps reports, one for each run of grading a submission. Another run adds to those of before and replaces none; one of
+ * them is current, and only that one counts.
+ */
 class Reports(
     private val database: Database,
 ) {
-    /** The latest report of a submission, with nothing hidden, or null. */
+    /** The current report of a submission, with nothing hidden, or null. */
     fun of(submission: String): Recorded? =
         database.read { handle ->
             handle
-                .createQuery("SELECT * FROM results WHERE submission_id = :id ORDER BY graded_at DESC LIMIT 1")
+                .createQuery("SELECT * FROM results WHERE submission_id = :id AND is_current = 1")
                 .bind("id", submission)
                 .map { row, _ ->
-                    val revision = row.getString("revision")
+                    val result = row.getString("id")
                     val points =
                         ScorePoints(
                             row.getInt("accuracy"),
@@ -49,20 +53,20 @@ class Reports(
                         Report(
                             GradingVerdict.valueOf(row.getString("verdict").uppercase()),
                             points,
-                            cases(handle, submission, revision),
-                            diagnostics(handle, submission, revision),
+                            cases(handle, result),
+                            diagnostics(handle, result),
                             row.getString("isolation"),
                             row.getDouble("nanos_per_item"),
-                            Optional.ofNullable(SpeedRows(handle, submission, revision).of(row)),
+                            Optional.ofNullable(SpeedRows(handle, result).of(row)),
                         ),
-                        revision,
+                        row.getString("revision"),
                         Instant.parse(row.getString("graded_at")),
                     )
                 }.findOne()
                 .getOrNull()
         }
 
-    /** Writes a report in the transaction of [handle]. */
+    /** Writes a report as the current one, in the transaction of [handle]. */
     fun insert(
         handle: Handle,
         submission: String,
@@ -70,12 +74,20 @@ class Reports(
         report: Report,
         gradedAt: Instant,
     ) {
+        val result = Secrets.newId()
+        handle
+            .createUpdate("UPDATE results SET is_current = 0 WHERE submission_id = :submission AND is_current = 1")
+            .bind("submission", submission)
+            .execute()
         handle
             .createUpdate(
-                """INSERT INTO results (submission_id, revision, verdict, accuracy, stability, speed, points_of,
-                       isolation, nanos_per_item, graded_at)
-                   VALUES (:id, :revision, :verdict, :accuracy, :stability, :speed, :of, :isolation, :nanos, :now)""",
-            ).bind("id", submission)
+                """INSERT INTO results (id, submission_id, run, is_current, revision, verdict, accuracy, stability, speed,
+                       points_of, isolation, nanos_per_item, graded_at)
+                   SELECT :id, :submission, coalesce(max(run), 0) + 1, 1, :revision, :verdict, :accuracy, :stability, :speed,
+                       :of, :isolation, :nanos, :now
+                   FROM results WHERE submission_id = :submission""",
+            ).bind("id", result)
+            .bind("submission", submission)
             .bind("revision", revision)
             .bind("verdict", report.verdict().code())
             .bind("accuracy", report.points().accuracy())
@@ -86,30 +98,33 @@ class Reports(
             .bind("nanos", report.nanosPerItem())
             .bind("now", gradedAt.text())
             .execute()
-        SpeedRows(handle, submission, revision).replace(report.figures().getOrNull())
+        SpeedRows(handle, result).replace(report.figures().getOrNull())
         for ((position, case) in report.cases().withIndex()) {
-            insert(handle, submission, revision, position, case)
+            insert(handle, result, position, case)
         }
         for ((position, diagnostic) in report.diagnostics().withIndex()) {
-            insert(handle, submission, revision, position, diagnostic)
+            insert(handle, result, position, diagnostic)
         }
     }
 
-    /** Puts the speed of [report] in the place of that of the latest one, in the transaction of [handle]. */
+    /** Puts the speed of [report] in the place of that of the current one, in the transaction of [handle]. */
     fun replaceSpeed(
         handle: Handle,
         submission: String,
         report: Report,
     ) {
         val speed = report.speed().orElseThrow()
-        val last = "(SELECT max(graded_at) FROM results WHERE submission_id = :id)"
-        val latest = "submission_id = :id AND graded_at = $last"
+        val result =
+            handle
+                .createQuery("SELECT id FROM results WHERE submission_id = :id AND is_current = 1")
+                .bind("id", submission)
+                .mapTo(String::class.java)
+                .one()
         handle
             .createUpdate(
                 """UPDATE case_results SET verdict = :verdict, points = :points, message = :message, message_data = :data
-                   WHERE submission_id = :id AND name = :name
-                       AND revision = (SELECT revision FROM results WHERE $latest)""",
-            ).bind("id", submission)
+                   WHERE result_id = :result AND name = :name""",
+            ).bind("result", result)
             .bind("name", speed.name())
             .bind("verdict", speed.verdict().name)
             .bind("points", speed.points())
@@ -117,35 +132,27 @@ class Reports(
             .bind("data", speed.said().data())
             .execute()
         handle
-            .createUpdate("UPDATE results SET speed = :points, nanos_per_item = :nanos WHERE $latest")
-            .bind("id", submission)
+            .createUpdate("UPDATE results SET speed = :points, nanos_per_item = :nanos WHERE id = :result")
+            .bind("result", result)
             .bind("points", speed.points())
             .bind("nanos", report.nanosPerItem())
             .execute()
-        val revision =
-            handle
-                .createQuery("SELECT revision FROM results WHERE $latest")
-                .bind("id", submission)
-                .mapTo(String::class.java)
-                .one()
-        SpeedRows(handle, submission, revision).replace(report.figures().getOrNull())
+        SpeedRows(handle, result).replace(report.figures().getOrNull())
     }
 
     private fun insert(
         handle: Handle,
-        submission: String,
-        revision: String,
+        result: String,
         position: Int,
         case: CaseReport,
     ) {
         handle
             .createUpdate(
-                """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
+                """INSERT INTO case_results (result_id, position, name, visibility, verdict, points, points_of,
                        message, message_data, scene)
-                   VALUES (:id, :revision, :position, :name, :visibility, :verdict, :points, :of,
+                   VALUES (:result, :position, :name, :visibility, :verdict, :points, :of,
                        :message, :data, :scene)""",
-            ).bind("id", submission)
-            .bind("revision", revision)
+            ).bind("result", result)
             .bind("position", position)
             .bind("name", case.name())
             .bind("visibility", case.visibility().name)
@@ -156,22 +163,20 @@ class Reports(
             .bind("data", case.said().data())
             .bind("scene", case.scene())
             .execute()
-        PictureRows(handle, submission, revision).insert(position, case.pictures())
+        PictureRows(handle, result).insert(position, case.pictures())
     }
 
     private fun insert(
         handle: Handle,
-        submission: String,
-        revision: String,
+        result: String,
         position: Int,
         diagnostic: Diagnostic,
     ) {
         handle
             .createUpdate(
-                """INSERT INTO diagnostics (submission_id, revision, position, line, column_number, message, message_data)
-                   VALUES (:id, :revision, :position, :line, :column, :message, :data)""",
-            ).bind("id", submission)
-            .bind("revision", revision)
+                """INSERT INTO diagnostics (result_id, position, line, column_number, message, message_data)
+                   VALUES (:result, :position, :line, :column, :message, :data)""",
+            ).bind("result", result)
             .bind("position", position)
             .bind("line", diagnostic.line())
             .bind("column", diagnostic.column())
@@ -182,15 +187,13 @@ class Reports(
 
     private fun cases(
         handle: Handle,
-        submission: String,
-        revision: String,
+        result: String,
     ): List<CaseReport> {
-        val pictures = PictureRows(handle, submission, revision).all()
+        val pictures = PictureRows(handle, result).all()
         return handle
             .createQuery(
-                "SELECT * FROM case_results WHERE submission_id = :id AND revision = :revision ORDER BY position",
-            ).bind("id", submission)
-            .bind("revision", revision)
+                "SELECT * FROM case_results WHERE result_id = :result ORDER BY position",
+            ).bind("result", result)
             .map { row, _ ->
                 CaseReport(
                     row.getString("name"),
@@ -207,14 +210,12 @@ class Reports(
 
     private fun diagnostics(
         handle: Handle,
-        submission: String,
-        revision: String,
+        result: String,
     ): List<Diagnostic> =
         handle
             .createQuery(
-                "SELECT * FROM diagnostics WHERE submission_id = :id AND revision = :revision ORDER BY position",
-            ).bind("id", submission)
-            .bind("revision", revision)
+                "SELECT * FROM diagnostics WHERE result_id = :result ORDER BY position",
+            ).bind("result", result)
             .map { row, _ -> Diagnostic(row.getInt("line"), row.getInt("column_number"), said(row)) }
             .list()
 

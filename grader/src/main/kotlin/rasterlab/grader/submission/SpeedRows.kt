@@ -7,22 +7,18 @@ import java.sql.ResultSet
 /** The figures of one report's speed. */
 internal class SpeedRows(
     private val handle: Handle,
-    private val submission: String,
-    private val revision: String,
+    private val result: String,
 ) {
     /** Puts them in the place of those of before. */
     fun replace(figures: SpeedFigures?) {
         handle
-            .createUpdate("DELETE FROM speed_methods WHERE submission_id = :id AND revision = :revision")
-            .bind("id", submission)
-            .bind("revision", revision)
+            .createUpdate("DELETE FROM speed_methods WHERE result_id = :result")
+            .bind("result", result)
             .execute()
         handle
             .createUpdate(
-                """UPDATE results SET reference_nanos = :reference, error = :error
-                   WHERE submission_id = :id AND revision = :revision""",
-            ).bind("id", submission)
-            .bind("revision", revision)
+                """UPDATE results SET reference_nanos = :reference, error = :error WHERE id = :result""",
+            ).bind("result", result)
             .bind("reference", figures?.reference())
             .bind("error", figures?.error()?.stored())
             .execute()
@@ -35,10 +31,9 @@ internal class SpeedRows(
     ) {
         handle
             .createUpdate(
-                """INSERT INTO speed_methods (submission_id, revision, position, method, ratio, error)
-                   VALUES (:id, :revision, :position, :method, :ratio, :error)""",
-            ).bind("id", submission)
-            .bind("revision", revision)
+                """INSERT INTO speed_methods (result_id, position, method, ratio, error)
+                   VALUES (:result, :position, :method, :ratio, :error)""",
+            ).bind("result", result)
             .bind("position", position)
             .bind("method", method.name())
             .bind("ratio", method.ratio().median())
@@ -61,9 +56,8 @@ internal class SpeedRows(
     private fun methods(): List<SpeedFigures.Method> =
         handle
             .createQuery(
-                "SELECT * FROM speed_methods WHERE submission_id = :id AND revision = :revision ORDER BY position",
-            ).bind("id", submission)
-            .bind("revision", revision)
+                "SELECT * FROM speed_methods WHERE result_id = :result ORDER BY position",
+            ).bind("result", result)
             .map { row, _ -> SpeedFigures.Method(row.getString("method"), row.getDouble("ratio"), row.error()) }
             .list()
 

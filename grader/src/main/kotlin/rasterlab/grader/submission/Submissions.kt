@@ -75,8 +75,7 @@ class Submissions(
             handle
                 .createQuery(
                     """SELECT s.exercise, max($NET) AS best
-                       FROM submissions s LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
-                           (SELECT max(graded_at) FROM results WHERE submission_id = s.id)
+                       FROM submissions s LEFT JOIN results r ON r.submission_id = s.id AND r.is_current = 1
                        WHERE s.student_id = :student GROUP BY s.exercise""",
                 ).bind("student", student)
                 .map { row, _ -> row.getString("exercise") to row.getInt("best").takeUnless { row.wasNull() } }
@@ -96,14 +95,15 @@ class Submissions(
         handle
             .createQuery(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
-                          s.state, s.tries, s.hint_cost, students.name AS student_name, r.verdict,
+                          s.state, s.tries, s.hint_cost, students.shown_name AS student_name, r.verdict,
                           r.revision AS graded_against, $NET AS total, r.points_of,
-                          coalesce(s.received_at > deadlines.due_at, 0) AS late
+                          coalesce(s.received_at > coalesce(extensions.due_at, rules.due_at), 0) AS late
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
-                   LEFT JOIN deadlines ON deadlines.course_id = students.course_id AND deadlines.exercise = s.exercise
-                   LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
-                       (SELECT max(graded_at) FROM results WHERE submission_id = s.id)
+                   LEFT JOIN course_exercises AS rules
+                       ON rules.course_id = students.course_id AND rules.exercise = s.exercise
+                   LEFT JOIN extensions ON extensions.student_id = s.student_id AND extensions.exercise = s.exercise
+                   LEFT JOIN results r ON r.submission_id = s.id AND r.is_current = 1
                    $condition ORDER BY s.sequence DESC LIMIT $LISTED""",
             ).bindMap(bindings)
             .map { row, _ ->

@@ -164,10 +164,10 @@ private fun FlowContent.studentList(
 ) = ul {
     students.forEach { student ->
         li {
-            +"${student.name} "
+            +"${student.shownName} "
             form("/instructor/students/${student.id}/token", method = FormMethod.post) {
                 button(classes = "plain") {
-                    attributes["aria-label"] = "${texts.say("instructor.token")}: ${student.name}"
+                    attributes["aria-label"] = "${texts.say("instructor.token")}: ${student.shownName}"
                     +texts.say("instructor.token")
                 }
             }

@@ -1,11 +1,11 @@
 package rasterlab.grader.storage
 
-import org.flywaydb.core.Flyway
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import org.sqlite.SQLiteDataSource
 import rasterlab.exercises.score.PicturePart
 import rasterlab.grader.Classroom
 import rasterlab.grader.exercise.Exercises
@@ -223,13 +223,7 @@ class MigrationTest {
 
     /** Makes the database as the server of that version left it, with the students a and b. */
     private fun of(version: String) {
-        Flyway
-            .configure()
-            .dataSource("jdbc:sqlite:$file", null, null)
-            .locations("classpath:rasterlab/grader/storage")
-            .target(version)
-            .load()
-            .migrate()
+        Tables(SQLiteDataSource().apply { url = "jdbc:sqlite:$file" }).migrate(version)
         execute("INSERT INTO courses (id, name, code, created_at) VALUES ('c', 'Graphics', 'CODE', '')")
         for (student in listOf("a", "b")) {
             execute(

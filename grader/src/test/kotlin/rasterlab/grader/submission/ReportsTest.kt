@@ -3,6 +3,7 @@ package rasterlab.grader.submission
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.DisplayName
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -28,6 +29,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.storage.Database
 import java.nio.file.Path
+import java.time.Duration
 import java.time.Instant
 import java.time.InstantSource
 import java.util.Optional
@@ -102,6 +104,37 @@ class ReportsTest {
             )
         assertEquals(written, recorded(report(diagnostics = written)).report.diagnostics())
     }
+
+    @Test
+    @DisplayName("grading again overwrites what was found before, or what counts is the one with the later time")
+    fun anotherRunIsAddedAndCounts() {
+        val reports = Reports(database)
+        val id = submission()
+        val runs = List(3) { Report(GradingVerdict.WRONG, ScorePoints(it, 0, 0, 9), emptyList(), emptyList(), "", 0.0) }
+        for ((number, run) in runs.withIndex()) {
+            // The clock is set back between them.
+            database.write { reports.insert(it, id, "r1", run, now - Duration.ofHours(number.toLong())) }
+        }
+        assertEquals(
+            2,
+            reports
+                .of(id)
+                ?.report
+                ?.points()
+                ?.accuracy(),
+        )
+        assertEquals(mapOf("draw-dot" to 2), Submissions(database).bests(student(id)))
+        val kept =
+            database.read { handle ->
+                handle
+                    .createQuery("SELECT run || ' ' || accuracy || ' ' || is_current FROM results ORDER BY run")
+                    .mapTo(String::class.java)
+                    .list()
+            }
+        assertEquals(listOf("1 0 0", "2 1 0", "3 2 1"), kept)
+    }
+
+    private fun student(submission: String) = checkNotNull(Submissions(database).find(submission)).student
 
     private fun pictures(number: Int) =
         listOf("difference", "input", "actual").take(number % 4).mapIndexed { place, kind ->

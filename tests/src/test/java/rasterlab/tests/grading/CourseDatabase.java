@@ -32,7 +32,7 @@ record CourseDatabase(Connection connection) implements AutoCloseable {
     Standing standing(String submission) throws SQLException {
         var query =
                 """
-                SELECT state, tries, (SELECT count(*) FROM results WHERE submission_id = id)
+                SELECT state, tries, (SELECT count(*) FROM results WHERE submission_id = submissions.id)
                 FROM submissions WHERE id = ?""";
         try (var statement = connection.prepareStatement(query)) {
             statement.setString(1, submission);

@@ -1,0 +1,34 @@
+package rasterlab.grader.course
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.storage.Database
+import java.nio.file.Path
+import java.time.InstantSource
+
+/** Students of one name are told apart. */
+@Tag("slow")
+class ShownNamesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    @DisplayName("two students of a course are shown under one name, or numbers go on from another course")
+    fun noTwoAreShownUnderOneName() =
+        Database.open(folder.resolve("test.db")).use { database ->
+            val courses = Courses(database, InstantSource.system())
+            val instructor = Identity.Instructor("i")
+            val names = listOf("Ada", "Ada", "Ada (2)", "Grace")
+            for (title in listOf("Graphics", "Geometry")) {
+                val course = courses.create(instructor, Name.of(title), key = null)
+                names.forEach { courses.join(course.code, Name.of(it), key = null) }
+                assertEquals(
+                    listOf("1 Ada", "2 Ada (2)", "3 Ada (2) (3)", "4 Grace"),
+                    courses.students(course.id)?.map { "${it.number} ${it.shownName}" },
+                )
+            }
+        }
+}

@@ -1,0 +1,173 @@
+package rasterlab.grader.storage
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.DisplayName
+import org.junit.jupiter.api.Tag
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
+import org.sqlite.SQLiteConfig
+import org.sqlite.SQLiteDataSource
+import java.nio.file.Path
+import javax.sql.DataSource
+
+/** Tables with the data of each version that servers had are brought to this one, in both databases alike. */
+@Tag("slow")
+class TablesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @ParameterizedTest(name = "a course of version {0} is lost, or cannot be told from another")
+    @ValueSource(ints = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11])
+    fun keepsACourseOfEachVersion(version: Int) {
+        val sqlite = sqlite()
+        Tables(sqlite).migrate("$version")
+        fill(sqlite, version)
+        Tables(sqlite).migrate()
+        assertWhole(sqlite, version)
+    }
+
+    @Test
+    @DisplayName("PostgreSQL's tables lack what SQLite's have, or a course of its first version is lost")
+    fun bothDatabasesHaveTheSameTables() =
+        LocalPostgres().use { postgres ->
+            Tables(postgres.source).migrate("11")
+            fill(postgres.source, 11)
+            Tables(postgres.source).migrate()
+            assertWhole(postgres.source, 11)
+            val sqlite = sqlite()
+            Tables(sqlite).migrate()
+            assertEquals(columns(sqlite), columns(postgres.source))
+        }
+
+    private fun sqlite(): DataSource =
+        SQLiteDataSource(SQLiteConfig().apply { enforceForeignKeys(true) })
+            .apply { url = "jdbc:sqlite:${folder.resolve("course.db")}" }
+
+    /** Three students, of whom two have one name; one submission, graded against two revisions. */
+    private fun fill(
+        source: DataSource,
+        version: Int,
+    ) {
+        source.execute("INSERT INTO courses (id, name, code, created_at) VALUES ('c', 'Graphics', 'CODE', '$THEN')")
+        for ((id, name) in listOf("a" to "Ada", "b" to "Ada", "d" to "Ada (2)")) {
+            source.execute(
+                """INSERT INTO students (id, course_id, name, token_hash, joined_at)
+                   VALUES ('$id', 'c', '$name', 'hash of $id', '$THEN')""",
+            )
+        }
+        source.execute(
+            """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+               VALUES ('s', 'a', 'draw-dot', 'r0', 1, 'class Dot {}', 1, '$THEN', 'done')""",
+        )
+        // The one that counts is stored first, so that its place among the rows says nothing.
+        for ((revision, points) in listOf("r1" to 6, "r0" to 4)) {
+            source.execute(
+                """INSERT INTO results (submission_id, revision, verdict, accuracy, stability, speed, points_of, isolation,
+                       nanos_per_item, graded_at)
+                   VALUES ('s', '$revision', 'wrong', $points, 2, 1, 10, 'bubblewrap', 2.5, '2026-04-0${revision[1]}')""",
+            )
+            source.execute(
+                """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
+                       message, scene)
+                   VALUES ('s', '$revision', 0, 'case of $revision', 'OPEN', 'WRONG', 0, 1, 'pixel', '')""",
+            )
+            source.execute(
+                """INSERT INTO diagnostics (submission_id, revision, position, line, column_number, message)
+                   VALUES ('s', '$revision', 0, 3, 4, 'of $revision')""",
+            )
+        }
+        if (version >= 7) {
+            source.execute(
+                """INSERT INTO case_pictures (submission_id, revision, case_position, position, kind, png, text, text_data)
+                   VALUES ('s', 'r1', 0, 0, 'actual', ${bytes(source, "01")}, '#', '[]')""",
+            )
+        }
+        if (version >= 9) source.execute("INSERT INTO deadlines VALUES ('c', 'draw-dot', '$THEN')")
+        if (version >= 10) {
+            source.execute("UPDATE results SET reference_nanos = 5, error = 0.5 WHERE revision = 'r1'")
+            source.execute("INSERT INTO speed_methods VALUES ('s', 'r1', 0, 'dda', 1.5, NULL)")
+        }
+        if (version >= 11) source.execute("UPDATE case_pictures SET png_ru = ${bytes(source, "02")}")
+    }
+
+    private fun bytes(
+        source: DataSource,
+        hex: String,
+    ) = if (source is SQLiteDataSource) "x'$hex'" else "'\\x$hex'"
+
+    private fun assertWhole(
+        source: DataSource,
+        version: Int,
+    ) {
+        val figures = if (version >= 10) "5.0 0.5" else "null null"
+        source.assertRows("run, is_current, revision, accuracy FROM results", "1 0 r0 4", "2 1 r1 6")
+        source.assertRows("nanos_per_item, reference_nanos, error FROM results WHERE run = 2", "2.5 $figures")
+        val run = "run FROM results JOIN"
+        source.assertRows("name, $run case_results ON result_id = results.id", "case of r0 1", "case of r1 2")
+        source.assertRows("message, line, $run diagnostics ON result_id = results.id", "of r0 3 1", "of r1 3 2")
+        val kept = { first: Int, row: String -> if (version >= first) arrayOf(row) else emptyArray() }
+        source.assertRows("kind, text, $run case_pictures ON result_id = results.id", *kept(7, "actual # 2"))
+        val russian = if (version >= 11) "1" else "null"
+        source.assertRows("length(png), length(png_ru) FROM case_pictures", *kept(7, "1 $russian"))
+        source.assertRows("method, ratio, $run speed_methods ON result_id = results.id", *kept(10, "dda 1.5 2"))
+        source.assertRows("due_at, zone, policy, attempts FROM course_exercises", *kept(9, "$THEN UTC best null"))
+        source.assertRows("number, shown_name FROM students", "1 Ada", "2 Ada (2)", "3 Ada (2) (3)")
+        source.assertRows("is_chosen, hint_cost FROM submissions", "0 0")
+    }
+
+    /** Rows in the order of their text. */
+    private fun DataSource.assertRows(
+        query: String,
+        vararg expected: String,
+    ) = assertEquals(expected.toList(), rows("SELECT $query"), query)
+
+    private fun DataSource.rows(query: String): List<String> =
+        connection.use { connection ->
+            connection.createStatement().use { statement ->
+                statement.executeQuery(query).use { row ->
+                    val width = row.metaData.columnCount
+                    generateSequence {
+                        if (row.next()) {
+                            (1..width).joinToString(
+                                " ",
+                            ) { "${row.getObject(it)}" }
+                        } else {
+                            null
+                        }
+                    }.toList()
+                        .sorted()
+                }
+            }
+        }
+
+    private fun DataSource.execute(sql: String) =
+        connection.use { connection -> connection.createStatement().use { it.execute(sql) } }
+
+    /** Names of all columns, of ours only. */
+    private fun columns(source: DataSource): List<String> =
+        source.connection.use { connection ->
+            connection.metaData.getColumns(null, null, null, null).use { row ->
+                val others = setOf("information_schema", "pg_catalog")
+                generateSequence {
+                    if (row.next()) listOf("TABLE_SCHEM", "TABLE_NAME", "COLUMN_NAME").map(row::getString) else null
+                }.filter { it[0] !in others && !it[1].startsWith("flyway") && !it[1].startsWith("sqlite_") }
+                    .filter { it[1] in tables(source) }
+                    .map { "${it[1]}.${it[2]}" }
+                    .toList()
+                    .sorted()
+            }
+        }
+
+    private fun tables(source: DataSource): Set<String> =
+        source.connection.use { connection ->
+            connection.metaData.getTables(null, null, null, arrayOf("TABLE")).use { row ->
+                generateSequence { if (row.next()) row.getString("TABLE_NAME") else null }.toSet()
+            }
+        }
+
+    private companion object {
+        const val THEN = "2026-03-29T00:59:59.000Z"
+    }
+}
