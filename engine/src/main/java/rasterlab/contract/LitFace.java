@@ -33,18 +33,23 @@ public record LitFace(
             throw new IllegalArgumentException(
                     name + " must have 9 numbers, got " + numbers.length);
         for (int i = 0; i < 9; i++)
-            within("%s[%d].%s".formatted(name, i / 3, "xyz".charAt(i % 3)), numbers[i]);
+            if (!isWithin(numbers[i]))
+                throw beyond("%s[%d].%s".formatted(name, i / 3, "xyz".charAt(i % 3)), numbers[i]);
         return numbers.clone();
     }
 
     private static double[] within(String name, double[] numbers) {
-        for (int i = 0; i < numbers.length; i++) within(name + "[" + i + "]", numbers[i]);
+        for (int i = 0; i < numbers.length; i++)
+            if (!isWithin(numbers[i])) throw beyond(name + "[" + i + "]", numbers[i]);
         return numbers;
     }
 
-    private static void within(String place, double number) {
-        if (!(Math.abs(number) <= LARGEST))
-            throw new IllegalArgumentException(
-                    "%s must be from -1E75 to 1E75, got %s".formatted(place, number));
+    private static boolean isWithin(double number) {
+        return Math.abs(number) <= LARGEST;
+    }
+
+    private static IllegalArgumentException beyond(String place, double number) {
+        return new IllegalArgumentException(
+                "%s must be from -1E75 to 1E75, got %s".formatted(place, number));
     }
 }

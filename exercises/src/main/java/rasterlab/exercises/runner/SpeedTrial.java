@@ -2,7 +2,12 @@ package rasterlab.exercises.runner;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.function.UnaryOperator;
 import rasterlab.engine.study.measuring.MedianInterval;
 import rasterlab.engine.study.measuring.RoundPlan;
@@ -11,6 +16,7 @@ import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.child.ContractCalls;
 import rasterlab.exercises.runner.process.ChildLost;
+import rasterlab.exercises.runner.process.Daemons;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.SpeedPoints;
@@ -126,7 +132,7 @@ final class SpeedTrial {
         for (int left = MOST_TRIES; left > 0; left--) {
             Optional<Message> obstacle = tried();
             if (obstacle.isPresent()) return Outcome.none(obstacle.get());
-            if (pace.isSettled() && !SpeedPoints.isNearAnEnd(pace.ratio().median())) break;
+            if (pace.isSettled() && isCertain(pace.ratio())) break;
         }
         if (pace.pairs() == 0) return Outcome.none(UNSETTLED);
         if (pace.isSettled() || pace.isRoughlyTold()) return told(Message.NONE);
@@ -134,6 +140,15 @@ final class SpeedTrial {
                 ? told(UNSETTLED)
                 : new Outcome(
                         Optional.of(pace.wallRatio()), pace.wallReference(), printed, Message.NONE);
+    }
+
+    /**
+     * Whether a further try would hardly change the points: it costs none already, or is far from
+     * where it would cost others.
+     */
+    private static boolean isCertain(MedianInterval ratio) {
+        return SpeedPoints.band(ratio.low(), OptionalInt.empty()) == 0
+                || !SpeedPoints.isNearAnEnd(ratio.median());
     }
 
     /** The message of one batch: why nothing could be measured, or no more than that it could. */
@@ -154,10 +169,7 @@ final class SpeedTrial {
 
     /** Why nothing can be measured; empty where something was. */
     private Optional<Message> tried() throws ChildLost, InterruptedException {
-        for (Student one : List.of(student, reference)) {
-            one.beginAnew();
-            for (Call call : before) one.call(call);
-        }
+        beginBoth();
         var warmUp = new Pace.WarmUp(WARM_UP_NANOS);
         long start = System.nanoTime();
         int counted = 0;
@@ -180,6 +192,29 @@ final class SpeedTrial {
             if (elapsed > BUDGET_NANOS) break;
         }
         return Optional.empty();
+    }
+
+    /** Both draw the same in fresh children, at the same time where there are two processors. */
+    private void beginBoth() throws ChildLost, InterruptedException {
+        ExecutorService beside = Executors.newSingleThreadExecutor(Daemons.named("rasterlab-pace"));
+        try {
+            Future<Void> other = beside.submit(() -> begun(reference));
+            begun(student);
+            other.get();
+        } catch (ExecutionException failed) {
+            Throwable cause = failed.getCause();
+            if (cause instanceof ChildLost lost) throw lost;
+            if (cause instanceof InterruptedException interrupted) throw interrupted;
+            throw new IllegalStateException("the reference cannot be called", cause);
+        } finally {
+            beside.shutdownNow();
+        }
+    }
+
+    private Void begun(Student one) throws ChildLost, InterruptedException {
+        one.beginAnew();
+        for (Call call : before) one.call(call);
+        return null;
     }
 
     /** Has each input answered alone, within the time that the exercise states for it. */

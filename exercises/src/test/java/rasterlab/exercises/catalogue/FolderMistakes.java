@@ -249,7 +249,7 @@ final class FolderMistakes {
                 argumentSet(
                         "speed on nothing",
                         json,
-                        "\"count\": 250,",
+                        "\"count\": 120,",
                         "",
                         "field 'count' is missing"),
                 argumentSet(
