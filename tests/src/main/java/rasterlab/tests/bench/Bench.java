@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
 import rasterlab.app.cli.console.ComplaintText;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
+import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 import rasterlab.tests.bench.plan.PlanBench;
 import rasterlab.tests.bench.window.WindowBench;

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import rasterlab.tests.bench.language.BenchWords;
 
 /**
  * The goals of one group beside what was measured.

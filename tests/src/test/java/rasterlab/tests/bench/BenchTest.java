@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.console.Console;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Language;
+import rasterlab.tests.bench.language.BenchWords;
 
 class BenchTest {
     private final ByteArrayOutputStream err = new ByteArrayOutputStream();

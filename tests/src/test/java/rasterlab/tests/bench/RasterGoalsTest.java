@@ -11,6 +11,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;
+import rasterlab.tests.bench.language.BenchWords;
 
 class RasterGoalsTest {
     @Test

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.tests.ChildProcess;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.process.JavaCommand;
 
 /** {@code ./lab check --json} beside what the server answers to the same source. */
 @Tag("slow")

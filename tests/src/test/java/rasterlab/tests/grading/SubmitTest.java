@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.tests.ChildProcess;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.process.JavaCommand;
 
 /** {@code ./lab submit} at a real server, with the token in the environment. */
 @Tag("slow")

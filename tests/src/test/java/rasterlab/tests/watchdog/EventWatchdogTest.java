@@ -43,7 +43,7 @@ import rasterlab.engine.pipeline.fast.VertexColors;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.transform.GlMatrices;
-import rasterlab.tests.OwnDisplay;
+import rasterlab.tests.display.OwnDisplay;
 
 /** Each event here lasts until the watchdog has seen what it does. */
 @Tag("slow")

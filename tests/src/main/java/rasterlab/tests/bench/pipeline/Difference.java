@@ -1,7 +1,7 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.util.Locale;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 
 /**
  * How far two pictures are apart.

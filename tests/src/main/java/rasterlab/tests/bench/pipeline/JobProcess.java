@@ -6,7 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import rasterlab.app.language.Language;
 import rasterlab.app.opengl.context.OffscreenContext;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.bench.pipeline.PipelineJobs.Job;
 
 /**

@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.process.JavaCommand;
 
 /**
  * A program with this one's Java, classes and options in a process of its own, which ends with this

@@ -6,7 +6,7 @@ import java.util.List;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 import rasterlab.tests.bench.pipeline.PipelineJobs.Job;
 
 /**

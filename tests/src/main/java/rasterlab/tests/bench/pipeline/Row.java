@@ -2,7 +2,7 @@ package rasterlab.tests.bench.pipeline;
 
 import java.util.Locale;
 import java.util.function.Function;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 
 /**
  * One line of the table.

@@ -16,7 +16,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.sight.cost.Costs;
 import rasterlab.engine.transform.SphericalView;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 
 /**
  * Draws plans of seeded scenes, cameras, sizes and tolerances, and prints how their errors and

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import rasterlab.app.Main;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.process.JavaCommand;
 
 /** Starts the lab in a process of its own and tells how long it took to show its first tab. */
 final class StartUp {

@@ -31,7 +31,8 @@ import rasterlab.app.shell.settings.LabSettings;
 import rasterlab.app.shell.settings.LabTheme;
 import rasterlab.app.shell.settings.SettingsFile;
 import rasterlab.engine.line.Segment;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
+import rasterlab.tests.display.DisplayAtRest;
 
 /** The window's goals: its start, frames a second while dragging, memory after long use. */
 public final class WindowBench {

@@ -12,7 +12,7 @@ import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 
 /** A user's pictures beside OpenGL's; skipped where there is no OpenGL. */
 @Tag("slow")

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.process.JavaCommand;
 
 @Tag("slow")
 class OwnProcessTest {

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 
 class RowTest {
     @ParameterizedTest(name = "whether the goal is met is not told as: {2}")

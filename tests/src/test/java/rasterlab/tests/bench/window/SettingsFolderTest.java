@@ -12,7 +12,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.process.JavaCommand;
 
 class SettingsFolderTest {
     /** Ends with its folder open, as Ctrl+C ends a benchmark. */

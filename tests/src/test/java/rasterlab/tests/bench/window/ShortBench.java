@@ -1,7 +1,7 @@
 package rasterlab.tests.bench.window;
 
 import java.io.IOException;
-import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.language.BenchWords;
 
 /** The window's benchmark with one start and short drags, in a process of its own. */
 final class ShortBench {

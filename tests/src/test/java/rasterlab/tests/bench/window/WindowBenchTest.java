@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import rasterlab.tests.ChildProcess;
-import rasterlab.tests.OwnDisplay;
 import rasterlab.tests.Repository;
-import rasterlab.tests.bench.JavaCommand;
+import rasterlab.tests.display.OwnDisplay;
+import rasterlab.tests.process.JavaCommand;
 
 @Tag("slow")
 @ExtendWith(OwnDisplay.class)
