@@ -101,12 +101,13 @@ final class FoundPage {
                 .formatted(
                         texts.locale().getLanguage(),
                         Html.escaped(title),
-                        style(),
+                        Html.style() + style(),
                         Html.escaped(title),
                         body)
                 .getBytes(StandardCharsets.UTF_8);
     }
 
+    /** Reads what this page adds to the style of all pages: smaller pictures, and how it prints. */
     private static String style() {
         try (InputStream in = FoundPage.class.getResourceAsStream("findings.css")) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);

@@ -31,6 +31,8 @@ import rasterlab.app.canvas.work.LatestOnly;
 import rasterlab.app.canvas.work.Settling;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.chart.StudyWords;
+import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.FrontChart;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;

@@ -5,6 +5,7 @@ import java.util.List;
 import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 

@@ -28,6 +28,7 @@ import rasterlab.app.canvas.method.OwnWords;
 import rasterlab.app.canvas.method.SecondaryText;
 import rasterlab.app.language.Texts;
 import rasterlab.app.mine.OwnMethods;
+import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Method;

@@ -10,6 +10,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.front.StudyPlot;
 import rasterlab.engine.study.Study;
 

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.app.study.front.SizesChart;
 import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;

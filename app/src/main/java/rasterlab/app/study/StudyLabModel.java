@@ -19,6 +19,7 @@ import rasterlab.app.canvas.work.RareNews;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.mine.OwnProgram;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.study.chart.StudyWork;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -39,10 +40,7 @@ import rasterlab.engine.study.Topic;
  * one run of the program to the next.
  */
 public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoCloseable {
-    /**
-     * The time between news of a measurement: more often, what the user sees of it would cost it
-     * time.
-     */
+    /** The time between news of a measurement; to show more of them would slow it down. */
     private static final Duration BETWEEN_NEWS = Duration.ofMillis(50);
 
     /** The time between two charts of what was measured so far. */

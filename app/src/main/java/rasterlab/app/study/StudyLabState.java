@@ -2,6 +2,7 @@ package rasterlab.app.study;
 
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.study.chart.StudyWork;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;

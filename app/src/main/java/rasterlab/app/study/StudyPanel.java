@@ -31,6 +31,9 @@ import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.chart.StudyWords;
+import rasterlab.app.study.chart.StudyWork;
+import rasterlab.app.study.chart.TopicNames;
 import rasterlab.app.study.front.FrontChart;
 import rasterlab.engine.study.Study;
 

@@ -1,7 +1,6 @@
 /**
- * A study as chart, table and file.
+ * The tab of studies: what is measured, shown as chart and as table, and kept as a file.
  *
- * <p>The chart shows cost (nanoseconds per item, logarithmic) to the right and error upwards. Start
- * with {@link rasterlab.app.study.StudyFile}.
+ * <p>Start with {@link rasterlab.app.study.StudyFile}.
  */
 package rasterlab.app.study;

@@ -1,15 +1,28 @@
 package rasterlab.app.tour;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** The few pieces of HTML that the tour's page is made of. */
+/** The few pieces of HTML that the pages of the tour and of the findings are made of. */
 public final class Html {
     /** A number, a share, a range, a fraction or a dash where there is none. */
     private static final Pattern NUMBERS =
             Pattern.compile("–|[−-]?[0-9][0-9 \u00a0.,/%–·⁻⁰¹²³⁴-⁹]*");
 
     private Html() {}
+
+    /** Reads the style sheet that all pages share. */
+    public static String style() {
+        try (InputStream in = Html.class.getResourceAsStream("page.css")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException("page.css cannot be read", e);
+        }
+    }
 
     public static String escaped(String text) {
         return text.replace("&", "&amp;")

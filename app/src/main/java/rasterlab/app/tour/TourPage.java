@@ -1,11 +1,7 @@
 package rasterlab.app.tour;
 
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.io.InputStream;
 import java.io.PrintStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import rasterlab.app.language.Complaints;
@@ -161,7 +157,7 @@ final class TourPage {
                 .formatted(
                         texts.locale().getLanguage(),
                         Html.escaped(texts.text("title")),
-                        style(),
+                        Html.style(),
                         Html.escaped(texts.text("title")),
                         Html.escaped(texts.text("introduction")),
                         contents,
@@ -176,13 +172,5 @@ final class TourPage {
                         System.getProperty("os.version"),
                         System.getProperty("os.arch"),
                         System.getProperty("java.version"));
-    }
-
-    private static String style() {
-        try (InputStream in = TourPage.class.getResourceAsStream("tour.css")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        } catch (IOException e) {
-            throw new UncheckedIOException("tour.css cannot be read", e);
-        }
     }
 }

@@ -18,8 +18,8 @@ import rasterlab.app.card.TopicCard;
 import rasterlab.app.card.TopicInput;
 import rasterlab.app.card.TopicWay;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.app.row.RowColours;
 import rasterlab.app.row.RowLabModel;
+import rasterlab.app.row.RowTopic;
 import rasterlab.app.visibility.scene.SceneInputs;
 import rasterlab.app.visibility.scene.StageView;
 import rasterlab.app.visibility.scene.TopicView;
@@ -97,22 +97,7 @@ public final class VisibilityRoom implements LabRoom<VisibilityLabModel> {
     }
 
     private TopicCard<VisibilityLabModel> row(String topic) {
-        return new TopicCard<>(
-                topic,
-                this,
-                RowColours.OWN,
-                TopicWay.<VisibilityLabModel>whole(
-                                (lab, input, method) -> {
-                                    if (input.hazard().isEmpty())
-                                        lab.rows().show(topic, input.input(), method);
-                                    else lab.rows().show(topic, input.hazard(), method);
-                                })
-                        .writing(lab -> lab.rows().input(topic))
-                        .withOwn(
-                                lab -> lab.rows().history(),
-                                lab -> lab.rows().openAgain(topic),
-                                (lab, method) -> lab.rows().chooseMethod(method),
-                                (lab, method) -> {}));
+        return RowTopic.card(this, topic, VisibilityLabModel::rows);
     }
 
     private static String drawnBy(String method) {

@@ -30,7 +30,7 @@ import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.shell.labs.LabModels;
 import rasterlab.app.shell.labs.LabOpening;
 import rasterlab.app.shell.labs.LabsFile;
-import rasterlab.app.study.TopicNames;
+import rasterlab.app.study.chart.TopicNames;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;

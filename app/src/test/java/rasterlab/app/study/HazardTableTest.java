@@ -1,6 +1,7 @@
 package rasterlab.app.study;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -8,6 +9,8 @@ import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import javax.swing.JComponent;
 import javax.swing.JTable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -19,6 +22,8 @@ import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.settings.LabTheme;
+import rasterlab.app.study.chart.TopicNames;
+import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -163,5 +168,30 @@ class HazardTableTest {
         for (int x = 0; x < 90; x++)
             for (int y = 0; y < 36; y++) if (image.getRGB(x, y) != image.getRGB(x, 0)) return x;
         throw new AssertionError("nothing is drawn");
+    }
+
+    @Test
+    @DisplayName("the table or its tips have names that only commands use")
+    void tableAndItsTipsHaveTitles() {
+        List<Throwable> failures = new ArrayList<>();
+        try (var model = new StudyLabModel(Topics.all(), Runnable::run, failures::add)) {
+            model.choose("triangulate");
+            Map.of(Language.RUSSIAN, "Треугольник", Language.ENGLISH, "Triangle")
+                    .forEach((language, title) -> isTitled(model, language, title));
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    private static void isTitled(StudyLabModel model, Language language, String title) {
+        var table = new HazardTable(model, Texts.of("study", language), () -> {});
+        var names = (JTable) table.scroll().getRowHeader().getView();
+        table.refresh();
+        assertEquals(title, names.getValueAt(0, 0));
+        var cell = names.prepareRenderer(names.getCellRenderer(0, 0), 0, 0);
+        assertEquals(title, ((JComponent) cell).getToolTipText());
+        var verdict = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+        String tip = ((JComponent) verdict).getToolTipText();
+        assertTrue(tip.contains(title), tip);
+        assertFalse(tip.contains("one-triangle"), tip);
     }
 }

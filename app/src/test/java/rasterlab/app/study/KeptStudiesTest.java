@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.mine.OwnMethods;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Cost;

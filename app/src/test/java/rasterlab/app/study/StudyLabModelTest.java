@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
+import rasterlab.app.study.chart.StudyWork;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Measurement;

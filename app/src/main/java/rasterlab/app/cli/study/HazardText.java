@@ -7,7 +7,7 @@ import rasterlab.app.canvas.method.VerdictDetail;
 import rasterlab.app.cli.console.TextTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.HazardTrial.Cell;
 
 /** The method × hazard table as text. */

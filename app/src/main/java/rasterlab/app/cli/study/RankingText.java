@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Circumstances;
 import rasterlab.engine.study.Ranking;
 import rasterlab.engine.study.Study;

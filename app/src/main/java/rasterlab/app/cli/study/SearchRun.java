@@ -12,7 +12,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.shell.settings.SettingsFile;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.exercises.searching.Find;
 import rasterlab.exercises.searching.HazardSearch;
 import rasterlab.exercises.searching.SearchTold;

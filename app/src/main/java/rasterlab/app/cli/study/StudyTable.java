@@ -8,7 +8,7 @@ import rasterlab.app.cli.console.ReportLanguage;
 import rasterlab.app.cli.console.TextTable;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.StudyCounts;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;

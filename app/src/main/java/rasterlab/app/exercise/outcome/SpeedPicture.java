@@ -8,7 +8,7 @@ import java.awt.image.BufferedImage;
 import java.util.Optional;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.study.SpeedChart;
+import rasterlab.app.study.chart.SpeedChart;
 
 /** A program's point on its topic's chart, painted anew for each place and each theme. */
 public final class SpeedPicture implements PaintedPicture {

@@ -19,8 +19,8 @@ import rasterlab.app.card.TopicWay;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.light.LightLabState;
 import rasterlab.app.mine.OwnMethods;
-import rasterlab.app.row.RowColours;
 import rasterlab.app.row.RowLabModel;
+import rasterlab.app.row.RowTopic;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.light.face.FaceTopic;
 import rasterlab.engine.light.normals.NormalsTopic;
@@ -142,22 +142,7 @@ public final class LightRoom implements LabRoom<LightLabModel> {
     }
 
     private TopicCard<LightLabModel> row(String topic) {
-        return new TopicCard<>(
-                topic,
-                this,
-                RowColours.OWN,
-                TopicWay.<LightLabModel>whole(
-                                (lab, input, method) -> {
-                                    if (input.hazard().isEmpty())
-                                        lab.rows().show(topic, input.input(), method);
-                                    else lab.rows().show(topic, input.hazard(), method);
-                                })
-                        .writing(lab -> lab.rows().input(topic))
-                        .withOwn(
-                                lab -> lab.rows().history(),
-                                lab -> lab.rows().openAgain(topic),
-                                (lab, method) -> lab.rows().chooseMethod(method),
-                                (lab, method) -> {}));
+        return RowTopic.card(this, topic, LightLabModel::rows);
     }
 
     @Override

@@ -13,7 +13,7 @@ import java.util.function.Function;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.rooms.LabRooms;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
 import rasterlab.engine.study.Regime;

@@ -14,7 +14,7 @@ import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
 import rasterlab.app.rooms.LabRooms;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.ExactBound;
 import rasterlab.engine.study.Measurement;

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.study.LogTicks;
+import rasterlab.app.study.chart.LogTicks;
 
 /** Title, axes, grid and notes of a chart around its plot. */
 final class PlotFrame {

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.study.StudyChart;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyChart;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Study;
 
 /** The charts that can be drawn of a study. */

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.language.Language;
-import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;

@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import java.awt.Dimension;
 import java.awt.Point;
@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import rasterlab.app.study.LabelSpots.Spot;
+import rasterlab.app.study.chart.LabelSpots.Spot;
 
 /**
  * Where labels of points stand in a chart: close to their points, or further off with a leader.

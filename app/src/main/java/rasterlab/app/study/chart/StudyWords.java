@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
@@ -77,7 +77,7 @@ public final class StudyWords {
      *
      * @param said the number as it is written
      */
-    String amount(Study study, double error, String said) {
+    public String amount(Study study, double error, String said) {
         String key = unitKey(study.errorUnit()).replaceFirst("^unit", "amount");
         return texts.has(key + ".one")
                 ? said + " " + texts.plural(key, error)
@@ -111,12 +111,12 @@ public final class StudyWords {
     }
 
     /** The axis's words for times that are multiples of the reference's. */
-    String ratioAxis(Study study) {
+    public String ratioAxis(Study study) {
         return texts.text("chart.ratio", item(study));
     }
 
     /** A method with its time and its error. */
-    String point(Measurement point) {
+    public String point(Measurement point) {
         double error = point.error().worst();
         return texts.text(
                 "chart.point",
@@ -243,7 +243,7 @@ public final class StudyWords {
      *
      * @param last what was finished last, "" before the first
      */
-    String progress(StudyWork work, String last) {
+    public String progress(StudyWork work, String last) {
         return last.isEmpty()
                 ? texts.text("progress.begun", work.done(), work.of())
                 : texts.text("progress.at", work.done(), work.of(), last);

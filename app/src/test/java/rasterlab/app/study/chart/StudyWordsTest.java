@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 /**
  * The measurement that is going on.
@@ -21,15 +21,15 @@ public record StudyWork(Kind kind, int done, int of, String method, String on) {
         HAZARDS
     }
 
-    static final StudyWork NONE = begun(Kind.NONE, 0);
-    static final StudyWork GIVEN_UP = begun(Kind.GIVEN_UP, 0);
+    public static final StudyWork NONE = begun(Kind.NONE, 0);
+    public static final StudyWork GIVEN_UP = begun(Kind.GIVEN_UP, 0);
 
-    static StudyWork begun(Kind kind, int of) {
+    public static StudyWork begun(Kind kind, int of) {
         return new StudyWork(kind, 0, of, "", "");
     }
 
     /** The end of a measurement whose result could not be written, or of a reading that failed. */
-    static StudyWork failed(Kind kind, String reason) {
+    public static StudyWork failed(Kind kind, String reason) {
         return new StudyWork(kind, 0, 0, "", reason);
     }
 

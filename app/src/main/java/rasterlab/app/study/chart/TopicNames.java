@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import rasterlab.app.card.TopicTexts;
 import rasterlab.app.language.Language;

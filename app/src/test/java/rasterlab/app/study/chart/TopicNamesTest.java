@@ -1,21 +1,13 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
-import javax.swing.JComponent;
-import javax.swing.JTable;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
@@ -73,30 +65,5 @@ class TopicNamesTest {
                     untitled.add(topic.name() + " " + title);
             }
         assertEquals(new TreeSet<>(), untitled);
-    }
-
-    @Test
-    @DisplayName("the table or its tips have names that only commands use")
-    void tableAndItsTipsHaveTitles() {
-        List<Throwable> failures = new ArrayList<>();
-        try (var model = new StudyLabModel(Topics.all(), Runnable::run, failures::add)) {
-            model.choose("triangulate");
-            Map.of(Language.RUSSIAN, "Треугольник", Language.ENGLISH, "Triangle")
-                    .forEach((language, title) -> isTitled(model, language, title));
-        }
-        assertEquals(List.of(), failures);
-    }
-
-    private static void isTitled(StudyLabModel model, Language language, String title) {
-        var table = new HazardTable(model, Texts.of("study", language), () -> {});
-        var names = (JTable) table.scroll().getRowHeader().getView();
-        table.refresh();
-        assertEquals(title, names.getValueAt(0, 0));
-        var cell = names.prepareRenderer(names.getCellRenderer(0, 0), 0, 0);
-        assertEquals(title, ((JComponent) cell).getToolTipText());
-        var verdict = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
-        String tip = ((JComponent) verdict).getToolTipText();
-        assertTrue(tip.contains(title), tip);
-        assertFalse(tip.contains("one-triangle"), tip);
     }
 }

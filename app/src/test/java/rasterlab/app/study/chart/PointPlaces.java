@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import java.awt.Graphics2D;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import java.util.List;
 import java.util.regex.Pattern;

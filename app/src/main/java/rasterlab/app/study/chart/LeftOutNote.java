@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.study.chart;
 
 import java.awt.Color;
 import java.awt.Font;
@@ -18,18 +18,18 @@ import rasterlab.engine.study.Verdict;
  * A sentence below a chart that names the methods that could not be timed, and why; no lines where
  * there are none.
  */
-record LeftOutNote(List<String> lines) {
+public record LeftOutNote(List<String> lines) {
     private static final int LINE_HEIGHT = 16;
     private static final int MARGIN = 12;
 
     /** The longest line, in characters: what about 950 pixels hold. */
     private static final int LONGEST_LINE = 130;
 
-    LeftOutNote {
+    public LeftOutNote {
         lines = List.copyOf(lines);
     }
 
-    static LeftOutNote of(Study study, StudyWords words) {
+    public static LeftOutNote of(Study study, StudyWords words) {
         var points = new LinkedHashMap<String, Map<Verdict.Kind, List<Measurement>>>();
         for (Measurement measured : study.measurements())
             if (!measured.cost().timed() && measured.kind().compareTo(Verdict.Kind.REFUSED) >= 0)
