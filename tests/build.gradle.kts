@@ -37,3 +37,8 @@ tasks.test {
     // AssertJ Swing reads a field of java.util.TimerTask.
     jvmArgs("--add-opens", "java.base/java.util=ALL-UNNAMED")
 }
+
+// Circles of packages are sought among the tests of all modules.
+tasks.named("test") {
+    dependsOn(":engine:testClasses", ":exercises:testClasses", ":app:testClasses", ":grader:testClasses")
+}

@@ -19,6 +19,7 @@ import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.dependencies.SliceAssignment;
 import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -147,7 +148,19 @@ class ArchitectureTest {
                 .check(classes);
     }
 
-    @ParameterizedTest(name = "packages of {0} form a circle")
+    @Test
+    @DisplayName("packages form a circle, of a module or of its tests")
+    void noPackagesFormACircle() {
+        var compiled = CompiledClasses.read();
+        slices().assignedFrom(packagesOf(compiled))
+                .should()
+                .beFreeOfCycles()
+                .because("a reader starts below: move the class that closes the circle")
+                .check(compiled.all());
+    }
+
+    /** A feature with all that is in it is one box of the map. */
+    @ParameterizedTest(name = "packages right below {0} form a circle")
     @ValueSource(strings = {"engine", "exercises", "app", "grader"})
     void packagesOfOneModuleFormNoCircle(String module) {
         slices().assignedFrom(topPackagesOf("rasterlab." + module))
@@ -203,6 +216,28 @@ class ArchitectureTest {
                 .because(
                         "a reference shares no code with the methods that it judges: write it anew")
                 .check(classes);
+    }
+
+    /**
+     * Each package by its full name, without those below it. A unit test may use what stands above
+     * the package under test, so the tests of a package are compared apart from it; the module of
+     * tests is compared as a whole.
+     */
+    private static SliceAssignment packagesOf(CompiledClasses compiled) {
+        return new SliceAssignment() {
+            @Override
+            public SliceIdentifier getIdentifierOf(JavaClass one) {
+                String name = one.getPackageName();
+                if (!name.startsWith("rasterlab.")) return SliceIdentifier.ignore();
+                boolean apart = compiled.isTest(one) && !name.startsWith("rasterlab.tests");
+                return SliceIdentifier.of(apart ? "tests of " + name : name);
+            }
+
+            @Override
+            public String getDescription() {
+                return "each package of all modules, and the tests of each";
+            }
+        };
     }
 
     /** Each package right below the module's root with all that is in it, and the root itself. */
