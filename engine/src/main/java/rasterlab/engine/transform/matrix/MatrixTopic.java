@@ -114,12 +114,17 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     private static String shape(int size, double[][] rows) {
         if (rows == null || rows.length != size)
             return "%s where %d rows are right"
-                    .formatted(rows == null ? "no matrix" : rows.length + " rows", size);
+                    .formatted(rows == null ? "no matrix" : counted(rows.length, "row"), size);
         for (int i = 0; i < size; i++)
-            if (rows[i] == null || rows[i].length != size)
-                return "row %d has %d cells, right are %d"
-                        .formatted(i + 1, rows[i] == null ? 0 : rows[i].length, size);
+            if (rows[i] == null || rows[i].length != size) {
+                int cells = rows[i] == null ? 0 : rows[i].length;
+                return "row %d has %s, right are %d".formatted(i + 1, counted(cells, "cell"), size);
+            }
         return "";
+    }
+
+    private static String counted(int count, String one) {
+        return count + " " + one + (count == 1 ? "" : "s");
     }
 
     private static double scale(MatrixCall call, double[][] exact, int row) {

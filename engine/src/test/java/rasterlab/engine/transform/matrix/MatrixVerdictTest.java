@@ -43,6 +43,9 @@ class MatrixVerdictTest {
                         "a plane's matrix stops the table",
                         new double[3][3],
                         "3 rows where 4 rows are right"),
+                argumentSet("one row is several", new double[1][4], "1 row where 4 rows are right"),
+                argumentSet(
+                        "one cell is several", new double[4][1], "row 1 has 1 cell, right are 4"),
                 argumentSet(
                         "a short row stops the table",
                         new double[][] {{1, 0, 0, 0}, {0, 1, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}},
