@@ -1,11 +1,8 @@
 package rasterlab.exercises.topic;
 
-import static java.util.stream.Collectors.joining;
-
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
-import java.util.stream.Stream;
-import java.util.stream.StreamSupport;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.document.OwnJson;
@@ -18,6 +15,8 @@ import rasterlab.exercises.score.Message;
 final class CaseInputs {
     /** Characters of an input or a template that are told. */
     private static final int MOST = 140;
+
+    private static final JsonNode NO_NUMBERS = MissingNode.getInstance();
 
     private CaseInputs() {}
 
@@ -35,19 +34,16 @@ final class CaseInputs {
         if (Message.isKnown(hazard)) return Message.of("why.hazard", hazard);
         JsonNode given = data.path("given");
         if (one.generated()) {
-            JsonNode turn = given.isArray() ? given.path(0) : given;
-            String drawn =
-                    Stream.of(data.path("let"), turn)
-                            .map(CaseInputs::fields)
-                            .filter(told -> !told.isEmpty())
-                            .collect(joining("; "));
+            JsonNode turn = given;
+            while (turn.isArray()) turn = turn.path(0);
+            String drawn = new TemplateText(data.path("let")).of(turn);
             return Message.of("why.drawn", data.path("count").asInt(), cut(drawn));
         }
         boolean several = given.isArray();
         return Message.of(
                 one.kind() == Kind.STABILITY ? "why.rare" : "why.fixed",
                 several ? given.size() : 1,
-                cut(fields(several ? given.path(0) : given)));
+                cut(new TemplateText(NO_NUMBERS).of(several ? given.path(0) : given)));
     }
 
     private static JsonNode json(String text) {
@@ -56,28 +52,6 @@ final class CaseInputs {
         } catch (JsonProcessingException e) {
             throw new AssertionError("a case's input was read before", e);
         }
-    }
-
-    /** The fields of an input, without the brackets around. */
-    private static String fields(JsonNode input) {
-        return input.properties().stream()
-                .map(one -> one.getKey() + ": " + value(one.getValue()))
-                .collect(joining("; "));
-    }
-
-    /** A value, a range such as 0..9, several of one, or what may stand there. */
-    private static String value(JsonNode value) {
-        if (value.has("times"))
-            return value.path("times").asText() + " × " + value(value.path("of"));
-        if (value.has("any")) return list(value.path("any"), " | ");
-        if (value.isArray()) return "[" + list(value, ", ") + "]";
-        return value.isObject() ? fields(value) : value.asText();
-    }
-
-    private static String list(JsonNode values, String between) {
-        return StreamSupport.stream(values.spliterator(), false)
-                .map(CaseInputs::value)
-                .collect(joining(between));
     }
 
     private static String cut(String text) {

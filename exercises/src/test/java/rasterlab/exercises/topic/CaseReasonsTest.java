@@ -43,6 +43,7 @@ class CaseReasonsTest {
             Message why = reasons.of(one.name());
             assertTrue(why.in("ru").matches("[а-яё].*"), one.name() + ": " + why.in("ru"));
             assertFalse(why.in("ru").contains("mutant."), why.in("ru"));
+            assertFalse(why.in("en").contains("[=") || why.in("en").contains(", ="), why.in("en"));
             if (why.sentences().size() > 1) naming++;
             for (String language : List.of("en", "ru"))
                 assertTrue(told.add(why.in(language)), "told twice: " + why.in(language));
@@ -63,6 +64,9 @@ class CaseReasonsTest {
             polygon-fill | no-area           | ordinary inputs do not show (2 of the form polygon: [[1, 1], [9, 9], [5, 5]]
             clip-segment | far-window        | its input is made for one difficulty: “Coordinates are large against the window
             line-bresenham | order-anywhere | it alone pays for this: pixels come in order, each once
+            line-bresenham | octant-4       | (6 of the form x: −500..500; y: −500..500; a: 2..40; b: 0..a; from: [x, y]; to: [x − a, y + b])
+            line-bresenham | random-ties    | a: 2..20; b: 0..a; c: 2·a; d: b − b mod 2 + 1; from: [x, y]; to: [x + c, y + d]
+            depth-order    | random-slanted | a: 2..6; z: 24..34; polygons: [[[−a, −3, 4], [a, −3, 4]
             """)
     void caseNamesTheMistakeThatFewOthersCatch(String id, String name, String said) {
         String why = new CaseReasons(CATALOGUE.named(id)).of(name).in("en");
