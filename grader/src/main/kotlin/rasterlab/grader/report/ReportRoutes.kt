@@ -75,7 +75,7 @@ class Results(
     private fun due(submission: Submission) =
         Due.of(
             deadlines.of(submission.student, submission.exercise),
-            submission.receivedAt,
+            submission,
             clock.instant(),
         )
 

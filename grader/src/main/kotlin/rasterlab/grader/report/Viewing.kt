@@ -72,7 +72,7 @@ class GradedAgainst(
  * The effect of the deadline on a submission.
  *
  * @param at the deadline, or null where there is none
- * @param late whether it was handed in after it
+ * @param late whether it was handed in after it, and after the one that held then
  * @param passed whether it has passed by now, so that hidden cases answer with everything
  */
 class Due(
@@ -84,9 +84,13 @@ class Due(
         /** A submission of the exact moment is in time. */
         fun of(
             at: Instant?,
-            receivedAt: Instant,
+            submission: Submission,
             now: Instant,
-        ) = Due(at, late = at != null && receivedAt > at, passed = at != null && now > at)
+        ) = Due(
+            at,
+            late = listOf(at, submission.dueAt).all { it != null && submission.receivedAt > it },
+            passed = at != null && now > at,
+        )
     }
 }
 

@@ -87,9 +87,9 @@ class Intake(
         handle
             .createUpdate(
                 """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state, round,
-                       hint_cost)
+                       hint_cost, due_at)
                    SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued',
-                       $ROUND, $HINTS
+                       $ROUND, $HINTS, :due
                    FROM submissions WHERE student_id = :student AND exercise = :exercise""",
             ).bind("id", id)
             .bind("student", student.id)
@@ -98,6 +98,7 @@ class Intake(
             .bind("source", source)
             .bind("seed", handedSeed ?: Secrets.newSeed())
             .bind("now", clock.instant().text())
+            .bind("due", Deadlines.of(handle, student.id, exercise.id())?.text())
             .execute()
         return id
     }

@@ -28,6 +28,7 @@ enum class State {
  * @param seed draws the hidden cases, so that grading again gives the same result
  * @param tries how often grading was begun
  * @param hintCost points that hints cost which were shown before it was received
+ * @param dueAt the deadline that held when it was received, or null where there was none
  */
 data class Submission(
     val id: String,
@@ -41,4 +42,5 @@ data class Submission(
     val state: State,
     val tries: Int,
     val hintCost: Int,
+    val dueAt: Instant?,
 )

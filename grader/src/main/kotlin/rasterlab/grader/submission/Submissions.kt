@@ -12,7 +12,7 @@ import kotlin.jvm.optionals.getOrNull
  * One line of a list of submissions.
  *
  * @param revision of the exercise that it was or will be graded against
- * @param late whether it was handed in after the deadline
+ * @param late whether it was handed in after the deadline, that of now and the one that held then
  */
 data class Listed(
     val submission: Submission,
@@ -95,9 +95,10 @@ class Submissions(
         handle
             .createQuery(
                 """SELECT s.id, s.student_id, s.exercise, s.revision, s.attempt, '' AS source, s.seed, s.received_at,
-                          s.state, s.tries, s.hint_cost, students.shown_name AS student_name, r.verdict,
+                          s.state, s.tries, s.hint_cost, s.due_at, students.shown_name AS student_name, r.verdict,
                           r.revision AS graded_against, $NET AS total, r.points_of,
-                          coalesce(s.received_at > coalesce(extensions.due_at, rules.due_at), 0) AS late
+                          CASE WHEN s.received_at > coalesce(extensions.due_at, rules.due_at) AND s.received_at > s.due_at
+                              THEN 1 ELSE 0 END AS late
                    FROM submissions s
                    JOIN students ON students.id = s.student_id
                    LEFT JOIN course_exercises AS rules
@@ -164,6 +165,7 @@ class Submissions(
                 state = State.of(row.getString("state")),
                 tries = row.getInt("tries"),
                 hintCost = row.getInt("hint_cost"),
+                dueAt = row.getString("due_at")?.let { Instant.parse(it) },
             )
     }
 }

@@ -213,6 +213,26 @@ class OpenedCasesTest {
         }
 
     @Test
+    @DisplayName("a deadline that is set into the past makes late what came when none had passed")
+    fun deadlineThatIsSetIntoThePastMakesNothingLate() =
+        classroom().open {
+            for (due in listOf(null, now + Duration.ofHours(2))) {
+                val (course, student, before) = handedIn(due)
+                now += Duration.ofMinutes(1)
+                setDeadline(course, (now - Duration.ofHours(1)).toString())
+                val after = submit(student, late = true).json().text("id")
+                eventsToTheEnd(student, after)
+                for ((id, expected) in listOf(before to "false", after to "true")) {
+                    assertEquals(expected, look(student, "/api/v1/submissions/$id").json().text("late"), "$due")
+                }
+                val exercise = page(student, "/exercises/draw-dot?lang=en")
+                assertEquals(1, Regex("class=\"late\"").findAll(exercise).count(), exercise)
+                setDeadline(course, (now + Duration.ofHours(1)).toString())
+                assertEquals("false", look(student, "/api/v1/submissions/$after").json().text("late"), "put off")
+            }
+        }
+
+    @Test
     @DisplayName("an exercise without hidden cases promises to show them, or a deadline that is over is to come")
     fun deadlineWithoutHiddenCases() =
         Classroom(folder, clock = { now }).open {

@@ -118,6 +118,25 @@ class MigrationTest {
     }
 
     @Test
+    @DisplayName("what was late before deadlines were kept with it is in time, or the other way round")
+    fun whatWasLateBeforeStaysLate() {
+        of("11")
+        execute(
+            "INSERT INTO deadlines (course_id, exercise, due_at) VALUES ('c', 'draw-dot', '2026-03-29T01:00:00.000Z')",
+        )
+        for ((attempt, received) in listOf("2026-03-29T01:00:00.000Z", "2026-03-29T01:00:00.001Z").withIndex()) {
+            execute(
+                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+                   VALUES ('s$attempt', 'a', 'draw-dot', 'r1', $attempt + 1, 'class Dot {}', 1, '$received', 'done')""",
+            )
+        }
+        Database.open(file).use { database ->
+            val listed = Submissions(database).ofStudent("a", "draw-dot")
+            assertEquals(listOf("s1" to true, "s0" to false), listed.map { it.submission.id to it.late })
+        }
+    }
+
+    @Test
     @DisplayName("what was graded before speeds had figures cannot be read, or has some")
     fun whatWasGradedBeforeSpeedsHadFiguresHasNone() {
         of("9")
