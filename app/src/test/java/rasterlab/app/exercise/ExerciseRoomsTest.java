@@ -8,6 +8,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.FontMetrics;
+import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -15,10 +16,14 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.exercise.panel.ExercisePanel;
@@ -90,6 +95,24 @@ class ExerciseRoomsTest {
         EventQueue.invokeAndWait(() -> look(panel, faults));
         EventQueue.invokeAndWait(panel::close);
         assertEquals(List.of(), faults);
+    }
+
+    @Test
+    @DisplayName("a part of the window stays empty below the program")
+    void theProgramHasAllTheHeight() throws Exception {
+        ExercisePanel panel = filled(Language.ENGLISH, LabTheme.LIGHT, 14);
+        OffscreenPainter.paint(panel, 1600, 959);
+        OffscreenPainter.paint(panel, 1600, 959);
+        EventQueue.invokeAndWait(
+                () -> {
+                    var above = ((JSplitPane) named(panel, "split.result")).getTopComponent();
+                    Component program = named(panel, "source.scroll");
+                    Point end = new Point(0, program.getHeight());
+                    int left =
+                            above.getHeight() - SwingUtilities.convertPoint(program, end, above).y;
+                    assertTrue(left < 24, left + " units of " + above.getHeight());
+                    panel.close();
+                });
     }
 
     private static ExercisePanel filled(Language language, LabTheme theme, double type)

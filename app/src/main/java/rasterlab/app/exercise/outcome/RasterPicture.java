@@ -21,6 +21,9 @@ record RasterPicture(BufferedImage picture, int dots, BufferedImage raster)
     /** Marks have their shape from so many view units for each pixel on. */
     private static final int SHAPED = 6;
 
+    /** Dots are sharp, though not all of one width, from so many view units for each on. */
+    private static final int SHARP = 3;
+
     /** Sum over the channels, from 0 to 765, within which a dot has a mark's colour. */
     private static final int ALIKE = 60;
 
@@ -57,10 +60,11 @@ record RasterPicture(BufferedImage picture, int dots, BufferedImage raster)
     public void paint(Graphics2D g, Rectangle part, Rectangle place) {
         boolean shaped = place.width >= SHAPED * part.width;
         int each = shaped ? dots : 1;
-        boolean whole = place.width % (each * part.width) == 0;
+        int across = each * part.width;
+        boolean sharp = place.width % across == 0 || place.width >= SHARP * across;
         g.setRenderingHint(
                 RenderingHints.KEY_INTERPOLATION,
-                whole
+                sharp
                         ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
                         : RenderingHints.VALUE_INTERPOLATION_BICUBIC);
         g.drawImage(

@@ -208,13 +208,12 @@ public final class ExercisePanel extends LabPanel implements Settling {
         var work =
                 new JPanel(
                         new MigLayout(
-                                "insets 8 6 4 10, gap 0 6, wrap 1, hidemode 3",
-                                "[grow,fill]",
-                                "[][][grow,fill][][]"));
+                                "insets 8 6 4 10, gap 0 6, wrap 1, hidemode 3", "[grow,fill]"));
         sheet = new SheetFold(texts, bar::toLab, this::unfold);
         work.add(bar, "wmin 0");
         work.add(sheet, "wmin 0");
-        work.add(place, "wmin 0, hmin 0");
+        // Not a row's number: what is hidden takes none.
+        work.add(place, "wmin 0, hmin 0, grow, push");
         work.add(notice, "wmin 0");
         work.add(unsaved, "wmin 0");
         return work;

@@ -9,6 +9,7 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.engine.raster.PixelMark;
@@ -43,5 +44,23 @@ class RasterPictureTest {
                         x / 3 == 1 ? PixelMark.ARGB : Color.WHITE.getRGB(),
                         shown.getRGB(x, y),
                         "at " + x + ", " + y);
+    }
+
+    @Test
+    @DisplayName("a pixel that is shown large has blurred edges")
+    void largePixelsAreSharp() {
+        var two = new BufferedImage(2, 1, BufferedImage.TYPE_INT_RGB);
+        two.setRGB(0, 0, Color.WHITE.getRGB());
+        RasterPicture edge = RasterPicture.of(two, new Dimension(2, 1), 1);
+        var shown = new BufferedImage(151, 75, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = shown.createGraphics();
+        edge.paint(g, new Rectangle(0, 0, 2, 1), new Rectangle(0, 0, 151, 75));
+        g.dispose();
+        for (int x = 0; x < 151; x++)
+            if (x != 75)
+                assertEquals(
+                        (x < 75 ? Color.WHITE : Color.BLACK).getRGB(),
+                        shown.getRGB(x, 30),
+                        "at " + x);
     }
 }
