@@ -3,7 +3,6 @@ package rasterlab.app.canvas;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.util.Locale;
-import java.util.regex.Pattern;
 
 /** Numbers as every lab writes them: few digits, the language's comma, a minus as wide as plus. */
 public final class Shown {
@@ -20,10 +19,6 @@ public final class Shown {
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private Shown() {}
-
-    /** A place behind the English words that name a pixel: nothing that a student wrote. */
-    private static final Pattern PIXEL =
-            Pattern.compile("(?<=\\b(?:pixel|missing,) )\\(-?\\d+, -?\\d+\\)");
 
     /**
      * The number with at most four decimals; very large and very small ones with a power of ten.
@@ -79,11 +74,6 @@ public final class Shown {
                 + apart(locale)
                 + beside(y, largest, 4, locale)
                 + ")";
-    }
-
-    /** A report's words on pixels, whose coordinates are for programs too where it is English. */
-    public static String pixels(String words) {
-        return PIXEL.matcher(words).replaceAll(pixel -> pixel.group().replace('-', '−'));
     }
 
     /** The separator between numbers: a semicolon where they have a decimal comma. */

@@ -12,6 +12,7 @@ import rasterlab.exercises.published.PublishedPicture;
 import rasterlab.exercises.published.PublishedPoints;
 import rasterlab.exercises.published.PublishedReport;
 import rasterlab.exercises.published.PublishedSpeed;
+import rasterlab.exercises.published.ShownWords;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.PublishedVerdict;
@@ -93,6 +94,7 @@ public final class ServerReport {
                         one.path("run").asBoolean(true)),
                 number(one, "points"),
                 number(one, "of"),
+                ShownWords.of(text(one, "message")),
                 text(one, "message"),
                 Optional.ofNullable(one.path("place").textValue()),
                 Optional.ofNullable(one.path("tolerance").textValue()),
@@ -106,6 +108,7 @@ public final class ServerReport {
         return new PublishedPicture(
                 text(one, "kind"),
                 text(one, "url"),
+                ShownWords.of(text(one, "text")),
                 text(one, "text"),
                 PicturePart.ofData(one.path("part").toString()));
     }

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.published.ShownWords;
 import rasterlab.exercises.score.CasePicture;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
@@ -132,7 +132,7 @@ final class GradingSection implements TourPart {
                             title(judged),
                             called(verdict(judged), page.texts()),
                             judged.path("points").asText() + "/" + judged.path("of").asText(),
-                            Shown.pixels(judged.path("message").asText())));
+                            ShownWords.of(judged.path("message").asText())));
         if (!rows.isEmpty()) page.table(page.texts().text("grading.cases"), rows);
         showFirstPicture(page, path -> client.get(path, student), graded);
     }

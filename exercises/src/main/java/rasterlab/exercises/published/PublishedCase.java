@@ -15,6 +15,8 @@ import rasterlab.exercises.topic.CaseRules.CaseRule;
  *
  * @param verdict with its code; {@code no_result} where the method was stopped before the case's
  *     turn came
+ * @param message in words, with the signs of people
+ * @param messageInJson the same as JSON has it
  * @param place in the answer that the message tells in words, as a path of its JSON; empty where it
  *     tells none
  * @param tolerance how exactly an answer is compared with the right one; empty for what is no case
@@ -31,6 +33,7 @@ public record PublishedCase(
         int points,
         int of,
         String message,
+        String messageInJson,
         Optional<String> place,
         Optional<String> tolerance,
         Optional<String> rule,
@@ -59,6 +62,7 @@ public record PublishedCase(
                 judged.points(),
                 judged.of(),
                 judged.message(language),
+                judged.messageInJson(language),
                 judged.place(),
                 Optional.empty(),
                 Optional.empty(),
@@ -96,6 +100,7 @@ public record PublishedCase(
                 points,
                 of,
                 message,
+                messageInJson,
                 place,
                 newTolerance,
                 newRule,
@@ -114,7 +119,7 @@ public record PublishedCase(
         out.writeStringField("verdict", verdict.code());
         out.writeNumberField("points", points);
         out.writeNumberField("of", of);
-        out.writeStringField("message", message);
+        out.writeStringField("message", messageInJson);
         out.writeStringField("place", place.orElse(null));
         out.writeStringField("tolerance", tolerance.orElse(null));
         out.writeStringField("rule", rule.orElse(null));

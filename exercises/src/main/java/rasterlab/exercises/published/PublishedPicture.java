@@ -15,10 +15,12 @@ import rasterlab.exercises.score.PixelRows;
  * @param url where the PNG is
  * @param text tells people who do not see it what is there, in their language; of a grid of pixels
  *     its rows
+ * @param textInJson the same as JSON has it
  * @param part which pixels of a grid these are; empty where it is no grid, and where an older
  *     server drew it
  */
-public record PublishedPicture(String kind, String url, String text, Optional<PicturePart> part)
+public record PublishedPicture(
+        String kind, String url, String text, String textInJson, Optional<PicturePart> part)
         implements PublishedPart {
     /**
      * A picture in words of that language.
@@ -27,7 +29,11 @@ public record PublishedPicture(String kind, String url, String text, Optional<Pi
      */
     public static PublishedPicture of(CasePicture picture, String language, String url) {
         return new PublishedPicture(
-                picture.kind(), url, picture.text().in(language), picture.part());
+                picture.kind(),
+                url,
+                picture.text().in(language),
+                picture.text().inJson(language),
+                picture.part());
     }
 
     /** The rows of characters alone; none where it is no grid of pixels. */
@@ -40,7 +46,7 @@ public record PublishedPicture(String kind, String url, String text, Optional<Pi
         out.writeStartObject();
         out.writeStringField("kind", kind);
         out.writeStringField("url", url);
-        out.writeStringField("text", text);
+        out.writeStringField("text", textInJson);
         out.writeFieldName("part");
         if (part.isPresent()) out.writeRawValue(part.get().data());
         else out.writeNull();

@@ -87,14 +87,19 @@ public record CaseReport(
                 : Optional.empty();
     }
 
-    /** Why points were lost, one line in English. */
+    /** Why points were lost, one line in English as JSON has it. */
     public String message() {
-        return message("en");
+        return messageInJson("en");
     }
 
     /** The same in that language. */
     public String message(String language) {
         return VisibleText.line(said.in(language));
+    }
+
+    /** The same as JSON has it, see {@link Message#inJson}. */
+    public String messageInJson(String language) {
+        return VisibleText.line(said.inJson(language));
     }
 
     /** The place in the answer that is told, as a path of its JSON, if one is. */

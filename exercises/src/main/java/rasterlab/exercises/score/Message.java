@@ -88,8 +88,12 @@ public record Message(List<Sentence> sentences) {
             arguments = arguments.stream().map(one -> VisibleText.lines(one, most)).toList();
         }
 
-        private String in(ReportTexts texts) {
-            Object[] said = arguments.stream().map(one -> said(one, texts)).toArray();
+        /**
+         * @param signs the key of the minus that stands in its numbers
+         */
+        private String in(ReportTexts texts, String signs) {
+            Object[] said =
+                    arguments.stream().map(one -> said(one, texts, texts.text(signs))).toArray();
             place().ifPresent(
                             path ->
                                     said[0] =
@@ -101,22 +105,19 @@ public record Message(List<Sentence> sentences) {
         }
 
         /**
-         * A number or numbers in brackets with the language's minus and decimal sign, and with what
-         * it sets between numbers; all else as it is.
+         * A number or numbers in brackets with a minus and the language's decimal sign, and with
+         * what it sets between numbers; what the engine says in the language of people, and as it
+         * is for programs; all else as it is.
          */
-        private String said(String argument, ReportTexts texts) {
+        private String said(String argument, ReportTexts texts, String minus) {
             if (WITHIN.contains(key) && texts.has(argument)) return texts.text(argument);
-            if (OF_THE_ENGINE.contains(key) && !texts.locale().getLanguage().isEmpty())
-                return ComplaintTexts.said(texts.locale(), argument);
+            boolean isForPrograms = minus.equals("-");
+            if (OF_THE_ENGINE.contains(key) && !isForPrograms)
+                return ComplaintTexts.said(language(texts), argument);
             if (STEPS.matcher(key).matches())
                 return StepWords.in(texts.locale())
-                        .word(
-                                StepValue.in(
-                                        argument,
-                                        texts.text("minus"),
-                                        point(texts),
-                                        texts.text("apart")));
-            return NUMBERS.matcher(key).matches() ? inForm(argument, texts) : argument;
+                        .word(StepValue.in(argument, minus, point(texts), texts.text("apart")));
+            return NUMBERS.matcher(key).matches() ? inForm(argument, texts, minus) : argument;
         }
 
         /** The place in an answer that is told, as a path of its JSON. */
@@ -126,12 +127,17 @@ public record Message(List<Sentence> sentences) {
                     : Optional.empty();
         }
 
-        private static String inForm(String argument, ReportTexts texts) {
+        private static String inForm(String argument, ReportTexts texts, String minus) {
             if (!ALONE.matcher(argument).matches() && !IN_BRACKETS.matcher(argument).matches())
                 return argument;
-            return argument.replace("-", texts.text("minus"))
+            return argument.replace("-", minus)
                     .replace('.', point(texts))
                     .replace(", ", texts.text("apart"));
+        }
+
+        private static Locale language(ReportTexts texts) {
+            Locale known = texts.locale();
+            return known.getLanguage().isEmpty() ? Locale.ENGLISH : known;
         }
 
         private static char point(ReportTexts texts) {
@@ -179,12 +185,25 @@ public record Message(List<Sentence> sentences) {
      * @param language such as "ru"
      */
     public String in(String language) {
+        return in(language, "minus");
+    }
+
+    /**
+     * The same as JSON has it, which programs read too: in English a minus is a hyphen.
+     *
+     * @param language such as "ru"
+     */
+    public String inJson(String language) {
+        return in(language, "minus.json");
+    }
+
+    private String in(String language, String signs) {
         ReportTexts texts = ReportTexts.in(language);
         StringBuilder text = new StringBuilder();
         Joints joints = new Joints(sentences.stream().map(Sentence::key).toList());
         for (int i = 0; i < sentences.size(); i++) {
             joints.before(i).map(texts::text).ifPresent(text::append);
-            text.append(sentences.get(i).in(texts));
+            text.append(sentences.get(i).in(texts, signs));
         }
         joints.end().map(texts::text).ifPresent(text::append);
         return text.toString();
@@ -225,9 +244,9 @@ public record Message(List<Sentence> sentences) {
         return sentences.stream().flatMap(one -> one.place().stream()).findFirst();
     }
 
-    /** The message in English. */
+    /** The message in English, as JSON has it. */
     @Override
     public String toString() {
-        return in("en");
+        return inJson("en");
     }
 }

@@ -174,14 +174,14 @@ class PlanePicturesTest {
     void figuresAreToldWithTheirCoordinates() {
         Seen seen = seen(List.of(segment(-1.5, 2, 9, 2)), List.of(polygon(0, 0, 1, 0, 0.5, 1)));
         assertEquals(
-                "x from -2.305 to 10.805, y from -0.56 to 8.56; y grows upwards;"
+                "x from −2.305 to 10.805, y from −0.56 to 8.56; y grows upwards;"
                         + " given figures: 1; window from (0, 0) to (10, 8);"
-                        + " expected figures: 1; segment from (-1.5, 2) to (9, 2)",
+                        + " expected figures: 1; segment from (−1.5, 2) to (9, 2)",
                 seen.expectedText("en"));
         assertTrue(seen.expectedText("ru").endsWith("отрезок от (−1,5; 2) до (9; 2)"));
         assertTrue(
                 seen.actualText("ru").endsWith("многоугольник с вершинами (0; 0) (1; 0) (0,5; 1)"));
-        assertTrue(seen.differenceText("en").endsWith("missing figure starts at (-1.5, 2)"));
+        assertTrue(seen.differenceText("en").endsWith("missing figure starts at (−1.5, 2)"));
     }
 
     @Test

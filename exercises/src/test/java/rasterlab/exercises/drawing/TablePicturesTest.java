@@ -79,11 +79,11 @@ class TablePicturesTest {
         Seen seen = seen(new double[][] {{0.25, 0.5, 1}, {0.1, -0.3, 0.3}});
         assertEquals(
                 "a table of numbers; rows: 2, columns: 3; row 0: (0.25, 0.5, 1);"
-                        + " row 1: (0.1, -0.3, 0.3)",
+                        + " row 1: (0.1, −0.3, 0.3)",
                 seen.actualText("en"));
         assertEquals(
                 "cells that differ: 1 of 6; the first is in row 1, column G:"
-                        + " expected 0.2, actual -0.3, difference -0.5",
+                        + " expected 0.2, actual −0.3, difference −0.5",
                 seen.differenceText("en"));
         assertEquals(
                 "отличается ячеек: 1 из 6; первое отличие в строке 1, столбце G:"
@@ -109,7 +109,7 @@ class TablePicturesTest {
         assertTrue(seen.difference().getHeight() < 520, "at most 16 rows and two gaps");
         assertTrue(seen.expectedText("en").contains("rows 62 to 77 are shown"));
         assertTrue(seen.expectedText("ru").contains("показаны строки от 62 до 77"));
-        assertTrue(seen.differenceText("en").contains("expected 1, actual 0, difference -1"));
+        assertTrue(seen.differenceText("en").contains("expected 1, actual 0, difference −1"));
     }
 
     @Test

@@ -117,9 +117,9 @@ class TopicExercisesTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "(3, -4) (-4, 3) | pixels missing: 2, the first is (3, -4)"
+                "(3, -4) (-4, 3) | pixels missing: 2, the first is (3, −4)"
                         + " | не хватает пикселей: 2, первый из них (3; −4)",
-                "(3, -4) | pixel (3, -4) is missing | нет пикселя (3; −4)"
+                "(3, -4) | pixel (3, −4) is missing | нет пикселя (3; −4)"
             })
     void missingPixelsAreToldByTheirPlaces(String left, String english, String russian) {
         CircleRasterizer without =
@@ -141,7 +141,7 @@ class TopicExercisesTest {
                         });
         List<CasePicture> shown =
                 assertTold(
-                        again, "pixel (0, -5) is drawn again", "пиксель (0; −5) нарисован снова");
+                        again, "pixel (0, −5) is drawn again", "пиксель (0; −5) нарисован снова");
         assertTrue(
                 shown.stream().noneMatch(one -> one.text().in("en").contains("row pixels[0]")),
                 "a table in the order of drawing");

@@ -40,6 +40,7 @@ class MessageTest {
     /** Sentences that only hold other ones. */
     private static final Set<String> SAME =
             Set.of(
+                    "minus",
                     "join.list",
                     "join.example",
                     "join.end",
@@ -60,10 +61,11 @@ class MessageTest {
     }
 
     @Test
-    @DisplayName("a Russian minus is a hyphen, or what programs read in English changes")
+    @DisplayName("a minus is a hyphen for people, or what programs read in English changes")
     void writesCoordinatesInTheLanguageAskedFor() {
         Message extra = Message.of("pixel.extra", "(-3, -40)");
-        assertTrue(extra.in("en").contains("(-3, -40)"), extra.in("en"));
+        assertTrue(extra.in("en").contains("(−3, −40)"), extra.in("en"));
+        assertTrue(extra.inJson("en").contains("(-3, -40)"), extra.inJson("en"));
         assertTrue(extra.in("ru").contains("(−3; −40)"), extra.in("ru"));
         Message part = Message.of("picture.part", -5, -1, -9, 0, 0, 1, 0, 1);
         assertTrue(part.in("ru").contains("−5..−1"), part.in("ru"));
@@ -86,7 +88,7 @@ class MessageTest {
     @DisplayName("a point or a power of ten keeps its English signs in Russian")
     void writesPointsAndPowersInTheLanguageAskedFor() {
         Message row = Message.of("drawing.table.row", 0, "(-0.5, 1.5·10⁻⁷, NaN, -∞)");
-        assertEquals("row 0: (-0.5, 1.5·10⁻⁷, NaN, -∞)", row.in("en"));
+        assertEquals("row 0: (−0.5, 1.5·10⁻⁷, NaN, −∞)", row.in("en"));
         assertEquals("строка 0: (−0,5; 1,5·10⁻⁷; NaN; −∞)", row.in("ru"));
     }
 
@@ -106,7 +108,8 @@ class MessageTest {
             })
     void writesValuesOfStepsInTheLanguageAskedFor(String english, String russian) {
         assertEquals("ваш ответ " + russian + ", он верен", right(english, "ru"));
-        assertEquals("you answered " + english + ", which is right", right(english, "en"));
+        String signed = english.replaceAll("-(?=\\d)", "−");
+        assertEquals("you answered " + signed + ", which is right", right(english, "en"));
     }
 
     @Test

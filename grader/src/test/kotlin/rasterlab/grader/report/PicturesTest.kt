@@ -78,7 +78,7 @@ class PicturesTest {
             val names = listOf("expected", "yours", "difference", "input")
             assertEquals(names, captions(english))
             assertTrue("alt=\"one pixel: yours\na part\n##..\"" in english, english)
-            assertTrue("alt=\"one pixel: input\npixel (-1, 2) is extra\"" in english, english)
+            assertTrue("alt=\"one pixel: input\npixel (−1, 2) is extra\"" in english, english)
             val russian = page(cookie, "/submissions/$id?lang=ru")
             assertEquals(listOf("ожидалось", "у вас", "разница", "input"), captions(russian))
             assertTrue("alt=\"один пиксель: input\nлишний пиксель (−1; 2)\"" in russian, russian)

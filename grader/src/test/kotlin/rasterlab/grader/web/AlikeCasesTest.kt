@@ -41,6 +41,7 @@ class AlikeCasesTest {
         points,
         4,
         message,
+        message,
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),

@@ -70,7 +70,7 @@ class PagesTest {
             assertFalse("<script>alert" in result || "<img src=x" in result, "the result has foreign markup: $result")
             assertTrue("secret of open-case &lt;img" in result, result)
             assertFalse("secret of hidden-case" in result, "a hidden case is told")
-            assertTrue("columns -2..1 of -2..99, rows 1..1 of 1..1" in result, "no part is told: $result")
+            assertTrue("columns −2..1 of −2..99, rows 1..1 of 1..1" in result, "no part is told: $result")
             assertTrue("""<pre class="picture-text">#+-.</pre>""" in result, "not the rows alone: $result")
         }
 

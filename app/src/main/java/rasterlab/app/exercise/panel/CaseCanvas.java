@@ -108,7 +108,7 @@ public final class CaseCanvas extends SelfDrawn {
     }
 
     private String said(PicturePart part) {
-        String place = part.said().in(texts.locale().getLanguage()).replace('-', '−');
+        String place = part.said().in(texts.locale().getLanguage());
         return texts.text("case.part", place);
     }
 

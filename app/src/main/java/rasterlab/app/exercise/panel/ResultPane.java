@@ -19,7 +19,6 @@ import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.lab.OpenInLab;
 import rasterlab.app.canvas.widget.FlowRows;
 import rasterlab.app.canvas.widget.NameChooser;
@@ -258,7 +257,7 @@ public final class ResultPane extends JPanel {
 
     private void showChosen() {
         Optional<TriedCase> chosen = table.chosen();
-        String said = chosen.map(one -> Shown.pixels(one.said().in(texts.language()))).orElse("");
+        String said = chosen.map(one -> one.said().in(texts.language())).orElse("");
         boolean smallest =
                 shown.flatMap(Outcome::smallestCounterexample)
                         .filter(one -> chosen.filter(one::equals).isPresent())
