@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.process.Child;
@@ -26,6 +28,7 @@ import rasterlab.exercises.score.Message;
  */
 record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Diagnostic> errors) {
     private static final int MOST_ERRORS = 20;
+    private static final Pattern CLASS = Pattern.compile("\\b(?:class|record|enum|interface)\\b");
 
     /**
      * @throws ChildLost when the child ended by a fault that is not the source's
@@ -54,11 +57,18 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
      */
     static Compilation of(String source, int status, DataInputStream in) throws IOException {
         Compilation answer = read(status, in);
-        return answer.verdict() == GradingVerdict.COMPILE_ERROR
-                ? KotlinSource.in(source)
-                        .map(one -> failed(answer.verdict(), List.of(one)))
-                        .orElse(answer)
-                : answer;
+        if (answer.verdict() != GradingVerdict.COMPILE_ERROR) return answer;
+        return KotlinSource.in(source)
+                .or(() -> withoutClass(source))
+                .map(one -> failed(answer.verdict(), List.of(one)))
+                .orElse(answer);
+    }
+
+    /** The compiler's own words on a text without any class speak of modules. */
+    private static Optional<Diagnostic> withoutClass(String source) {
+        return CLASS.matcher(source).find()
+                ? Optional.empty()
+                : Optional.of(said("source.no-class"));
     }
 
     private static Compilation read(int status, DataInputStream in) throws IOException {

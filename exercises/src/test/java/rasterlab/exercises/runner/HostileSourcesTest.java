@@ -115,6 +115,11 @@ class HostileSourcesTest {
                         }
                         """),
                 argumentSet(
+                        "a text without a class",
+                        "compile_error",
+                        "0:0 there is no class here; send one public class",
+                        "int x = 3;\n"),
+                argumentSet(
                         "a function that the compiler does not find",
                         "compile_error",
                         "5:1 cannot find symbol",

@@ -73,7 +73,8 @@ public final class ByteCodeCheck {
             if (isPublicTopLevel(own, name) && own.lineage(name).contains(contract))
                 entries.add(name);
         if (entries.isEmpty()) return refused("classes.none", readable);
-        if (entries.size() > 1) return refused("classes.several", entries, readable);
+        if (entries.size() > 1)
+            return refused("classes.several", String.join(", ", entries), readable);
         String entry = entries.get(0);
         if (!own.shape(entry).constructible()) return refused("classes.constructor", entry);
         return new Result(entry, List.of());
