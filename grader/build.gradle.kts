@@ -11,6 +11,7 @@ dependencies {
     implementation(libs.db.scheduler)
     implementation(libs.hikari)
     implementation(libs.jackson.databind)
+    implementation(libs.jackson.dataformat.csv)
     implementation(libs.picocli)
     implementation(libs.ktor.server.auth)
     implementation(libs.ktor.server.cio)

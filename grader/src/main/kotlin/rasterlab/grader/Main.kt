@@ -8,6 +8,7 @@ import picocli.CommandLine.Option
 import picocli.CommandLine.ScopeType
 import picocli.CommandLine.Spec
 import rasterlab.engine.ProductVersion
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.CannotStart
 import java.io.OutputStreamWriter
 import java.io.PrintStream
@@ -69,7 +70,12 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
             .addSubcommand(BackupCommand(words))
             .addSubcommand(RestoreCommand(words))
             .addSubcommand(TokenCommand())
-            .addSubcommand(HelpCommand())
+            .addSubcommand(
+                CommandLine(CourseCommand(words))
+                    .addSubcommand(CourseListCommand())
+                    .addSubcommand(CourseRosterCommand(words))
+                    .addSubcommand(CourseGradesCommand()),
+            ).addSubcommand(HelpCommand())
     return words
         .wear(commands)
         .setUsageHelpWidth(HELP_WIDTH)
@@ -80,10 +86,10 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
         .setParameterExceptionHandler { failure, _ -> refuse(failure.commandLine, words.of(failure)) }
         .setExecutionExceptionHandler { failure, command, _ ->
             val log = logOnlyToFile(failure)
-            if (failure is CannotStart) {
-                refuse(command, failure.said(words.language))
-            } else {
-                giveUp(command, words, failure, log)
+            when (failure) {
+                is CannotStart -> refuse(command, failure.said(words.language))
+                is Rejection.BadRoster -> refuse(command, failure.said(words.language))
+                else -> giveUp(command, words, failure, log)
             }
         }
 }

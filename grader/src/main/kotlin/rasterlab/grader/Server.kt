@@ -22,10 +22,12 @@ import rasterlab.exercises.runner.Isolation
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Deadlines
+import rasterlab.grader.course.RosterImport
 import rasterlab.grader.course.byToken
 import rasterlab.grader.course.courses
 import rasterlab.grader.course.deadlines
 import rasterlab.grader.course.joining
+import rasterlab.grader.course.roster
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
 import rasterlab.grader.hint.Hints
@@ -33,7 +35,9 @@ import rasterlab.grader.hint.hints
 import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
 import rasterlab.grader.problem.waitForBodies
+import rasterlab.grader.report.Grades
 import rasterlab.grader.report.Results
+import rasterlab.grader.report.grades
 import rasterlab.grader.report.results
 import rasterlab.grader.storage.Database
 import rasterlab.grader.submission.Attempts
@@ -42,6 +46,7 @@ import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Marks
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Sheets
 import rasterlab.grader.submission.SteadyClock
@@ -86,6 +91,8 @@ class Server(
     val accounts = Accounts(database, clock)
     private val courses = Courses(database, clock)
     private val deadlines = Deadlines(database)
+    private val roster = RosterImport(database, clock)
+    private val grades = Grades(courses, Marks(database), exercises)
     private val live = Live()
     private val submissions = Submissions(database)
     private val reports = Reports(database)
@@ -142,6 +149,8 @@ class Server(
                 rateLimit(ENTRY) { joining(courses) }
                 authenticate {
                     courses(courses, accounts)
+                    roster(courses, roster)
+                    grades(grades)
                     exercises(exercises, sheets::starter, deadlines::of, submissions::bestsOf)
                     deadlines(deadlines) { exercises.named(it) }
                     hints(exercises, hints, courses)

@@ -53,6 +53,10 @@ class RussianCommandTest {
             "backup --help",
             "restore --help",
             "token --help",
+            "course --help",
+            "course list --help",
+            "course roster --help",
+            "course grades --help",
         ],
     )
     fun `help is Russian`(call: String) {
@@ -132,7 +136,7 @@ class RussianCommandTest {
         assertEquals(2, run(*call.split(" ").toTypedArray()))
         val said = printed.toString()
         assertTrue(Regex("unknown command 'nope'|неизвестная команда «nope»").containsMatchIn(said), said)
-        assertTrue(said.trim().endsWith("serve, backup, restore, token, help"), said)
+        assertTrue(said.trim().endsWith("serve, backup, restore, token, course, help"), said)
     }
 
     @ParameterizedTest(name = "the help of {0} in Russian breaks a line that was broken already")
@@ -175,7 +179,7 @@ class RussianCommandTest {
         val others =
             Regex(
                 "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
-                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|host.*|port|db|exam|exercises|workers.*",
+                    "help|version|lang.*|data.*|(backup|restore)\\.file|token\\.who.*|heap\\.[0-9]|host.*|port|db|exam|exercises|workers.*|course\\.(of|file|dry|for|exercises)",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())

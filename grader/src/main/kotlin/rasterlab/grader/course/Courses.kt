@@ -79,7 +79,9 @@ class Courses(
                 }
             val student =
                 request.made(handle)
-                    ?: enrol(handle, course, name, token).also { request.remember(handle, it, clock.instant()) }
+                    ?: StudentRows(handle, course.id, clock.instant())
+                        .add(name, token)
+                        .also { request.remember(handle, it, clock.instant()) }
             NewStudent(student, token)
         }
 
@@ -87,21 +89,17 @@ class Courses(
     fun students(course: String): List<Enrolled>? =
         database.read { handle ->
             course(handle, "id", course) ?: return@read null
-            handle
-                .createQuery(
-                    """SELECT id, number, name, shown_name, joined_at FROM students
-                       WHERE course_id = :course ORDER BY name, number""",
-                ).bind("course", course)
-                .map { row, _ ->
-                    Enrolled(
-                        row.getString("id"),
-                        row.getInt("number"),
-                        row.getString("name"),
-                        row.getString("shown_name"),
-                        Instant.parse(row.getString("joined_at")),
-                    )
-                }.list()
+            enrolled(handle, course)
         }
+
+    /** The course with that id or that code, or null. */
+    fun find(idOrCode: String): Course? =
+        database.read { handle ->
+            course(handle, "id", idOrCode) ?: course(handle, "code", idOrCode.trim().uppercase(Locale.ROOT))
+        }
+
+    /** Reads what rosters said of each student of a course, by the student's id. */
+    fun rosterFields(course: String): Map<String, Map<String, String>> = database.read { rosterFields(it, course) }
 
     private fun insert(
         handle: Handle,
@@ -120,51 +118,6 @@ class Courses(
         return course
     }
 
-    private fun enrol(
-        handle: Handle,
-        course: Course,
-        name: Name,
-        token: String,
-    ): String {
-        val student = Secrets.newId()
-        val number =
-            handle
-                .createQuery("SELECT coalesce(max(number), 0) + 1 FROM students WHERE course_id = :course")
-                .bind("course", course.id)
-                .mapTo(Int::class.javaObjectType)
-                .one()
-        handle
-            .createUpdate(
-                """INSERT INTO students (id, course_id, number, name, shown_name, token_hash, joined_at)
-                   VALUES (:id, :course, :number, :name, :shown, :hash, :now)""",
-            ).bind("id", student)
-            .bind("course", course.id)
-            .bind("number", number)
-            .bind("name", name.text)
-            .bind("shown", shownName(handle, course.id, name, number))
-            .bind("hash", Secrets.hash(token))
-            .bind("now", clock.instant().text())
-            .execute()
-        return student
-    }
-
-    /** No two are shown under one name, and a name that ends like one with a number is not mistaken for one. */
-    private fun shownName(
-        handle: Handle,
-        course: String,
-        name: Name,
-        number: Int,
-    ): String {
-        val taken =
-            handle
-                .createQuery("SELECT count(*) FROM students WHERE course_id = :course AND shown_name = :name")
-                .bind("course", course)
-                .bind("name", name.text)
-                .mapTo(Int::class.javaObjectType)
-                .one() > 0
-        return if (taken || name.text.endsWith(")")) "${name.text} ($number)" else name.text
-    }
-
     private fun course(
         handle: Handle,
         column: String,
@@ -179,8 +132,43 @@ class Courses(
     private fun rows(query: Query) =
         query.map { row, _ -> Course(row.getString("id"), row.getString("name"), row.getString("code")) }
 
-    private companion object {
+    internal companion object {
         /** 40 bits, and guesses are counted. */
-        const val CODE_LENGTH = 8
+        private const val CODE_LENGTH = 8
+
+        /** The students of a course in the order of their names. */
+        fun enrolled(
+            handle: Handle,
+            course: String,
+        ): List<Enrolled> =
+            handle
+                .createQuery(
+                    """SELECT id, number, name, shown_name, joined_at FROM students
+                       WHERE course_id = :course ORDER BY name, number""",
+                ).bind("course", course)
+                .map { row, _ ->
+                    Enrolled(
+                        row.getString("id"),
+                        row.getInt("number"),
+                        row.getString("name"),
+                        row.getString("shown_name"),
+                        Instant.parse(row.getString("joined_at")),
+                    )
+                }.list()
+
+        /** Reads what rosters said of each student of a course, by the student's id. */
+        fun rosterFields(
+            handle: Handle,
+            course: String,
+        ): Map<String, Map<String, String>> =
+            handle
+                .createQuery(
+                    """SELECT student_id, kind, value FROM roster_fields JOIN students ON students.id = student_id
+                       WHERE course_id = :course""",
+                ).bind("course", course)
+                .map { row, _ -> Triple(row.getString("student_id"), row.getString("kind"), row.getString("value")) }
+                .list()
+                .groupBy({ it.first }, { it.second to it.third })
+                .mapValues { it.value.toMap() }
     }
 }

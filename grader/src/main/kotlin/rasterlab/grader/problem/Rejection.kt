@@ -16,7 +16,9 @@ import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.SourceEncoding
+import rasterlab.grader.wording.Wording
 import java.time.Instant
+import java.util.Locale
 
 /**
  * Why the server does not do what it was asked.
@@ -102,6 +104,28 @@ sealed class Rejection(
             "deadline must be a moment in UTC such as 2027-03-01T20:00:00Z, or \"\" for none; it is '$told'",
             "bad-deadline",
         )
+
+    /**
+     * A roster that cannot be read, or not without a doubt; nothing is stored.
+     *
+     * @param fault key of the words
+     */
+    class BadRoster(
+        private val fault: String,
+        private vararg val values: Any,
+    ) : Rejection(said(fault, Locale.ENGLISH, values), "bad-roster") {
+        override fun details(language: String) = listOf(said(Locale.forLanguageTag(language)))
+
+        fun said(language: Locale): String = said(fault, language, values)
+
+        private companion object {
+            fun said(
+                fault: String,
+                language: Locale,
+                values: Array<out Any>,
+            ) = Wording("rasterlab.grader.problem.roster", language).say(fault, *values)
+        }
+    }
 
     /** @param likely encoding of the source */
     class NotUtf8(
@@ -215,7 +239,8 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
-        is Rejection.BadSheet, is Rejection.BadAnswers, is Rejection.BadDeadline -> UnprocessableEntity
+        is Rejection.BadSheet, is Rejection.BadAnswers -> UnprocessableEntity
+        is Rejection.BadDeadline, is Rejection.BadRoster -> UnprocessableEntity
         is Rejection.NoMoreHints, is Rejection.HintOrder, is Rejection.Late -> Conflict
         is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge

@@ -43,6 +43,8 @@ class CannotStart(
         NO_DATABASE("no.database"),
         NO_INSTRUCTOR("no.instructor"),
         NO_STUDENT("no.student"),
+        NO_COURSE("no.course"),
+        ROSTER_FILE("roster.file"),
         BACKUP_THERE("backup.there"),
         BACKUP_IS_FOLDER("backup.is.folder"),
         BACKUP_FOLDER("backup.folder"),

@@ -126,7 +126,7 @@ class Submissions(
         private const val LISTED = 100
 
         /** The points of a result that are left when its submission paid for hints. */
-        private const val NET = "max(0, r.accuracy + r.stability + r.speed - s.hint_cost)"
+        internal const val NET = "max(0, r.accuracy + r.stability + r.speed - s.hint_cost)"
 
         internal fun find(
             handle: Handle,

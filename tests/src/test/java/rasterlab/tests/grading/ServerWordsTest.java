@@ -37,6 +37,7 @@ class ServerWordsTest {
                     Rejection.BadKey.class,
                     Rejection.BadAnswers.class,
                     Rejection.BadDeadline.class,
+                    Rejection.BadRoster.class,
                     Rejection.HintOrder.class,
                     Rejection.NoMoreHints.class,
                     Rejection.UnknownLanguage.class,

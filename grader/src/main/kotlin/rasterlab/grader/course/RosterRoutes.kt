@@ -1,0 +1,74 @@
+package rasterlab.grader.course
+
+import io.ktor.http.ContentType
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.bodyType
+import rasterlab.grader.problem.receiveAtMost
+import rasterlab.grader.problem.respondJson
+
+private const val ROSTER_BYTES = 1 shl 20
+
+@Serializable
+private data class AddedAnswer(
+    val student: String?,
+    val name: String,
+    val token: String?,
+)
+
+@Serializable
+private data class CorrectedAnswer(
+    val student: String,
+    val from: String,
+    val to: String,
+    val fields: List<String>,
+)
+
+@Serializable
+private data class MissingAnswer(
+    val student: String,
+    val name: String,
+)
+
+@Serializable
+private data class RosterAnswer(
+    val dry: Boolean,
+    val added: List<AddedAnswer>,
+    val corrected: List<CorrectedAnswer>,
+    val unchanged: Int,
+    val missing: List<MissingAnswer>,
+)
+
+/** Takes rosters from instructors, inside `authenticate`; `?dry=true` says what would change, and changes nothing. */
+fun Route.roster(
+    courses: Courses,
+    roster: RosterImport,
+) = post("/courses/{course}/roster") {
+    val instructor = call.instructor()
+    val id = call.parameters.getOrFail("course")
+    val dry = call.flag("dry")
+    call.bodyType(ContentType.Text.CSV)
+    val course = courses.find(id) ?: throw Rejection.UnknownCourse(id)
+    val change = roster.apply(course, call.receiveAtMost(ROSTER_BYTES), dry, instructor.id)
+    call.respondJson(
+        RosterAnswer(
+            dry,
+            change.added.map { AddedAnswer(it.student, it.name, it.token) },
+            change.corrected.map { CorrectedAnswer(it.student, it.from, it.to, it.fields) },
+            change.unchanged,
+            change.missing.map { MissingAnswer(it.id, it.shownName) },
+        ),
+    )
+}
+
+/** Whether a switch of the address is on. */
+private fun ApplicationCall.flag(name: String): Boolean =
+    when (val told = request.queryParameters[name]) {
+        null, "false" -> false
+        "true" -> true
+        else -> throw Rejection.Malformed("$name is '$told', allowed are true, false")
+    }

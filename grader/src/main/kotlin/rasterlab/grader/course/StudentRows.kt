@@ -1,0 +1,88 @@
+package rasterlab.grader.course
+
+import org.jdbi.v3.core.Handle
+import rasterlab.grader.storage.Secrets
+import rasterlab.grader.storage.text
+import java.time.Instant
+
+/** Writes the students of one course, in the transaction of [handle]. */
+internal class StudentRows(
+    private val handle: Handle,
+    private val course: String,
+    private val now: Instant,
+) {
+    /** The id of a new student. */
+    fun add(
+        name: Name,
+        token: String,
+    ): String {
+        val student = Secrets.newId()
+        val number =
+            handle
+                .createQuery("SELECT coalesce(max(number), 0) + 1 FROM students WHERE course_id = :course")
+                .bind("course", course)
+                .mapTo(Int::class.javaObjectType)
+                .one()
+        handle
+            .createUpdate(
+                """INSERT INTO students (id, course_id, number, name, shown_name, token_hash, joined_at)
+                   VALUES (:id, :course, :number, :name, :shown, :hash, :now)""",
+            ).bind("id", student)
+            .bind("course", course)
+            .bind("number", number)
+            .bind("name", name.text)
+            .bind("shown", shownName(name, number))
+            .bind("hash", Secrets.hash(token))
+            .bind("now", now.text())
+            .execute()
+        return student
+    }
+
+    /** The student keeps id and number. */
+    fun rename(
+        student: Enrolled,
+        name: Name,
+    ) {
+        handle
+            .createUpdate("UPDATE students SET name = :name, shown_name = :shown WHERE id = :id")
+            .bind("id", student.id)
+            .bind("name", name.text)
+            .bind("shown", shownName(name, student.number))
+            .execute()
+    }
+
+    /** Puts what a roster says of a student in the place of what one said before. */
+    fun note(
+        student: String,
+        fields: Map<String, String>,
+    ) {
+        for ((kind, value) in fields) {
+            handle
+                .createUpdate(
+                    """INSERT INTO roster_fields (student_id, kind, value) VALUES (:student, :kind, :value)
+                       ON CONFLICT (student_id, kind) DO UPDATE SET value = excluded.value""",
+                ).bind("student", student)
+                .bind("kind", kind)
+                .bind("value", value)
+                .execute()
+        }
+    }
+
+    /** No two are shown under one name, and a name that ends like one with a number is not mistaken for one. */
+    private fun shownName(
+        name: Name,
+        number: Int,
+    ): String {
+        val taken =
+            handle
+                .createQuery(
+                    """SELECT count(*) FROM students
+                       WHERE course_id = :course AND shown_name = :name AND number <> :number""",
+                ).bind("course", course)
+                .bind("name", name.text)
+                .bind("number", number)
+                .mapTo(Int::class.javaObjectType)
+                .one() > 0
+        return if (taken || name.text.endsWith(")")) "${name.text} ($number)" else name.text
+    }
+}

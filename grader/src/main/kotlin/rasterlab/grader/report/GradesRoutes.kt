@@ -1,0 +1,53 @@
+package rasterlab.grader.report
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.http.withCharset
+import io.ktor.server.response.header
+import io.ktor.server.response.respondText
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.util.getOrFail
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.instructor
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.language
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.submission.Marks
+
+/** The marks of a course, from where they are stored to the file that leaves the server. */
+class Grades(
+    private val courses: Courses,
+    private val marks: Marks,
+    private val exercises: Exercises,
+) {
+    /** @throws Rejection.UnknownCourse where there is no course of that id or code */
+    fun of(
+        course: String,
+        reader: GradesReader,
+        language: String,
+    ): String {
+        val id = courses.find(course)?.id ?: throw Rejection.UnknownCourse(course)
+        val fields = courses.rosterFields(id)
+        val points = marks.of(id)
+        val lines =
+            courses.students(id).orEmpty().map {
+                GradesLine(it, fields[it.id].orEmpty(), points[it.id].orEmpty())
+            }
+        return GradesFile(exercises.all, language).write(reader, lines)
+    }
+}
+
+/** Serves marks to instructors, inside `authenticate`; `?for=moodle` or `?for=canvas` gives what these take back. */
+fun Route.grades(grades: Grades) =
+    get("/courses/{course}/grades.csv") {
+        call.instructor()
+        val asked = call.request.queryParameters["for"] ?: GradesReader.PEOPLE.code
+        val codes = GradesReader.entries.map { it.code }
+        val reader =
+            GradesReader.entries.firstOrNull { it.code == asked }
+                ?: throw Rejection.Malformed("for is '$asked', allowed are ${codes.joinToString()}")
+        val file = grades.of(call.parameters.getOrFail("course"), reader, call.language())
+        call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"grades.csv\"")
+        call.respondText(file, ContentType.Text.CSV.withCharset(Charsets.UTF_8))
+    }
