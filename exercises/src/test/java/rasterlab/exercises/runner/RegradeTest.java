@@ -19,7 +19,8 @@ import rasterlab.exercises.score.ScorePoints;
 
 /**
  * Grading again what was handed in gives the same verdicts and points: 20 programs 50 times with
- * {@code -Drasterlab.full=true}. What depends on a time that was measured is printed, not compared.
+ * {@code -Drasterlab.full=true}, then with one batch for the speed. What depends on a time that was
+ * measured is printed, not compared.
  */
 @Tag("slow")
 class RegradeTest {
@@ -27,6 +28,9 @@ class RegradeTest {
     private static final boolean FULL = Boolean.getBoolean("rasterlab.full");
     private static final int SUBMISSIONS = FULL ? 20 : 3;
     private static final int TIMES = FULL ? 50 : 2;
+    private static final JudgeSettings SETTINGS =
+            JudgeSettings.defaults()
+                    .withSpeed(FULL ? JudgeSettings.Speed.ONCE : JudgeSettings.Speed.MEASURED);
 
     /** The programs, taken evenly out of all, those that are right and those that are not. */
     private static List<Path> programs() throws IOException {
@@ -42,7 +46,7 @@ class RegradeTest {
     void gradingAgainGivesTheSame() throws Exception {
         List<String> differing = new ArrayList<>();
         List<Path> programs = programs();
-        try (Judge judge = Judge.start(JudgeSettings.defaults())) {
+        try (Judge judge = Judge.start(SETTINGS)) {
             List<String> first = new ArrayList<>();
             for (Path one : programs) first.add(graded(judge, one, first.size()));
             for (int time = 1; time < TIMES; time++)
