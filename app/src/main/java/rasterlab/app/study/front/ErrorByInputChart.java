@@ -2,17 +2,13 @@ package rasterlab.app.study.front;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.chart.MethodLook;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
@@ -26,12 +22,9 @@ import rasterlab.engine.study.Verdict;
  * the method that is best there.
  */
 public final class ErrorByInputChart implements StudyPicture {
-    private static final int LEFT = 92;
     private static final int TOP = 62;
     private static final int STRIP = 40;
-    private static final int AXIS = 46;
     private static final int BAND = 36;
-    private static final int MARK = 9;
     private static final Color EXACT = new Color(0, 158, 115, 32);
     private static final Color FAILED = new Color(213, 94, 0, 32);
 
@@ -40,7 +33,7 @@ public final class ErrorByInputChart implements StudyPicture {
     private final ChartLook paper;
     private final List<Measurement> points;
     private final List<Regime> regimes;
-    private final Map<String, MethodLook> looks;
+    private final MethodLines lines;
 
     /** The errors over the workloads that differ in nothing but their size. */
     public ErrorByInputChart(Study study, StudyWords words, ChartLook paper) {
@@ -58,8 +51,7 @@ public final class ErrorByInputChart implements StudyPicture {
                 Regime.along(study, points.stream().map(Measurement::workload).distinct().toList());
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();
-        looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
-        looks.replaceAll((method, look) -> look.on(paper));
+        lines = new MethodLines(MethodLines.looks(study.topic(), methods, paper), paper);
     }
 
     private static boolean isFailed(Measurement one) {
@@ -73,21 +65,22 @@ public final class ErrorByInputChart implements StudyPicture {
 
     @Override
     public void paint(Graphics2D graphics, double width, double height) {
-        List<String> notes =
-                PlotFrame.noteLines(words.byInputNote(study, regimes), width - 24, graphics);
-        List<String> methods = points.stream().map(Measurement::method).distinct().toList();
-        int column =
-                LeaderColumn.width(
-                        methods.stream().map(words::called).toList(),
-                        graphics.getFontMetrics(LeaderColumn.FONT));
-        double right = Math.max(width * 0.4, width - column - 40);
-        double bottom = height - AXIS - PlotFrame.noteHeight(notes) - 6;
-        var plot = new Rectangle2D.Double(LEFT, TOP, right - LEFT, bottom - TOP);
-        var frame = new PlotFrame(graphics, paper, plot, words.locale());
-        frame.title(words.byInputTitle(study), width);
-        if (!points.isEmpty()) paintPoints(graphics, frame, plot);
-        frame.border();
-        frame.note(notes, 12, height - PlotFrame.noteHeight(notes) - 4);
+        new ChartPage(
+                        paper,
+                        words.locale(),
+                        TOP,
+                        words.byInputTitle(study),
+                        methods().stream().map(words::called).toList(),
+                        words.byInputNote(study, regimes))
+                .paint(
+                        graphics,
+                        width,
+                        height,
+                        (frame, plot) -> paintPoints(graphics, frame, plot));
+    }
+
+    private List<String> methods() {
+        return points.stream().map(Measurement::method).distinct().toList();
     }
 
     private void paintPoints(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {
@@ -114,49 +107,35 @@ public final class ErrorByInputChart implements StudyPicture {
             frame.besideLeft(words.failedShort(), (failed + plot.getMinY()) / 2);
         strips(graphics, across, plot);
         var labels = new ArrayList<LeaderColumn.Label>();
-        for (String method : points.stream().map(Measurement::method).distinct().toList())
+        for (String method : methods())
             labels.add(
-                    line(
+                    lines.draw(
                             graphics,
                             method,
-                            one ->
-                                    new double[] {
-                                        across.at(one.size()),
-                                        isEndless(one)
-                                                ? (failed + plot.getMinY()) / 2
-                                                : ParetoFront.error(one) == 0
-                                                        ? (exact + plot.getMaxY()) / 2
-                                                        : up.at(ParetoFront.error(one))
-                                    }));
-        new LeaderColumn(labels, plot.getMaxX() + 24, plot.getMinY(), plot.getMaxY())
-                .paint(graphics, MARK / 2.0 + 2);
+                            words.called(method),
+                            places(
+                                    method,
+                                    one ->
+                                            new Point2D.Double(
+                                                    across.at(one.size()),
+                                                    isEndless(one)
+                                                            ? (failed + plot.getMinY()) / 2
+                                                            : ParetoFront.error(one) == 0
+                                                                    ? (exact + plot.getMaxY()) / 2
+                                                                    : up.at(
+                                                                            ParetoFront.error(
+                                                                                    one))))));
+        MethodLines.name(graphics, labels, plot);
+    }
+
+    private List<Point2D> places(String method, Function<Measurement, Point2D> place) {
+        return points.stream().filter(one -> one.method().equals(method)).map(place).toList();
     }
 
     private static void band(
             Graphics2D graphics, Color colour, Rectangle2D plot, double top, double bottom) {
         graphics.setColor(colour);
         graphics.fill(new Rectangle2D.Double(plot.getMinX(), top, plot.getWidth(), bottom - top));
-    }
-
-    /** A method's points and the line through them; answers the label at its end. */
-    private LeaderColumn.Label line(
-            Graphics2D graphics, String method, Function<Measurement, double[]> place) {
-        MethodLook look = looks.get(method);
-        graphics.setColor(look.colour());
-        graphics.setStroke(look.stroke());
-        List<double[]> places =
-                points.stream().filter(one -> one.method().equals(method)).map(place).toList();
-        for (int i = 1; i < places.size(); i++)
-            graphics.draw(
-                    new Line2D.Double(
-                            places.get(i - 1)[0],
-                            places.get(i - 1)[1],
-                            places.get(i)[0],
-                            places.get(i)[1]));
-        for (double[] at : places) look.marker().paint(graphics, at[0], at[1], MARK);
-        double[] last = places.get(places.size() - 1);
-        return new LeaderColumn.Label(
-                words.called(method), last[0], last[1], paper.ink(), look.colour());
     }
 
     /** The regimes above the plot, each from half the way to its neighbour. */
@@ -169,7 +148,7 @@ public final class ErrorByInputChart implements StudyPicture {
                     i + 1 < regimes.size()
                             ? across.at(Math.sqrt((double) regime.to() * regimes.get(i + 1).from()))
                             : plot.getMaxX();
-            graphics.setColor(looks.get(regime.method()).colour());
+            graphics.setColor(lines.looks().get(regime.method()).colour());
             graphics.fill(new Rectangle2D.Double(left, STRIP + 14, right - left - 1, 5));
             graphics.setColor(paper.ink());
             String name = words.called(regime.method());

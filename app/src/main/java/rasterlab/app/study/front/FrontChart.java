@@ -7,13 +7,11 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import rasterlab.app.canvas.method.MethodColours;
 import rasterlab.app.chart.ChartLook;
 import rasterlab.app.chart.MethodLook;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.ExactBound;
@@ -30,9 +28,7 @@ import rasterlab.engine.study.measuring.MedianInterval;
  * pale, and behind its name stands what beats it.
  */
 public final class FrontChart implements StudyPicture {
-    private static final int LEFT = 92;
     private static final int TOP = 40;
-    private static final int AXIS = 46;
     private static final int BAND = 56;
     private static final int MARK = 11;
     private static final double PALE = 0.6;
@@ -70,8 +66,7 @@ public final class FrontChart implements StudyPicture {
         List<String> methods = new ArrayList<>(topic.methods().stream().map(Method::name).toList());
         for (Measurement one : study.measurements())
             if (!methods.contains(one.method())) methods.add(one.method());
-        looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
-        looks.replaceAll((method, look) -> look.on(paper));
+        looks = MethodLines.looks(study.topic(), methods, paper);
     }
 
     /** The points, once the chart is painted. */
@@ -82,20 +77,18 @@ public final class FrontChart implements StudyPicture {
     @Override
     public void paint(Graphics2D graphics, double width, double height) {
         spots.clear();
-        List<String> notes =
-                PlotFrame.noteLines(words.frontNote(study, workload), width - 24, graphics);
-        int column =
-                LeaderColumn.width(
+        new ChartPage(
+                        paper,
+                        words.locale(),
+                        TOP,
+                        words.frontTitle(study, workload),
                         front.ranking().places().stream().map(this::label).toList(),
-                        graphics.getFontMetrics(LeaderColumn.FONT));
-        double right = Math.max(width * 0.4, width - column - 40);
-        double bottom = height - AXIS - PlotFrame.noteHeight(notes) - 6;
-        var plot = new Rectangle2D.Double(LEFT, TOP, right - LEFT, bottom - TOP);
-        var frame = new PlotFrame(graphics, paper, plot, words.locale());
-        frame.title(words.frontTitle(study, workload), width);
-        if (!front.ranking().places().isEmpty()) paintPoints(graphics, frame, plot);
-        frame.border();
-        frame.note(notes, 12, height - PlotFrame.noteHeight(notes) - 4);
+                        words.frontNote(study, workload))
+                .paint(
+                        graphics,
+                        width,
+                        height,
+                        (frame, plot) -> paintPoints(graphics, frame, plot));
     }
 
     private void paintPoints(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {

@@ -2,6 +2,7 @@ package rasterlab.app.study.front;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -12,8 +13,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import rasterlab.app.chart.ChartLook;
-import rasterlab.app.chart.MethodLook;
-import rasterlab.app.rooms.LabRooms;
 import rasterlab.app.study.chart.StudyWords;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.ParetoFront;
@@ -26,10 +25,7 @@ import rasterlab.engine.study.measuring.PowerFit;
  * exponent stands behind the method's name with its interval.
  */
 public final class SizesChart implements StudyPicture {
-    private static final int LEFT = 92;
     private static final int TOP = 40;
-    private static final int AXIS = 46;
-    private static final int MARK = 9;
 
     /** The quantity that grows. */
     public enum Of {
@@ -45,7 +41,7 @@ public final class SizesChart implements StudyPicture {
     private final ChartLook paper;
     private final String kind;
     private final List<Line> lines = new ArrayList<>();
-    private final Map<String, MethodLook> looks;
+    private final MethodLines drawing;
 
     /** The growth over the workloads that differ in nothing but their size. */
     public SizesChart(Study study, Of of, StudyWords words, ChartLook paper) {
@@ -56,8 +52,7 @@ public final class SizesChart implements StudyPicture {
         kind = kindOfMost(study);
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();
-        looks = new LinkedHashMap<>(MethodLook.of(methods, LabRooms.card(study.topic()).colours()));
-        looks.replaceAll((method, look) -> look.on(paper));
+        drawing = new MethodLines(MethodLines.looks(study.topic(), methods, paper), paper);
         for (String method : methods) {
             List<PowerFit.Point> points = points(method);
             if (!points.isEmpty()) lines.add(new Line(method, points, PowerFit.of(points)));
@@ -116,19 +111,14 @@ public final class SizesChart implements StudyPicture {
 
     @Override
     public void paint(Graphics2D graphics, double width, double height) {
-        List<String> notes = PlotFrame.noteLines(words.growthNote(of.name()), width - 24, graphics);
-        int column =
-                LeaderColumn.width(
+        new ChartPage(
+                        paper,
+                        words.locale(),
+                        TOP,
+                        words.growthTitle(study, of.name()),
                         lines.stream().map(this::label).toList(),
-                        graphics.getFontMetrics(LeaderColumn.FONT));
-        double right = Math.max(width * 0.4, width - column - 40);
-        double bottom = height - AXIS - PlotFrame.noteHeight(notes) - 6;
-        var plot = new Rectangle2D.Double(LEFT, TOP, right - LEFT, bottom - TOP);
-        var frame = new PlotFrame(graphics, paper, plot, words.locale());
-        frame.title(words.growthTitle(study, of.name()), width);
-        if (!lines.isEmpty()) paintLines(graphics, frame, plot);
-        frame.border();
-        frame.note(notes, 12, height - PlotFrame.noteHeight(notes) - 4);
+                        words.growthNote(of.name()))
+                .paint(graphics, width, height, (frame, plot) -> paintLines(graphics, frame, plot));
     }
 
     private void paintLines(Graphics2D graphics, PlotFrame frame, Rectangle2D plot) {
@@ -138,33 +128,15 @@ public final class SizesChart implements StudyPicture {
         frame.axisUp(up, of == Of.COST ? words.costPerInput(study) : words.errorAxis(study));
         var labels = new ArrayList<LeaderColumn.Label>();
         for (Line line : lines) {
-            MethodLook look = looks.get(line.method());
-            graphics.setColor(look.colour());
-            graphics.setStroke(look.stroke());
-            for (int i = 1; i < line.points().size(); i++) {
-                PowerFit.Point from = line.points().get(i - 1);
-                PowerFit.Point to = line.points().get(i);
-                graphics.draw(
-                        new Line2D.Double(
-                                across.at(from.x()),
-                                up.at(from.y()),
-                                across.at(to.x()),
-                                up.at(to.y())));
-            }
-            for (PowerFit.Point point : line.points())
-                look.marker().paint(graphics, across.at(point.x()), up.at(point.y()), MARK);
+            List<Point2D> places =
+                    line.points().stream()
+                            .<Point2D>map(
+                                    one -> new Point2D.Double(across.at(one.x()), up.at(one.y())))
+                            .toList();
+            labels.add(drawing.draw(graphics, line.method(), label(line), places));
             if (of == Of.COST) bars(graphics, line.method(), across, up);
-            PowerFit.Point last = line.points().get(line.points().size() - 1);
-            labels.add(
-                    new LeaderColumn.Label(
-                            label(line),
-                            across.at(last.x()),
-                            up.at(last.y()),
-                            paper.ink(),
-                            look.colour()));
         }
-        new LeaderColumn(labels, plot.getMaxX() + 24, plot.getMinY(), plot.getMaxY())
-                .paint(graphics, MARK / 2.0 + 2);
+        MethodLines.name(graphics, labels, plot);
     }
 
     private void bars(Graphics2D graphics, String method, LogScale across, LogScale up) {
